@@ -1,0 +1,84 @@
+//! The number types that the model computes in.
+
+use num_traits::float::FloatCore;
+
+/// `f32` or `f64`, with the few functions that the robot's mathematics needs.
+///
+/// `f32` uses [`crate::trigonometry`] for sines, because libm's `sinf` computes in
+/// `f64`, which the board's processor lacks; the rest is libm's.
+pub trait Real: FloatCore + core::fmt::Debug + 'static {
+    /// A constant. Folded at compile time where `value` is a literal.
+    fn constant(value: f64) -> Self;
+    /// A whole number, without a detour over `f64`, which the board lacks.
+    fn whole(value: i32) -> Self;
+    /// The value as `f64`, for messages and reports.
+    fn as_f64(self) -> f64;
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(self) -> (Self, Self);
+    /// e to the power of `self`.
+    fn exp(self) -> Self;
+    /// e to the power of `self`, minus one, exact for small arguments.
+    fn exp_m1(self) -> Self;
+    /// Square root.
+    fn sqrt(self) -> Self;
+}
+
+impl Real for f32 {
+    #[inline(always)]
+    fn constant(value: f64) -> Self {
+        value as f32
+    }
+    #[inline]
+    fn whole(value: i32) -> Self {
+        value as f32
+    }
+    fn as_f64(self) -> f64 {
+        f64::from(self)
+    }
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        crate::trigonometry::sin_cos_radians(self)
+    }
+    #[inline]
+    fn exp(self) -> Self {
+        libm::expf(self)
+    }
+    #[inline]
+    fn exp_m1(self) -> Self {
+        libm::expm1f(self)
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        libm::sqrtf(self)
+    }
+}
+
+impl Real for f64 {
+    #[inline(always)]
+    fn constant(value: f64) -> Self {
+        value
+    }
+    #[inline]
+    fn whole(value: i32) -> Self {
+        f64::from(value)
+    }
+    fn as_f64(self) -> f64 {
+        self
+    }
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        libm::sincos(self)
+    }
+    #[inline]
+    fn exp(self) -> Self {
+        libm::exp(self)
+    }
+    #[inline]
+    fn exp_m1(self) -> Self {
+        libm::expm1(self)
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        libm::sqrt(self)
+    }
+}

@@ -1,0 +1,28 @@
+//! The regressor R of eq. (5): torques are linear in the base parameters.
+
+use crate::base::COUNT;
+use crate::vector::Vector3;
+use crate::{BaseParameters, Geometry, Posture, Real};
+
+/// R(q, qd, qdd), one row of 16 per joint: tau = R p, p in the order of [`crate::base::NAMES`].
+///
+/// Column k is the inverse dynamics of a robot whose only parameter is the k-th,
+/// one: the closed form stands in one place, and eq. (5) holds by construction.
+pub fn regressor<T: Real>(
+    posture: &Posture<T>,
+    geometry: &Geometry<T>,
+    qd_rad_per_s: &Vector3<T>,
+    qdd_rad_per_s2: &Vector3<T>,
+) -> [[T; COUNT]; 3] {
+    let mut rows = [[T::zero(); COUNT]; 3];
+    for column in 0..COUNT {
+        let mut unit = [T::zero(); COUNT];
+        unit[column] = T::one();
+        let p = BaseParameters::from_array(unit);
+        let torque = posture.inverse_dynamics(&p, geometry, qd_rad_per_s, qdd_rad_per_s2);
+        for (row, value) in rows.iter_mut().zip(torque) {
+            row[column] = value;
+        }
+    }
+    rows
+}
