@@ -1,2 +1,32 @@
 //! The RRR joint controller without its hardware.
+//!
+//! Everything above the pins: three encoder counts go into [`Controller::tick`],
+//! three DAC codes come out, once a millisecond. The boards under `bin/` add
+//! pins, timers and a link, and nothing else. The tick computes in `f32` and integers only, so
+//! that the host and the Cortex-M4F give the same codes bit for bit.
+//!
+//! | module | what it holds |
+//! | --- | --- |
+//! | [`controller`] | **the control law** |
+//! | [`block`] | the parameter block: model, gains, limits, reference, checked as a whole |
+//! | [`reference`] | the motions and voltages that the board plays by itself |
+//! | [`velocity`] | the velocity estimate |
+//! | [`angle`], [`encoder`], [`dac`] | machine units: where SI begins and ends |
+//! | [`lockstep`] | the records exchanged with a simulated robot |
 #![cfg_attr(not(test), no_std)]
+#![forbid(unsafe_code)]
+
+pub mod angle;
+pub mod block;
+pub mod block_check;
+pub mod controller;
+pub mod dac;
+pub mod encoder;
+pub mod lockstep;
+pub mod reference;
+pub mod velocity;
+
+pub use angle::Angle;
+pub use block::{BlockError, Gains, Mode, ParameterBlock};
+pub use controller::{Controller, TickOutput};
+pub use dac::DacCode;

@@ -1,11 +1,13 @@
 //! A whole rig of three joints.
 
+use serde::{Deserialize, Serialize};
+
 use crate::parameter::{ParameterError, named};
 use crate::vector::Vector3;
 use crate::{BaseParameters, Friction, Geometry, Real};
 
 /// Everything that the model of Table 1 to 3 and eq. (19) consists of.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Robot<T> {
     /// Lengths and gravity.
     pub geometry: Geometry<T>,

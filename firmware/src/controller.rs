@@ -1,0 +1,222 @@
+//! The control law.
+//!
+//! Once a tick, from three encoder counts to three DAC codes:
+//!
+//! ```text
+//! u = kp (q_ref - q) + kd (qd_ref - qd)      feedback, eq. (17)
+//!   + k_t^-1 (D qdd + c + h)                 inverse dynamics of the reference, eq. (3)
+//!   + LuGre friction of the reference        eq. (9)
+//!   + injected voltage
+//! ```
+//!
+//! Inverse dynamics and friction are those of the wanted motion in the middle of
+//! the interval in which the command acts; feedback compares at the tick itself.
+//! Deadline: the codes are out before the next tick, 1 ms or 170,000 cycles of the
+//! STM32G474; `docs/firmware.md` holds the count of instructions, under 2,500.
+
+use model::{FrictionState, Posture};
+
+use crate::block::{Gains, Mode, ParameterBlock};
+use crate::encoder::{Encoder, EncoderScale};
+use crate::reference::{InjectionSource, Setpoint, Time};
+use crate::velocity::{TrackerGains, VelocityTracker};
+use crate::{Angle, DacCode};
+
+/// What a tick puts out, and what it saw.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TickOutput {
+    /// Command of each joint.
+    pub codes: [DacCode; 3],
+    /// Where each joint should be at this tick.
+    pub reference: [Angle; 3],
+    /// Where each joint is.
+    pub measured: [Angle; 3],
+    /// Estimated velocities [rad/s].
+    pub velocity_rad_per_s: [f32; 3],
+    /// Whether the command of each joint was cut at the limit.
+    pub saturated: [bool; 3],
+}
+
+/// What one joint's estimators and references remember from tick to tick.
+#[derive(Clone, Debug)]
+struct Joint {
+    encoder: Encoder,
+    tracker: Option<VelocityTracker>,
+    tracker_gains: TrackerGains,
+    friction: FrictionState<f32>,
+    injection: InjectionSource,
+}
+
+/// Position and velocity as measured.
+#[derive(Clone, Copy, Debug)]
+struct Measured {
+    angle: Angle,
+    velocity_rad_per_s: f32,
+}
+
+/// The controller of all three joints.
+#[derive(Clone, Debug)]
+pub struct Controller {
+    block: ParameterBlock,
+    joints: [Joint; 3],
+    rate_per_s: f32,
+    last_tick: u32,
+    tick: u32,
+    running: bool,
+}
+
+impl Controller {
+    /// A controller with a checked block, not running yet: it puts out 0 V.
+    pub fn new(block: ParameterBlock) -> Self {
+        let rate_per_s = 1.0 / block.sample_period_s;
+        Self {
+            joints: [0, 1, 2].map(|i| Joint::new(&block, i, rate_per_s)),
+            rate_per_s,
+            last_tick: (block.reference.duration_s * rate_per_s) as u32,
+            tick: 0,
+            running: false,
+            block,
+        }
+    }
+
+    /// Begins the reference at the next tick.
+    pub fn start(&mut self) {
+        for (joint, injection) in self.joints.iter_mut().zip(&self.block.reference.injection) {
+            joint.injection = InjectionSource::new(injection, self.rate_per_s);
+            joint.friction = FrictionState::default();
+        }
+        self.tick = 0;
+        self.running = true;
+    }
+
+    /// Puts out 0 V from the next tick on.
+    pub fn stop(&mut self) {
+        self.running = false;
+    }
+
+    /// One tick: counts since power-on in, codes out.
+    #[inline(never)]
+    pub fn tick(&mut self, counts: &[i32; 3]) -> TickOutput {
+        let measured = self.measure(counts);
+        let mut output = TickOutput {
+            measured: measured.map(|m| m.angle),
+            velocity_rad_per_s: measured.map(|m| m.velocity_rad_per_s),
+            ..TickOutput::default()
+        };
+        if self.running {
+            self.control(&measured, &mut output);
+        }
+        output
+    }
+
+    #[inline]
+    fn measure(&mut self, counts: &[i32; 3]) -> [Measured; 3] {
+        let [first, second, third] = &mut self.joints;
+        [first.measure(counts[0]), second.measure(counts[1]), third.measure(counts[2])]
+    }
+
+    /// The control law, see the head of this file.
+    #[inline]
+    fn control(&mut self, measured: &[Measured; 3], output: &mut TickOutput) {
+        let period_s = self.block.sample_period_s;
+        let ahead = self.reference_ahead();
+        let inverse_dynamics_v = self.inverse_dynamics(&ahead);
+        let injected_v = self.injected();
+        for i in 0..3 {
+            let mode = self.block.mode[i];
+            let now = ahead[i].earlier(0.5 * period_s);
+            let friction_velocity = match mode {
+                Mode::FrictionOnly => measured[i].velocity_rad_per_s,
+                _ => ahead[i].velocity_rad_per_s,
+            };
+            let friction_v = self.joints[i].friction.step(
+                &self.block.robot.friction[i],
+                friction_velocity,
+                period_s,
+            );
+            let feedback_v = self.block.gains[i].feedback(&now, &measured[i]);
+            let law_v = match mode {
+                Mode::Pd => feedback_v,
+                Mode::PdFriction => feedback_v + friction_v,
+                Mode::PdModel => feedback_v + friction_v + inverse_dynamics_v[i],
+                Mode::FrictionOnly => friction_v,
+                Mode::OpenLoop => 0.0,
+            };
+            let wanted_v = law_v + injected_v[i];
+            let limit_v = self.block.command_limit_v;
+            output.codes[i] = DacCode::from_volts(wanted_v.clamp(-limit_v, limit_v));
+            output.saturated[i] = wanted_v.abs() > limit_v;
+            output.reference[i] = now.angle;
+        }
+        self.tick = self.tick.saturating_add(1);
+    }
+
+    /// The setpoints in the middle of the interval that begins with this tick.
+    #[inline]
+    fn reference_ahead(&self) -> [Setpoint; 3] {
+        let ended = self.tick >= self.last_tick;
+        let tick = if ended { self.last_tick } else { self.tick };
+        let time = Time::new(tick, self.block.sample_period_s, self.rate_per_s);
+        [0, 1, 2].map(|i| {
+            let setpoint = self.block.reference.motion[i].at(time);
+            if ended { Setpoint::at_rest(setpoint.angle) } else { setpoint }
+        })
+    }
+
+    /// Motor voltages of the wanted motion, eq. (3).
+    #[inline]
+    fn inverse_dynamics(&self, wanted: &[Setpoint; 3]) -> [f32; 3] {
+        let robot = &self.block.robot;
+        let posture = Posture::from_sines(wanted[1].angle.sin_cos(), wanted[2].angle.sin_cos());
+        let torque_nm = posture.inverse_dynamics(
+            &robot.base,
+            &robot.geometry,
+            &wanted.map(|w| w.velocity_rad_per_s),
+            &wanted.map(|w| w.acceleration_rad_per_s2),
+        );
+        robot.torque_to_voltage(&torque_nm)
+    }
+
+    /// Injected voltages; none once the reference has ended.
+    #[inline]
+    fn injected(&mut self) -> [f32; 3] {
+        if self.tick >= self.last_tick {
+            return [0.0; 3];
+        }
+        let time = Time::new(self.tick, self.block.sample_period_s, self.rate_per_s);
+        let [first, second, third] = &mut self.joints;
+        [first, second, third].map(|joint| joint.injection.next_voltage(time))
+    }
+}
+
+impl Joint {
+    fn new(block: &ParameterBlock, index: usize, rate_per_s: f32) -> Self {
+        let bandwidth = block.velocity_bandwidth_rad_per_s[index];
+        Self {
+            encoder: Encoder::new(EncoderScale::new(block.encoder_counts_per_turn)),
+            tracker: None,
+            tracker_gains: TrackerGains::new(bandwidth, block.sample_period_s),
+            friction: FrictionState::default(),
+            injection: InjectionSource::new(&block.reference.injection[index], rate_per_s),
+        }
+    }
+
+    #[inline]
+    fn measure(&mut self, count: i32) -> Measured {
+        let angle = self.encoder.update(count);
+        let gains = self.tracker_gains;
+        let tracker = self.tracker.get_or_insert_with(|| VelocityTracker::at_rest(gains, angle));
+        Measured { angle, velocity_rad_per_s: tracker.update(angle) }
+    }
+}
+
+impl Gains {
+    /// Feedback voltage, eq. (17).
+    #[inline]
+    fn feedback(&self, wanted: &Setpoint, measured: &Measured) -> f32 {
+        let position_error_rad = wanted.angle.minus(measured.angle);
+        let velocity_error = wanted.velocity_rad_per_s - measured.velocity_rad_per_s;
+        self.proportional_v_per_rad * position_error_rad
+            + self.derivative_v_s_per_rad * velocity_error
+    }
+}

@@ -1,0 +1,79 @@
+//! Voltages added to the command: open-loop excitation.
+
+use serde::{Deserialize, Serialize};
+
+use super::motion::sin_cos_of_cycle;
+use super::{Noise, NoiseSource, Time};
+
+/// A voltage added to one joint's command.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Injection {
+    /// Nothing.
+    None,
+    /// Slow and fast phases that grow, of the kind of Fig. 2.
+    FrictionExcitation(FrictionExcitation),
+    /// Band-limited noise, section 3.2.
+    Noise(Noise),
+}
+
+/// A slow and a fast sine whose sum grows from first to last amplitude.
+///
+/// The slow one carries the joint through its reversals, the fast one spreads the
+/// velocities between; together they excite all parameters of eq. (11).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FrictionExcitation {
+    /// Amplitude at the beginning [V].
+    pub first_amplitude_v: f32,
+    /// Amplitude after `growth_s` [V].
+    pub last_amplitude_v: f32,
+    /// Time of growth [s].
+    pub growth_s: f32,
+    /// Period of the slow sine [s].
+    pub slow_period_s: f32,
+    /// Period of the fast sine [s].
+    pub fast_period_s: f32,
+}
+
+impl FrictionExcitation {
+    #[inline]
+    fn at(&self, time: Time) -> f32 {
+        let grown = (time.seconds() / self.growth_s).min(1.0);
+        let amplitude_v =
+            self.first_amplitude_v + grown * (self.last_amplitude_v - self.first_amplitude_v);
+        let (slow, _) = sin_cos_of_cycle(time.fraction_of_cycle(self.slow_period_s));
+        let (fast, _) = sin_cos_of_cycle(time.fraction_of_cycle(self.fast_period_s));
+        amplitude_v * (0.6 * slow + 0.4 * fast)
+    }
+}
+
+/// What plays an [`Injection`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum InjectionSource {
+    /// Nothing.
+    None,
+    /// A function of time.
+    FrictionExcitation(FrictionExcitation),
+    /// Noise with its filter's state.
+    Noise(NoiseSource),
+}
+
+impl InjectionSource {
+    /// The beginning of an injection.
+    pub fn new(injection: &Injection, rate_per_s: f32) -> Self {
+        match injection {
+            Injection::None => Self::None,
+            Injection::FrictionExcitation(excitation) => Self::FrictionExcitation(*excitation),
+            Injection::Noise(noise) => Self::Noise(NoiseSource::new(noise, rate_per_s)),
+        }
+    }
+
+    /// The voltage of this tick [V].
+    #[inline]
+    pub fn next_voltage(&mut self, time: Time) -> f32 {
+        match self {
+            Self::None => 0.0,
+            Self::FrictionExcitation(excitation) => excitation.at(time),
+            Self::Noise(source) => source.next_voltage(),
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! What the board plays by itself: a motion and an added voltage for each joint.
+//!
+//! Motions are functions of the tick alone: what was played can be played again,
+//! and the host plays the same without the board.
+
+mod constant_velocity;
+mod fourier;
+mod injection;
+mod motion;
+mod noise;
+mod time;
+
+pub use constant_velocity::{ConstantVelocity, MAX_SPEEDS};
+pub use fourier::{FourierSeries, TERMS};
+pub use injection::{FrictionExcitation, Injection, InjectionSource};
+pub use motion::{FadeIn, Motion, Setpoint, Sine};
+pub use noise::{Noise, NoiseSource};
+pub use time::Time;
+
+use serde::{Deserialize, Serialize};
+
+/// The reference of all joints.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Reference {
+    /// Where each joint shall be.
+    pub motion: [Motion; 3],
+    /// Voltage added to each joint's command.
+    pub injection: [Injection; 3],
+    /// When it ends [s]; after that the joints hold where it ended.
+    pub duration_s: f32,
+}
+
+impl Reference {
+    /// All joints hold these angles, for ever.
+    pub fn hold(angles_rad: [f32; 3]) -> Self {
+        Self {
+            motion: angles_rad.map(|angle_rad| Motion::Hold { angle_rad }),
+            injection: [Injection::None; 3],
+            duration_s: f32::MAX,
+        }
+    }
+}
