@@ -1,0 +1,80 @@
+//! Running other programs.
+
+use std::fmt::Display;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+use std::{env, thread};
+
+use anyhow::{Context, Result, bail};
+
+use crate::workspace;
+
+/// Tells the user, on standard error, what is about to be done.
+pub fn say(message: impl Display) {
+    eprintln!("xtask: {message}");
+}
+
+/// The cargo that runs this task, in the workspace's root.
+pub fn cargo(subcommand: &str) -> Command {
+    let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.arg(subcommand).current_dir(workspace::root());
+    command
+}
+
+/// Runs a program whose output the user sees.
+pub fn run(command: &mut Command) -> Result<()> {
+    let status = command.status().with_context(|| cannot_start(command))?;
+    if !status.success() {
+        bail!("`{}` failed ({status})", shown(command));
+    }
+    Ok(())
+}
+
+/// Runs a program and returns what it printed, with no blanks around it.
+pub fn capture(command: &mut Command) -> Result<String> {
+    let Output { status, stdout, stderr } =
+        command.output().with_context(|| cannot_start(command))?;
+    if !status.success() {
+        let stderr = String::from_utf8_lossy(&stderr);
+        bail!("`{}` failed ({status}): {}", shown(command), stderr.trim());
+    }
+    Ok(String::from_utf8_lossy(&stdout).trim().to_owned())
+}
+
+/// Runs a program without a word; false if it fails or is not done in time.
+pub fn succeeds_within(limit: Duration, command: &mut Command) -> bool {
+    let silent = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    let Ok(mut child) = silent.spawn() else { return false };
+    let deadline = Instant::now() + limit;
+    while Instant::now() < deadline {
+        match child.try_wait() {
+            Ok(None) => thread::sleep(Duration::from_millis(50)),
+            Ok(Some(status)) => return status.success(),
+            Err(_) => return false,
+        }
+    }
+    // Killing fails only if the program has just ended by itself.
+    let _ = child.kill();
+    let _ = child.wait();
+    false
+}
+
+/// The program of this name in the search path.
+pub fn find_program(name: &str) -> Option<PathBuf> {
+    let directories = env::var_os("PATH")?;
+    env::split_paths(&directories).map(|dir| dir.join(name)).find(|path: &PathBuf| is_file(path))
+}
+
+fn is_file(path: &Path) -> bool {
+    path.metadata().is_ok_and(|metadata| metadata.is_file())
+}
+
+fn cannot_start(command: &Command) -> String {
+    format!("cannot start `{}`: is it installed?", command.get_program().display())
+}
+
+fn shown(command: &Command) -> String {
+    let words = std::iter::once(command.get_program()).chain(command.get_args());
+    words.map(|word| word.to_string_lossy()).collect::<Vec<_>>().join(" ")
+}
