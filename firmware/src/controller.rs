@@ -144,7 +144,7 @@ impl Controller {
             };
             let wanted_v = law_v + injected_v[i];
             let limit_v = self.block.command_limit_v;
-            output.codes[i] = DacCode::from_volts(wanted_v.clamp(-limit_v, limit_v));
+            output.codes[i] = DacCode::from_volts(limited(wanted_v, limit_v));
             output.saturated[i] = wanted_v.abs() > limit_v;
             output.reference[i] = now.angle;
         }
@@ -186,6 +186,18 @@ impl Controller {
         let time = Time::new(self.tick, self.block.sample_period_s, self.rate_per_s);
         let [first, second, third] = &mut self.joints;
         [first, second, third].map(|joint| joint.injection.next_voltage(time))
+    }
+}
+
+/// A voltage cut at +-`limit_v`; `f32::clamp` would bring a panic into the tick.
+#[inline]
+fn limited(voltage_v: f32, limit_v: f32) -> f32 {
+    if voltage_v > limit_v {
+        limit_v
+    } else if voltage_v < -limit_v {
+        -limit_v
+    } else {
+        voltage_v
     }
 }
 

@@ -1,11 +1,14 @@
 //! From encoder counts to [`Angle`]s.
 
+use core::num::NonZeroU32;
+
 use crate::Angle;
 
 /// How many counts make a turn, as a fixed-point factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EncoderScale {
-    counts_per_turn: u32,
+    /// Never zero, so that dividing by it cannot panic in the tick.
+    counts_per_turn: NonZeroU32,
     /// Angle units per count, times 2^`shift`.
     factor: u32,
     shift: u32,
@@ -17,13 +20,14 @@ pub const COUNTS_PER_TURN: core::ops::RangeInclusive<u32> = 64..=(1 << 24);
 impl EncoderScale {
     /// The scale of an encoder, with `counts_per_turn` inside [`COUNTS_PER_TURN`].
     pub fn new(counts_per_turn: u32) -> Self {
-        let counts_per_turn =
-            counts_per_turn.clamp(*COUNTS_PER_TURN.start(), *COUNTS_PER_TURN.end());
-        // The largest factor that fits 32 bits: one count is wrong by less than
-        // 2^-32 of itself, a whole turn by less than one unit of Angle.
+        let fewest = NonZeroU32::MIN.saturating_add(COUNTS_PER_TURN.start() - 1);
+        let counts_per_turn = NonZeroU32::new(counts_per_turn.min(*COUNTS_PER_TURN.end()))
+            .map_or(fewest, |counts| counts.max(fewest));
+        // The largest factor that fits 32 bits: a whole turn is wrong by less than
+        // two units of Angle.
         let shift = counts_per_turn.ilog2();
         let turn = 1_u64 << (32 + shift);
-        let factor = ((turn - 1) / u64::from(counts_per_turn)) as u32;
+        let factor = ((turn - 1) / u64::from(counts_per_turn.get())) as u32;
         Self { counts_per_turn, factor, shift }
     }
 
@@ -33,6 +37,13 @@ impl EncoderScale {
         let product = u64::from(count_in_turn) * u64::from(self.factor);
         Angle((product >> self.shift) as u32 as i32)
     }
+}
+
+/// A count within the turn, from 0 up.
+#[inline]
+fn remainder(count: i32, turn: NonZeroU32) -> u32 {
+    let rest = count.unsigned_abs() % turn;
+    if count < 0 && rest != 0 { turn.get() - rest } else { rest }
 }
 
 /// One encoder: reduces its endless count to the turn, in integers.
@@ -56,7 +67,8 @@ impl Encoder {
     #[inline]
     pub fn update(&mut self, count: i32) -> Angle {
         let turn = self.scale.counts_per_turn;
-        let moved = count.wrapping_sub(self.last_count).rem_euclid(turn as i32) as u32;
+        let moved = remainder(count.wrapping_sub(self.last_count), turn);
+        let turn = turn.get();
         let sum = self.count_in_turn + moved;
         self.count_in_turn = if sum >= turn { sum - turn } else { sum };
         self.last_count = count;

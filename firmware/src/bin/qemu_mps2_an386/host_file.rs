@@ -2,7 +2,7 @@
 
 use core::ffi::CStr;
 
-use cortex_m_semihosting::{nr, syscall};
+use cortex_m_semihosting::syscall;
 
 /// How a file is opened; the numbers are those of ARM's SYS_OPEN.
 #[derive(Clone, Copy)]
