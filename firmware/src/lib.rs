@@ -13,16 +13,21 @@
 //! | [`velocity`] | the velocity estimate |
 //! | [`angle`], [`encoder`], [`dac`] | machine units: where SI begins and ends |
 //! | [`lockstep`] | the records exchanged with a simulated robot |
+//! | [`ad5754r`] | the converter's frames |
+//! | [`frame`], [`message`] | what goes over the serial line |
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
 
+pub mod ad5754r;
 pub mod angle;
 pub mod block;
 pub mod block_check;
 pub mod controller;
 pub mod dac;
 pub mod encoder;
+pub mod frame;
 pub mod lockstep;
+pub mod message;
 pub mod reference;
 pub mod velocity;
 
