@@ -2,8 +2,8 @@
 //!
 //! Host builds of the library need nothing of this and get nothing.
 
+use std::env;
 use std::path::PathBuf;
-use std::{env, fs};
 
 const BOTH_BOARDS: &str = "the features qemu-mps2-an386 and nucleo-g474re exclude each other: \
      build one board at a time, as `cargo xtask firmware qemu` does";
@@ -30,15 +30,7 @@ fn link_for_qemu() {
     let map = package_dir().join("memory-qemu.x");
     println!("cargo::rerun-if-changed={}", map.display());
     link_argument(&format!("-T{}", map.display()));
-    provide_empty_device_script();
     link_with_runtime();
-}
-
-/// `link.x` includes a chip's list of interrupt names, which no crate brings for this board.
-fn provide_empty_device_script() {
-    let out_dir = directory("OUT_DIR");
-    fs::write(out_dir.join("device.x"), "").expect("cannot write device.x into OUT_DIR");
-    println!("cargo::rustc-link-search={}", out_dir.display());
 }
 
 fn link_for_nucleo() {
@@ -60,9 +52,5 @@ fn link_argument(argument: &str) {
 }
 
 fn package_dir() -> PathBuf {
-    directory("CARGO_MANIFEST_DIR")
-}
-
-fn directory(variable: &str) -> PathBuf {
-    env::var_os(variable).expect("cargo tells a build script its directories").into()
+    env::var_os("CARGO_MANIFEST_DIR").expect("cargo sets CARGO_MANIFEST_DIR").into()
 }

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use object::elf::{SHF_ALLOC, SHF_WRITE, SHT_NOBITS};
+use object::elf::{SHF_ALLOC, SHF_WRITE, SHT_NOBITS, SectionFlags, SectionType};
 use object::read::elf::{ElfFile32, SectionHeader};
 
 /// An ELF file in memory.
@@ -61,14 +61,14 @@ impl Sizes {
     }
 
     /// Initialised variables count twice: in RAM, and in flash with their first values.
-    fn add(&mut self, flags: u32, kind: u32, size: u64) {
-        if flags & SHF_ALLOC == 0 {
+    fn add(&mut self, flags: SectionFlags, kind: SectionType, size: u64) {
+        if !flags.contains(SHF_ALLOC) {
             return;
         }
         if kind != SHT_NOBITS {
             self.flash += size;
         }
-        if flags & SHF_WRITE != 0 {
+        if flags.contains(SHF_WRITE) {
             self.static_ram += size;
         }
     }
@@ -100,7 +100,7 @@ mod tests {
         sizes.add(SHF_ALLOC | SHF_EXECINSTR, SHT_PROGBITS, 1000);
         sizes.add(SHF_ALLOC | SHF_WRITE, SHT_PROGBITS, 10);
         sizes.add(SHF_ALLOC | SHF_WRITE, SHT_NOBITS, 200);
-        sizes.add(0, SHT_PROGBITS, 5000);
+        sizes.add(SectionFlags(0), SHT_PROGBITS, 5000);
         assert_eq!(sizes, Sizes { flash: 1010, static_ram: 210 });
     }
 

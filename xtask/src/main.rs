@@ -1,12 +1,19 @@
 //! The project's chores, called as `cargo xtask <task>`.
 
+mod bench;
 mod board;
+mod call_graph;
+mod check_elf;
+mod code;
 mod command;
+mod demo;
 mod firmware;
 mod image;
 mod lint;
 mod packages;
 mod setup;
+mod test;
+mod thumb;
 mod toolchain;
 mod workspace;
 
@@ -19,7 +26,15 @@ The project's chores: cargo xtask <task>
 
   setup                    find or make all that the firmware and its emulator need
   firmware [qemu|nucleo]   build the images, print their paths and sizes, check the limits
-  lint                     formatting and clippy, on the host and for every board";
+  check-elf                check that the control tick neither computes in f64 nor panics
+  test                     all of that, then the tests of all packages, the emulated board's too
+  lint                     formatting and clippy, on the host and for every board
+  bench [filter]           the benchmarks of all packages
+  demo                     the host tool against the firmware on the emulated board
+
+Environment:
+  CARGO_TARGET_DIR         where to build, instead of target/
+  RRR_FIRMWARE_TOOLCHAIN   `debian`: use Debian's compiler even where rustup has the target";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -34,11 +49,17 @@ fn main() -> ExitCode {
 
 fn run(arguments: &[&str]) -> Result<()> {
     match arguments {
-        [] | ["help" | "--help" | "-h"] => println!("{HELP}"),
-        ["lint"] => lint::run()?,
-        ["setup"] => setup::run()?,
-        ["firmware", boards @ ..] => firmware::run(boards)?,
+        [] | ["help" | "--help" | "-h"] => {
+            println!("{HELP}");
+            Ok(())
+        }
+        ["setup"] => setup::run(),
+        ["firmware", boards @ ..] => firmware::run(boards),
+        ["check-elf"] => check_elf::run(),
+        ["test"] => test::run(),
+        ["lint"] => lint::run(),
+        ["bench", filter @ ..] => bench::run(filter),
+        ["demo"] => demo::run(),
         [task, ..] => bail!("`{task}` is no task, or not with these arguments\n\n{HELP}"),
     }
-    Ok(())
 }

@@ -1,0 +1,137 @@
+//! `cargo xtask check-elf`: the control tick neither computes in `f64` nor panics.
+//!
+//! The chip's FPU has no `f64`: such arithmetic calls a routine of a hundred
+//! instructions and more. These routines, and those of a panic, are functions, so
+//! it is enough to look at the names of those that the tick can reach.
+
+use anyhow::{Result, bail};
+
+use crate::board::Board;
+use crate::call_graph::Reached;
+use crate::code::{Code, Function};
+use crate::firmware;
+use crate::image::Image;
+use crate::toolchain::FirmwareToolchain;
+
+/// Builds every board's image and checks it.
+pub fn run() -> Result<()> {
+    let toolchain = FirmwareToolchain::find_or_make()?;
+    for board in Board::ALL {
+        check(board, &firmware::build(&toolchain, board)?)?;
+    }
+    Ok(())
+}
+
+/// Checks one image and prints what the tick can reach.
+pub fn check(board: Board, image: &Image) -> Result<()> {
+    let code = Code::read(&image.elf()?)?;
+    let reached = Reached::from(&ticks(&code)?, &code)?;
+    println!("{}: the control tick can reach these functions:", board.name());
+    for function in reached.functions().filter_map(|address| code.function(address)) {
+        println!("  {}", function.names.join(" = "));
+    }
+    refuse_forbidden(board, &code, &reached)?;
+    println!("{}: {}", board.name(), verdict(&code));
+    Ok(())
+}
+
+/// Where `Controller::tick` begins, in every copy that the compiler made of it.
+fn ticks(code: &Code<'_>) -> Result<Vec<u32>> {
+    let ticks: Vec<u32> = code
+        .functions()
+        .filter(|(_, function)| function.is_called(is_tick))
+        .map(|(start, _)| start)
+        .collect();
+    if ticks.is_empty() {
+        bail!("no function Controller::tick in the image: it must be #[inline(never)]");
+    }
+    Ok(ticks)
+}
+
+fn refuse_forbidden(board: Board, code: &Code<'_>, reached: &Reached) -> Result<()> {
+    let named = |address: u32| code.function(address).map_or("?", Function::name);
+    let offences: Vec<String> = reached
+        .functions()
+        .filter(|&address| {
+            code.function(address).is_some_and(|function| function.is_called(is_forbidden))
+        })
+        .map(|address| {
+            reached.path(address).into_iter().map(named).collect::<Vec<_>>().join(" -> ")
+        })
+        .collect();
+    if !offences.is_empty() {
+        let list = offences.join("\n  ");
+        bail!("{}: the control tick can compute in f64 or panic:\n  {list}", board.name());
+    }
+    Ok(())
+}
+
+fn verdict(code: &Code<'_>) -> &'static str {
+    if code.functions().any(|(_, function)| function.is_called(is_double)) {
+        "none of them computes in f64 or panics"
+    } else {
+        "none of them panics, and nothing in the whole image computes in f64"
+    }
+}
+
+fn is_tick(name: &str) -> bool {
+    name.contains("Controller") && name.ends_with("::tick")
+}
+
+fn is_forbidden(name: &str) -> bool {
+    is_double(name) || is_panic(name)
+}
+
+/// The run-time routines for `f64`: by their names in the Arm ABI (`__aeabi_dadd`,
+/// `__aeabi_cdcmple`, `__aeabi_f2d`) or in GCC's library (`__adddf3`, `__fixdfsi`).
+fn is_double(name: &str) -> bool {
+    let name = name.rsplit("::").next().unwrap_or(name);
+    match name.strip_prefix("__aeabi_") {
+        Some(operation) => {
+            operation.starts_with('d') || operation.starts_with("cd") || operation.ends_with("2d")
+        }
+        None => name.starts_with("__") && name.contains("df"),
+    }
+}
+
+/// The core library's ways into a panic, and the handler.
+fn is_panic(name: &str) -> bool {
+    name.contains("panic")
+        || name.contains("begin_unwind")
+        || name.ends_with("_failed")
+        || name.ends_with("_fail")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn routines_for_f64_are_told_from_others() {
+        for name in ["__aeabi_dmul", "__aeabi_cdcmple", "__aeabi_f2d", "__aeabi_d2f"] {
+            assert!(is_double(name), "{name}");
+        }
+        for name in ["__extendsfdf2", "compiler_builtins::float::mul::__muldf3"] {
+            assert!(is_double(name), "{name}");
+        }
+        for name in ["__aeabi_fadd", "__aeabi_memcpy4", "__aeabi_uldivmod", "libm::sin", "abs_df"] {
+            assert!(!is_double(name), "{name}");
+        }
+    }
+
+    #[test]
+    fn panics_are_told_from_others() {
+        for name in ["core::panicking::panic_fmt", "core::slice::index::slice_index_fail"] {
+            assert!(is_panic(name), "{name}");
+        }
+        assert!(is_panic("core::option::expect_failed"));
+        assert!(!is_panic("firmware::controller::Controller::tick"));
+    }
+
+    #[test]
+    fn the_tick_is_found_under_both_manglings() {
+        assert!(is_tick("firmware::controller::Controller::tick"));
+        assert!(is_tick("<firmware::controller::Controller>::tick"));
+        assert!(!is_tick("firmware::controller::Controller::start"));
+    }
+}

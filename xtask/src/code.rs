@@ -1,0 +1,132 @@
+//! The functions of an image: their names, their extent and their instructions.
+
+use std::collections::BTreeMap;
+
+use anyhow::{Context, Result, bail};
+use object::read::elf::ElfFile32;
+use object::{Object, ObjectSection, ObjectSymbol, SectionKind, SymbolKind};
+
+use crate::thumb::{self, Instruction};
+
+/// The machine code of an image.
+#[derive(Default)]
+pub struct Code<'data> {
+    sections: Vec<(u32, &'data [u8])>,
+    functions: BTreeMap<u32, Function>,
+    /// Where instructions (true) and data among them (false) begin.
+    mapping: BTreeMap<u32, bool>,
+}
+
+/// A function, by whatever names it has.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Function {
+    /// Its names as the source has them, sorted.
+    pub names: Vec<String>,
+    size: u32,
+}
+
+impl Function {
+    /// The first of its names.
+    pub fn name(&self) -> &str {
+        self.names.first().map_or("?", String::as_str)
+    }
+
+    /// Whether one of its names is such a name.
+    pub fn is_called(&self, is_such: fn(&str) -> bool) -> bool {
+        self.names.iter().any(|name| is_such(name))
+    }
+}
+
+impl<'data> Code<'data> {
+    /// Collects the code and the symbols of an image.
+    pub fn read(elf: &ElfFile32<'data>) -> Result<Self> {
+        let mut code = Self::default();
+        for section in elf.sections().filter(|section| section.kind() == SectionKind::Text) {
+            code.sections.push((section.address() as u32, section.data()?));
+        }
+        for symbol in elf.symbols() {
+            let (address, name) = (symbol.address() as u32, symbol.name()?);
+            match symbol.kind() {
+                SymbolKind::Text => code.add_function(address, symbol.size() as u32, name),
+                _ => code.add_mapping(address, name),
+            }
+        }
+        Ok(code)
+    }
+
+    /// The lowest bit of a function's address says Thumb.
+    fn add_function(&mut self, address: u32, size: u32, name: &str) {
+        let function = self.functions.entry(address & !1).or_default();
+        function.size = function.size.max(size);
+        function.names.push(format!("{:#}", rustc_demangle::demangle(name)));
+        function.names.sort();
+    }
+
+    /// Mapping symbols are `$t` and `$d`, possibly with a suffix after a point.
+    fn add_mapping(&mut self, address: u32, name: &str) {
+        match name.split('.').next() {
+            Some("$t") => self.mapping.insert(address, true),
+            Some("$d") => self.mapping.insert(address, false),
+            _ => None,
+        };
+    }
+
+    /// Every function with the address where it begins.
+    pub fn functions(&self) -> impl Iterator<Item = (u32, &Function)> {
+        self.functions.iter().map(|(&address, function)| (address, function))
+    }
+
+    /// Where the function that has this address in it begins.
+    pub fn function_at(&self, address: u32) -> Option<u32> {
+        let (&start, function) = self.functions.range(..=address).next_back()?;
+        (address == start || address - start < function.size).then_some(start)
+    }
+
+    /// The function that begins at this address.
+    pub fn function(&self, start: u32) -> Option<&Function> {
+        self.functions.get(&start)
+    }
+
+    /// Every instruction of a function with its address.
+    pub fn instructions(&self, start: u32) -> Result<Vec<(u32, Instruction)>> {
+        let function = self.function(start).context("no function begins here")?;
+        if function.size == 0 {
+            bail!("{} has no size in the symbol table", function.name());
+        }
+        let end = start + function.size;
+        let mut instructions = Vec::new();
+        let mut address = start;
+        while address < end {
+            if address != start && !self.is_code(address) {
+                address = self.next_mapping(address).unwrap_or(end);
+                continue;
+            }
+            let instruction = self.decode(address)?;
+            instructions.push((address, instruction));
+            address += instruction.length;
+        }
+        Ok(instructions)
+    }
+
+    fn decode(&self, address: u32) -> Result<Instruction> {
+        self.halfword(address)
+            .and_then(|first| thumb::decode(address, first, self.halfword(address + 2)))
+            .with_context(|| format!("no instruction at {address:#x}"))
+    }
+
+    fn is_code(&self, address: u32) -> bool {
+        self.mapping.range(..=address).next_back().is_none_or(|(_, &is_code)| is_code)
+    }
+
+    fn next_mapping(&self, address: u32) -> Option<u32> {
+        self.mapping.range(address + 1..).next().map(|(&next, _)| next)
+    }
+
+    fn halfword(&self, address: u32) -> Option<u16> {
+        self.sections.iter().find_map(|(start, bytes)| {
+            let offset = address.checked_sub(*start)? as usize;
+            let halfword = bytes.get(offset..offset.checked_add(2)?)?;
+            Some(u16::from_le_bytes(halfword.try_into().ok()?))
+        })
+    }
+}
