@@ -37,7 +37,8 @@ pub struct FrictionExcitation {
 impl FrictionExcitation {
     #[inline]
     fn at(&self, time: Time) -> f32 {
-        let grown = (time.seconds() / self.growth_s).min(1.0);
+        let elapsed = time.seconds() / self.growth_s;
+        let grown = if elapsed < 1.0 { elapsed } else { 1.0 };
         let amplitude_v =
             self.first_amplitude_v + grown * (self.last_amplitude_v - self.first_amplitude_v);
         let (slow, _) = sin_cos_of_cycle(time.fraction_of_cycle(self.slow_period_s));

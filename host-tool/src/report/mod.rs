@@ -1,0 +1,8 @@
+//! Pages with pictures, each a single file.
+
+pub mod chart;
+pub mod page;
+mod thinning;
+
+pub use chart::{Axis, Chart, Series, Stroke};
+pub use page::Page;

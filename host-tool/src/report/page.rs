@@ -1,0 +1,85 @@
+//! A self-contained HTML page.
+
+use std::fmt::Write as _;
+
+use super::Chart;
+
+/// A page in the making: sentences, tables and charts in the order they are added.
+#[derive(Clone, Debug)]
+pub struct Page {
+    title: String,
+    body: String,
+}
+
+const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;color:#282c34;max-width:1120px;\
+margin:2rem auto;padding:0 1rem}h1{font-size:1.6rem;margin-bottom:.2rem}h2{font-size:1.15rem;\
+margin-top:2rem;border-bottom:1px solid #e2e5e9}table{border-collapse:collapse;margin:.6rem 0}\
+td,th{padding:.2rem .8rem;text-align:right;border-bottom:1px solid #e2e5e9}\
+td:first-child,th:first-child{text-align:left}.lead{font-size:1.15rem}\
+.charts{display:flex;flex-wrap:wrap;gap:.6rem}svg{max-width:100%;height:auto}";
+
+impl Page {
+    /// A page with a title and the one sentence that matters.
+    pub fn new(title: &str, lead: &str) -> Self {
+        let body = format!("<h1>{}</h1>\n<p class=\"lead\">{}</p>\n", escape(title), escape(lead));
+        Self { title: title.into(), body }
+    }
+
+    /// A heading.
+    pub fn heading(&mut self, text: &str) -> &mut Self {
+        let _ = writeln!(self.body, "<h2>{}</h2>", escape(text));
+        self
+    }
+
+    /// A paragraph.
+    pub fn paragraph(&mut self, text: &str) -> &mut Self {
+        let _ = writeln!(self.body, "<p>{}</p>", escape(text));
+        self
+    }
+
+    /// Charts side by side where there is room.
+    pub fn charts(&mut self, charts: &[Chart]) -> &mut Self {
+        let drawn: Vec<String> = charts.iter().map(Chart::to_svg).collect();
+        let _ = writeln!(self.body, "<div class=\"charts\">{}</div>", drawn.join("\n"));
+        self
+    }
+
+    /// A table; numbers stand to the right.
+    pub fn table(&mut self, header: &[&str], rows: &[Vec<String>]) -> &mut Self {
+        let cells = |tag: &str, cells: &mut dyn Iterator<Item = &str>| -> String {
+            cells.map(|cell| format!("<{tag}>{}</{tag}>", escape(cell))).collect()
+        };
+        let _ = writeln!(self.body, "<table><tr>{}</tr>", cells("th", &mut header.iter().copied()));
+        for row in rows {
+            let row = cells("td", &mut row.iter().map(String::as_str));
+            let _ = writeln!(self.body, "<tr>{row}</tr>");
+        }
+        self.body.push_str("</table>\n");
+        self
+    }
+
+    /// The whole page.
+    pub fn to_html(&self) -> String {
+        format!(
+            "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\
+             <title>{}</title><style>{STYLE}</style></head>\n<body>\n{}</body></html>\n",
+            escape(&self.title),
+            self.body
+        )
+    }
+}
+
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_cannot_break_the_page() {
+        let html = Page::new("a<b", "c & d").to_html();
+        assert!(html.contains("<h1>a&lt;b</h1>") && html.contains("c &amp; d"));
+    }
+}

@@ -1,0 +1,14 @@
+//! The simulated robot, and experiments recorded with it.
+
+pub mod plan;
+pub mod recipe;
+pub mod recording;
+pub mod rig;
+pub mod robot;
+pub mod sensor;
+
+pub use plan::Plan;
+pub use recipe::Recipe;
+pub use recording::{Recording, record};
+pub use rig::Rig;
+pub use robot::{Settings, SimulatedRobot};

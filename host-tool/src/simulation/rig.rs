@@ -1,0 +1,67 @@
+//! A rig as its board sees it: the model, the converter, the encoders, the gains.
+
+use firmware::reference::Reference;
+use firmware::{Gains, Mode, ParameterBlock};
+use model::{Posture, Robot};
+
+/// What is the same in all experiments of a rig.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rig {
+    /// The model that the board works with.
+    pub model: Robot<f64>,
+    /// Encoder counts per turn.
+    pub encoder_counts_per_turn: u32,
+    /// Time from tick to tick [s].
+    pub sample_period_s: f64,
+    /// Largest command [V].
+    pub command_limit_v: f64,
+    /// Natural frequency of the PD loops [rad/s].
+    pub loop_frequency_rad_per_s: f64,
+    /// Bandwidth of the velocity estimates [rad/s].
+    pub velocity_bandwidth_rad_per_s: f64,
+}
+
+impl Rig {
+    /// A rig with the paper's converter, encoders and sample period.
+    ///
+    /// Gains are those that a careful hand would set: loops of 5 Hz, damped to 0.7.
+    pub fn new(model: Robot<f64>) -> Self {
+        Self {
+            model,
+            encoder_counts_per_turn: 655_360,
+            sample_period_s: 1e-3,
+            command_limit_v: 10.0,
+            loop_frequency_rad_per_s: 32.0,
+            velocity_bandwidth_rad_per_s: 300.0,
+        }
+    }
+
+    /// A parameter block: this rig with these modes and this reference.
+    pub fn block(&self, mode: [Mode; 3], reference: Reference) -> ParameterBlock {
+        ParameterBlock {
+            robot: self.model.cast(),
+            encoder_counts_per_turn: self.encoder_counts_per_turn,
+            sample_period_s: self.sample_period_s as f32,
+            gains: self.gains(),
+            velocity_bandwidth_rad_per_s: [self.velocity_bandwidth_rad_per_s as f32; 3],
+            command_limit_v: self.command_limit_v as f32,
+            mode,
+            reference,
+        }
+    }
+
+    /// Gains of eq. (17) for the loop frequency, with the inertia of the stretched arm.
+    pub fn gains(&self) -> [Gains; 3] {
+        const DAMPING_RATIO: f64 = 0.7;
+        let stretched = Posture::new(0.0, 0.0);
+        let inertia = stretched.mass_matrix(&self.model.base, &self.model.geometry);
+        [0, 1, 2].map(|i| {
+            let unit_v = inertia[i][i] / self.model.torque_constant_nm_per_v[i];
+            let frequency = self.loop_frequency_rad_per_s;
+            Gains {
+                proportional_v_per_rad: (unit_v * frequency * frequency) as f32,
+                derivative_v_s_per_rad: (unit_v * 2.0 * DAMPING_RATIO * frequency) as f32,
+            }
+        })
+    }
+}
