@@ -72,7 +72,7 @@ impl Controller {
         Self {
             joints: [0, 1, 2].map(|i| Joint::new(&block, i, rate_per_s)),
             rate_per_s,
-            last_tick: (block.reference.duration_s * rate_per_s) as u32,
+            last_tick: (block.reference.duration_s * rate_per_s + 0.5) as u32,
             tick: 0,
             running: false,
             block,
@@ -154,12 +154,12 @@ impl Controller {
     /// The setpoints in the middle of the interval that begins with this tick.
     #[inline]
     fn reference_ahead(&self) -> [Setpoint; 3] {
-        let ended = self.tick >= self.last_tick;
-        let tick = if ended { self.last_tick } else { self.tick };
+        let tick = if self.tick < self.last_tick { self.tick } else { self.last_tick };
         let time = Time::new(tick, self.block.sample_period_s, self.rate_per_s);
+        let since_end_s = (self.tick - tick) as f32 * self.block.sample_period_s;
         [0, 1, 2].map(|i| {
             let setpoint = self.block.reference.motion[i].at(time);
-            if ended { Setpoint::at_rest(setpoint.angle) } else { setpoint }
+            if tick < self.last_tick { setpoint } else { setpoint.brought_to_rest(since_end_s) }
         })
     }
 

@@ -109,12 +109,18 @@ fn the_limit_cuts_and_says_so() {
 }
 
 #[test]
-fn after_the_end_the_joints_hold_where_it_ended() {
+fn after_the_end_the_joints_brake_and_hold() {
     let mut block = holding(Mode::Pd);
     block.reference.motion[1] = Motion::Quintic { from_rad: 0.0, to_rad: 1.0, duration_s: 2.0 };
     block.reference.duration_s = 1.0;
     let mut controller = started(block);
-    let outputs: Vec<_> = (0..3000).map(|_| controller.tick(&[0; 3])).collect();
-    assert_eq!(outputs[2999].reference, outputs[1001].reference);
-    assert!((outputs[2999].reference[1].minus(outputs[0].reference[1]) - 0.5).abs() < 1e-2);
+    let angles: Vec<f32> = (0..3000)
+        .map(|_| controller.tick(&[0; 3]).reference[1].minus(Default::default()))
+        .collect();
+    // Half way at 15/16 rad/s, then a sixth of a second's travel to rest.
+    assert!((angles[1000] - 0.5).abs() < 1e-3, "{}", angles[1000]);
+    assert!((angles[2999] - (0.5 + 0.9375 / 6.0)).abs() < 1e-3, "{}", angles[2999]);
+    assert_eq!(angles[2999], angles[1501]);
+    let steps = angles.windows(2).map(|w| w[1] - w[0]);
+    assert!(steps.fold(0.0_f32, |a, b| a.max(b.abs())) < 1e-3, "no jump");
 }

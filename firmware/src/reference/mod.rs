@@ -26,7 +26,7 @@ pub struct Reference {
     pub motion: [Motion; 3],
     /// Voltage added to each joint's command.
     pub injection: [Injection; 3],
-    /// When it ends [s]; after that the joints hold where it ended.
+    /// When it ends [s]; after that the joints brake and hold.
     pub duration_s: f32,
 }
 

@@ -22,6 +22,21 @@ impl Setpoint {
         Self { angle, ..Self::default() }
     }
 
+    /// Where a joint shall be `time_s` after its motion ended in this setpoint: it
+    /// brakes to rest within half a second, on a velocity that falls as a parabola.
+    #[inline]
+    pub fn brought_to_rest(&self, time_s: f32) -> Self {
+        const BRAKING_S: f32 = 0.5;
+        let x = time_s * (1.0 / BRAKING_S);
+        let rest = if x < 1.0 { 1.0 - x } else { 0.0 };
+        let travel_s = BRAKING_S / 3.0 * (1.0 - rest * rest * rest);
+        Self {
+            angle: self.angle.plus(self.velocity_rad_per_s * travel_s),
+            velocity_rad_per_s: self.velocity_rad_per_s * rest * rest,
+            acceleration_rad_per_s2: -2.0 / BRAKING_S * self.velocity_rad_per_s * rest,
+        }
+    }
+
     /// The same motion a short time earlier, at this acceleration.
     #[inline]
     pub fn earlier(&self, time_s: f32) -> Self {

@@ -1,1 +1,52 @@
-fn main() {}
+//! The controller on the NUCLEO-G474RE.
+//!
+//! The tick, every millisecond, is an interrupt above everything else; see
+//! [`tick`]. The rest, in the thread executor, may be late: the serial line, the
+//! watchdog, the lamp and the log. `docs/board.md` has pins, wiring and times.
+#![no_std]
+#![no_main]
+
+mod clocks;
+mod converter;
+mod encoders;
+mod exchange;
+mod health;
+mod link;
+mod safe_state;
+mod tick;
+mod watchdog;
+
+use defmt_rtt as _;
+use embassy_executor::Spawner;
+use panic_probe as _;
+
+use crate::converter::{Converter, ConverterPins};
+use crate::encoders::Encoders;
+use crate::link::{Link, LinkPins};
+use crate::watchdog::Watchdog;
+
+#[embassy_executor::main]
+async fn main(spawner: Spawner) {
+    let p = embassy_stm32::init(clocks::config());
+    clocks::put_tick_above_all();
+    let watchdog = Watchdog::start(p.IWDG);
+    let encoders =
+        Encoders::new((p.TIM2, p.PA0, p.PA1), (p.TIM3, p.PA6, p.PA7), (p.TIM1, p.PA8, p.PA9));
+    let converter = Converter::new(ConverterPins {
+        spi: p.SPI2,
+        clock: p.PB13,
+        data_out: p.PB15,
+        data_in: p.PB14,
+        sync: p.PB12,
+        load: p.PB11,
+        clear: p.PB10,
+    });
+    let orders = tick::start(p.TIM6, encoders, converter);
+    let pins = LinkPins { uart: p.LPUART1, receive: p.PA3, send: p.PA2 };
+    let link = Link::new(pins, p.DMA1_CH1, p.DMA1_CH2, orders);
+
+    spawner.spawn(defmt::unwrap!(watchdog::watch(watchdog)));
+    spawner.spawn(defmt::unwrap!(link::serve(link)));
+    spawner.spawn(defmt::unwrap!(health::show(p.PA5)));
+    spawner.spawn(defmt::unwrap!(health::log()));
+}
