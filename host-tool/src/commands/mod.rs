@@ -1,0 +1,69 @@
+//! The subcommands of `rrr`, one file each.
+//!
+//! A new one is a module with an `Arguments` struct and a `run` function, a variant
+//! of [`Command`] and a line in [`Command::run`].
+
+use clap::{Parser, Subcommand};
+
+use crate::files::FileError;
+
+pub mod inverse_dynamics;
+
+/// Records, identifies, simulates and diagnoses the RRR robot from its logs.
+#[derive(Debug, Parser)]
+#[command(name = "rrr", version, about, propagate_version = true)]
+pub struct CommandLine {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What the tool can do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Compute joint torques and voltages from a model and a table of motions.
+    InverseDynamics(inverse_dynamics::Arguments),
+}
+
+impl Command {
+    /// Runs the command.
+    ///
+    /// # Errors
+    /// What the user is told before the tool ends with exit status 2.
+    pub fn run(self) -> Result<(), Failure> {
+        match self {
+            Self::InverseDynamics(arguments) => inverse_dynamics::run(&arguments),
+        }
+    }
+}
+
+/// What a user is told when a command fails: what is wrong, and what to do about it.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{message}")]
+pub struct Failure {
+    /// What is wrong, with the place and the offending value.
+    pub message: String,
+    /// What to do about it.
+    pub hint: String,
+}
+
+impl Failure {
+    /// A failure in words.
+    pub fn new(message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self { message: message.into(), hint: hint.into() }
+    }
+
+    /// The lines that go to the terminal.
+    pub fn report(&self) -> String {
+        match self.hint.as_str() {
+            "" => format!("error: {}", self.message),
+            hint => format!("error: {}\nhint: {hint}", self.message),
+        }
+    }
+}
+
+impl From<FileError> for Failure {
+    fn from(error: FileError) -> Self {
+        Self::new(error.to_string(), error.cure())
+    }
+}

@@ -1,0 +1,92 @@
+//! `robot.toml` and `model.toml`: what is known of a rig.
+
+use std::path::Path;
+
+use model::{BaseParameters, Friction, Pendulum, Robot};
+
+use super::error::FileError;
+use super::toml_source::TomlSource;
+
+mod check;
+mod convert;
+mod read;
+mod tables;
+mod write;
+
+pub(super) use tables::whole_if_possible;
+pub use tables::{EffectTable, FrictionTable, PendulumTable, RobotTable};
+
+/// A robot or model file: a rig of three joints, or of the one joint of eq. (11).
+///
+/// A `robot.toml` has neither `base` nor friction; a `model.toml` has both. Tables and
+/// keys that are not known here are kept in `extra` and written back.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RobotFile {
+    /// What the manufacturer tells.
+    pub robot: RobotTable,
+    /// Base parameters of a rig of three joints.
+    pub base: Option<BaseParameters<f64>>,
+    /// Keys of `[base]` beside the 16 parameters.
+    pub base_extra: toml::Table,
+    /// The rigid body of a rig of one joint.
+    pub pendulum: Option<PendulumTable>,
+    /// Friction, one per joint at most.
+    pub friction: Vec<FrictionTable>,
+    /// Effects that the model carries beyond rigid body and friction, in order.
+    pub effects: Vec<EffectTable>,
+    /// All other tables and keys, such as `[gains]` or standard errors.
+    pub extra: toml::Table,
+    /// Where the values came from, for messages.
+    source: TomlSource,
+}
+
+impl RobotFile {
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// Names the file and line, what is wrong, and the cure.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
+        read::read(path.as_ref())
+    }
+
+    /// Writes a file, whole or not at all, its tables in the order of the contract.
+    ///
+    /// # Errors
+    /// The path cannot be written.
+    pub fn write(&self, path: impl AsRef<Path>) -> Result<(), FileError> {
+        write::write(self, path.as_ref())
+    }
+
+    /// A model file of three joints; sample period, limits and encoder are left open.
+    pub fn from_robot(robot: &Robot<f64>) -> Self {
+        let friction = (1..).zip(&robot.friction);
+        Self {
+            robot: RobotTable::of_robot(robot),
+            base: Some(robot.base),
+            friction: friction.map(|(joint, f)| FrictionTable::of(joint, f)).collect(),
+            ..Self::default()
+        }
+    }
+
+    /// The same file with an identified pendulum and its friction.
+    pub fn with_pendulum(self, pendulum: &Pendulum<f64>, friction: FrictionTable) -> Self {
+        let pendulum = PendulumTable {
+            joint: pendulum.joint,
+            inertia_kg_m2: Some(pendulum.inertia_kg_m2),
+            gravity_torque_nm: Some(pendulum.gravity_torque_nm),
+            extra: self.pendulum.map(|table| table.extra).unwrap_or_default(),
+        };
+        Self { pendulum: Some(pendulum), base: None, friction: vec![friction], ..self }
+    }
+
+    /// The same file with identified base parameters and the friction of all joints.
+    pub fn with_model(self, base: BaseParameters<f64>, friction: &[Friction<f64>; 3]) -> Self {
+        let friction = (1..).zip(friction).map(|(joint, f)| FrictionTable::of(joint, f)).collect();
+        Self { base: Some(base), pendulum: None, friction, ..self }
+    }
+
+    /// Whether this is a rig of one joint.
+    pub fn is_pendulum(&self) -> bool {
+        self.pendulum.is_some() && self.base.is_none()
+    }
+}
