@@ -25,25 +25,32 @@ pub fn sin_cos_turn(turn: i32) -> (f32, f32) {
 
 /// Sine and cosine of an angle in radians, best below 100 rad.
 ///
-/// Beyond, the error grows with the angle, as the angle's own spacing does.
-#[inline]
+/// Beyond, the error grows with the angle, as the angle's own spacing does; beyond
+/// 4e6 rad the result means nothing.
+// Not inlined: with two calls side by side the host's compiler packs both angles into
+// one vector, and reads them from where they were stored singly: 15 ns of waiting,
+// half of an inverse dynamics.
+#[inline(never)]
 pub fn sin_cos_radians(angle_rad: f32) -> (f32, f32) {
     // pi/2 in three parts, the first two short enough that their multiples are exact.
     const HIGH: f32 = 1.570_312_5;
     const MIDDLE: f32 = 4.837_512_97e-4;
     const LOW: f32 = 7.549_789_95e-8;
-    let quarters = angle_rad * core::f32::consts::FRAC_2_PI;
-    let quadrant = (quarters + 0.5_f32.copysign(quarters)) as i32;
-    let n = quadrant as f32;
-    rotate(quadrant as u32, ((angle_rad - n * HIGH) - n * MIDDLE) - n * LOW)
+    // Adding 1.5 * 2^23 rounds to a whole number, which then stands in the lowest bits:
+    // no conversion, whose saturation makes the host compare and branch.
+    const ROUNDING: f32 = 12_582_912.0;
+    let rounded = angle_rad * core::f32::consts::FRAC_2_PI + ROUNDING;
+    let n = rounded - ROUNDING;
+    rotate(rounded.to_bits(), ((angle_rad - n * HIGH) - n * MIDDLE) - n * LOW)
 }
 
 /// Sine and cosine of `quadrant` quarter turns plus `rest` in [-pi/4, pi/4].
 #[inline]
 fn rotate(quadrant: u32, rest_rad: f32) -> (f32, f32) {
     let (sine, cosine) = (sine_polynomial(rest_rad), cosine_polynomial(rest_rad));
-    let (sine, cosine) = if quadrant & 1 == 0 { (sine, cosine) } else { (cosine, -sine) };
-    if quadrant & 2 == 0 { (sine, cosine) } else { (-sine, -cosine) }
+    let (sine, cosine) = if quadrant & 1 == 0 { (sine, cosine) } else { (cosine, sine) };
+    let negated_if = |bit_1: u32, x: f32| f32::from_bits(x.to_bits() ^ ((bit_1 & 2) << 30));
+    (negated_if(quadrant, sine), negated_if(quadrant.wrapping_add(1), cosine))
 }
 
 #[inline]
