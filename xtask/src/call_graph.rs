@@ -69,3 +69,6 @@ fn callees(code: &Code<'_>, caller: u32) -> Result<Vec<u32>> {
     callees.retain(|&callee| callee != caller);
     Ok(callees)
 }
+
+#[cfg(test)]
+mod tests;

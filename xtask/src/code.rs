@@ -54,6 +54,19 @@ impl<'data> Code<'data> {
         Ok(code)
     }
 
+    /// Code at address 0 with functions (address, size, name) and mapping symbols.
+    #[cfg(test)]
+    pub fn from_parts(
+        bytes: &'data [u8],
+        functions: &[(u32, u32, &str)],
+        mapping: &[(u32, &str)],
+    ) -> Self {
+        let mut code = Self { sections: vec![(0, bytes)], ..Self::default() };
+        functions.iter().for_each(|(address, size, name)| code.add_function(*address, *size, name));
+        mapping.iter().for_each(|(address, name)| code.add_mapping(*address, name));
+        code
+    }
+
     /// The lowest bit of a function's address says Thumb.
     fn add_function(&mut self, address: u32, size: u32, name: &str) {
         let function = self.functions.entry(address & !1).or_default();

@@ -78,3 +78,29 @@ fn shown(command: &Command) -> String {
     let words = std::iter::once(command.get_program()).chain(command.get_args());
     words.map(|word| word.to_string_lossy()).collect::<Vec<_>>().join(" ")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_program_that_hangs_is_ended() {
+        let begin = Instant::now();
+        assert!(!succeeds_within(Duration::from_millis(100), Command::new("sleep").arg("60")));
+        assert!(begin.elapsed() < Duration::from_secs(10));
+    }
+
+    #[test]
+    fn a_program_that_fails_or_is_not_there_does_not_succeed() {
+        assert!(succeeds_within(Duration::from_secs(10), &mut Command::new("true")));
+        assert!(!succeeds_within(Duration::from_secs(10), &mut Command::new("false")));
+        assert!(!succeeds_within(Duration::from_secs(10), &mut Command::new("no-such-program")));
+    }
+
+    #[test]
+    fn a_failure_shows_the_command_and_its_error() {
+        let error = capture(Command::new("sh").args(["-c", "echo why >&2; exit 3"]));
+        let text = error.expect_err("it exits with 3").to_string();
+        assert!(text.contains("sh -c") && text.ends_with("why"), "{text}");
+    }
+}
