@@ -34,6 +34,11 @@ fn link_for_qemu() {
 }
 
 fn link_for_nucleo() {
+    println!("cargo::rerun-if-env-changed=DEFMT_LOG");
+    if env::var_os("DEFMT_LOG").is_none() {
+        // Without it, nothing below an error would be compiled into the image.
+        println!("cargo::rustc-env=DEFMT_LOG=info");
+    }
     link_with_runtime();
     link_argument("-Tdefmt.x");
 }

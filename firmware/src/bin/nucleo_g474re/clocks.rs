@@ -2,9 +2,7 @@
 
 use embassy_stm32::Config;
 use embassy_stm32::interrupt::{self, InterruptExt, Priority};
-use embassy_stm32::rcc::{
-    Hse, HseMode, Pll, PllMul, PllPreDiv, PllRDiv, PllSource, Sysclk,
-};
+use embassy_stm32::rcc::{Hse, HseMode, Pll, PllMul, PllPreDiv, PllRDiv, PllSource, Sysclk};
 use embassy_stm32::time::Hertz;
 
 /// The crystal X3 of the board.
@@ -27,7 +25,7 @@ pub fn config() -> Config {
     config.rcc.sys = Sysclk::PLL1_R;
     // Above 150 MHz the core needs the higher voltage.
     config.rcc.boost = true;
-    config.dma_interrupt_priority = SLOW;
+    config.bdma_interrupt_priority = SLOW;
     config
 }
 
