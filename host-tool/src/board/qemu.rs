@@ -48,10 +48,10 @@ impl Qemu {
     /// This thread and QEMU are put on one processor: in lockstep only one of them
     /// runs at a time, and waking the other there is several times faster.
     pub fn start(settings: &QemuSettings) -> Result<Self, BoardError> {
-        let image = settings.image.canonicalize().map_err(|source| BoardError::Start {
-            program: settings.image.clone(),
-            source,
-        })?;
+        let image = settings
+            .image
+            .canonicalize()
+            .map_err(|source| BoardError::Start { program: settings.image.clone(), source })?;
         let directory = tempfile::tempdir()?;
         for name in ["to-board", "from-board"] {
             mkfifo(&directory.path().join(name), Mode::S_IRUSR | Mode::S_IWUSR)

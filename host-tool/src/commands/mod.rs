@@ -3,11 +3,16 @@
 //! A new one is a module with an `Arguments` struct and a `run` function, a variant
 //! of [`Command`] and a line in [`Command::run`].
 
+use std::path::Path;
+
 use clap::{Parser, Subcommand};
 
+use crate::board::BoardError;
 use crate::files::FileError;
 
+pub mod demo;
 pub mod inverse_dynamics;
+pub mod simulate;
 
 /// Records, identifies, simulates and diagnoses the RRR robot from its logs.
 #[derive(Debug, Parser)]
@@ -23,6 +28,10 @@ pub struct CommandLine {
 pub enum Command {
     /// Compute joint torques and voltages from a model and a table of motions.
     InverseDynamics(inverse_dynamics::Arguments),
+    /// Record experiments of the simulated robot.
+    Simulate(simulate::Arguments),
+    /// Drive the simulated robot with the firmware in QEMU, without and with the model.
+    Demo(demo::Arguments),
 }
 
 impl Command {
@@ -33,6 +42,8 @@ impl Command {
     pub fn run(self) -> Result<(), Failure> {
         match self {
             Self::InverseDynamics(arguments) => inverse_dynamics::run(&arguments),
+            Self::Simulate(arguments) => simulate::run(&arguments),
+            Self::Demo(arguments) => demo::run(&arguments),
         }
     }
 }
@@ -62,8 +73,30 @@ impl Failure {
     }
 }
 
+/// Makes a directory for what a command writes, and those above it.
+///
+/// # Errors
+/// It cannot be made.
+pub fn create_directory(directory: &Path) -> Result<(), Failure> {
+    std::fs::create_dir_all(directory).map_err(|error| {
+        let message = format!("{}: cannot be made a directory: {error}", directory.display());
+        Failure::new(message, "give another --out")
+    })
+}
+
 impl From<FileError> for Failure {
     fn from(error: FileError) -> Self {
         Self::new(error.to_string(), error.cure())
+    }
+}
+
+impl From<BoardError> for Failure {
+    fn from(error: BoardError) -> Self {
+        let hint = match &error {
+            BoardError::Block(_) => "correct the value in the model file",
+            BoardError::Start { .. } => "`cargo xtask setup` installs QEMU and builds what it runs",
+            _ => "rebuild the image with `cargo xtask firmware qemu`",
+        };
+        Self::new(error.to_string(), hint)
     }
 }

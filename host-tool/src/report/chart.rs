@@ -1,7 +1,7 @@
 //! One chart as SVG.
 
 use plotters::coord::Shift;
-use plotters::coord::ranged1d::ValueFormatter;
+use plotters::coord::ranged1d::{AsRangedCoord, ValueFormatter};
 use plotters::prelude::*;
 
 use super::thinning::thin;
@@ -90,7 +90,8 @@ const GRID: RGBColor = RGBColor(226, 229, 233);
 const POINTS_ACROSS: usize = 900;
 
 type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type DrawResult<'a> = Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
+type DrawResult<'a> =
+    Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
 
 impl Chart {
     /// An empty chart.
@@ -195,8 +196,9 @@ impl Chart {
                     let style = colour.stroke_width(2);
                     chart.draw_series(DashedLineSeries::new(points, 6, 4, style))?
                 }
-                Stroke::Dots => chart
-                    .draw_series(points.iter().map(|&p| Circle::new(p, 2, colour.filled())))?,
+                Stroke::Dots => {
+                    chart.draw_series(points.iter().map(|&p| Circle::new(p, 2, colour.filled())))?
+                }
             };
             if !series.name.is_empty() {
                 drawn.label(&series.name).legend(move |(x, y)| {
@@ -218,9 +220,8 @@ impl Chart {
 
     /// The points that the scales can show.
     fn drawable(&self, series: &Series) -> Vec<(f64, f64)> {
-        let fits = |axis: Axis, value: f64| {
-            value.is_finite() && (axis == Axis::Linear || value > 0.0)
-        };
+        let fits =
+            |axis: Axis, value: f64| value.is_finite() && (axis == Axis::Linear || value > 0.0);
         let shown = |p: &&(f64, f64)| fits(self.x_axis, p.0) && fits(self.y_axis, p.1);
         series.points.iter().filter(shown).copied().collect()
     }

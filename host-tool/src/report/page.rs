@@ -1,8 +1,12 @@
 //! A self-contained HTML page.
 
 use std::fmt::Write as _;
+use std::io::Write as _;
+use std::path::Path;
 
 use super::Chart;
+use crate::files::replace::replace_file;
+use crate::files::{FileError, Problem};
 
 /// A page in the making: sentences, tables and charts in the order they are added.
 #[derive(Clone, Debug)]
@@ -56,6 +60,15 @@ impl Page {
         }
         self.body.push_str("</table>\n");
         self
+    }
+
+    /// Writes the page, whole or not at all.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn write(&self, path: &Path) -> Result<(), FileError> {
+        let html = self.to_html();
+        replace_file(path, |file| file.write_all(html.as_bytes()).map_err(Problem::Unwritable))
     }
 
     /// The whole page.

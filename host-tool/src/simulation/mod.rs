@@ -6,6 +6,7 @@ pub mod recording;
 pub mod rig;
 pub mod robot;
 pub mod sensor;
+pub mod tracking;
 
 pub use plan::Plan;
 pub use recipe::Recipe;

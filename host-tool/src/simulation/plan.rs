@@ -62,7 +62,12 @@ impl Plan {
         Self { role, ..self }
     }
 
-    fn closed_loop(name: &str, experiment: Experiment, motion: [Motion; 3], duration_s: f32) -> Self {
+    fn closed_loop(
+        name: &str,
+        experiment: Experiment,
+        motion: [Motion; 3],
+        duration_s: f32,
+    ) -> Self {
         Self {
             name: name.into(),
             experiment,

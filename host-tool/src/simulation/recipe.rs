@@ -1,14 +1,14 @@
 //! Data sets that can be recorded by name.
 
+use super::Rig;
 use super::plan::{
     Plan, constant_velocity, driven_noise, excitation, friction_excitation, presliding_noise, slow,
     task,
 };
-use super::Rig;
 use crate::files::Role;
 
 /// What `rrr simulate --dataset` records.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Recipe {
     /// The name on the command line.
     pub name: &'static str,
@@ -25,11 +25,7 @@ impl Recipe {
             purpose: "all experiments that `rrr identify` needs, about 8 minutes",
             plans: campaign,
         },
-        Self {
-            name: "gap",
-            purpose: "the logs that `rrr diagnose` works on, 72 s",
-            plans: gap,
-        },
+        Self { name: "gap", purpose: "the logs that `rrr diagnose` works on, 72 s", plans: gap },
         Self {
             name: "task",
             purpose: "the validation motion (20)-(21), 20 s",
@@ -40,11 +36,7 @@ impl Recipe {
             purpose: "one Fourier series, 30 s",
             plans: |_, _| vec![excitation(1, 30.0)],
         },
-        Self {
-            name: "friction",
-            purpose: "the experiments on single joints",
-            plans: friction,
-        },
+        Self { name: "friction", purpose: "the experiments on single joints", plans: friction },
     ];
 
     /// The recipe of that name.

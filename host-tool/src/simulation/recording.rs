@@ -89,6 +89,14 @@ impl Recording {
         }
     }
 
+    /// Instructions that a tick took on average: 25.6 counts of the timer of QEMU's
+    /// board are one. Zero where nothing was counted.
+    pub fn instructions_per_tick(&self) -> f64 {
+        const COUNTS_PER_INSTRUCTION: f64 = 25.6;
+        let counts: f64 = self.timer_counts.iter().map(|&c| f64::from(c)).sum();
+        counts / COUNTS_PER_INSTRUCTION / self.timer_counts.len().max(1) as f64
+    }
+
     fn push(&mut self, counts: &[i64; 3], command_v: &[f64; 3], reply: &firmware::lockstep::Reply) {
         let start_rad = self.start_rad;
         let references = self.references.get_or_insert_with(|| {

@@ -85,8 +85,7 @@ impl SimulatedRobot {
 
     fn substep(&mut self, voltage_v: &Vector3<f64>) {
         let (half_s, whole_s) = (0.5 * self.step_s, self.step_s);
-        let middle_qd =
-            [0, 1, 2].map(|i| self.qd_rad_per_s[i] + half_s * self.qdd_rad_per_s2[i]);
+        let middle_qd = [0, 1, 2].map(|i| self.qd_rad_per_s[i] + half_s * self.qdd_rad_per_s2[i]);
         for i in 0..3 {
             self.q_rad[i] += half_s * self.qd_rad_per_s[i];
         }

@@ -1,0 +1,93 @@
+//! `rrr demo`: the firmware in QEMU drives the simulated robot, without and with the model.
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::Args;
+use firmware::Mode;
+use model::reference_robot::reference_robot;
+
+use super::{Failure, create_directory};
+use crate::board::{Qemu, QemuSettings};
+use crate::progress::Progress;
+use crate::report::tracking_page::{Run, tracking_page};
+use crate::simulation::plan::task;
+use crate::simulation::tracking::Tracking;
+use crate::simulation::{Rig, Settings, record};
+
+/// Arguments of `rrr demo`.
+#[derive(Args, Debug)]
+pub struct Arguments {
+    /// The firmware's image for QEMU's mps2-an386.
+    #[arg(long, value_name = "ELF")]
+    pub firmware: PathBuf,
+    /// Directory for index.html.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Length of each run [s].
+    #[arg(long, default_value_t = 20.0)]
+    pub duration_s: f32,
+}
+
+/// Runs the demonstration.
+///
+/// # Errors
+/// QEMU or the firmware does not work, or the page cannot be written.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let rig = Rig::new(reference_robot());
+    create_directory(&arguments.out)?;
+    let plain = arguments.drive(&rig, Mode::Pd, "PD alone")?;
+    let modelled = arguments.drive(&rig, Mode::PdModel, "PD with the model")?;
+    print_table(&plain, &modelled);
+    let path = arguments.out.join("index.html");
+    tracking_page(&plain, &modelled).write(&path)?;
+    println!("\nPictures: {}", path.display());
+    Ok(())
+}
+
+impl Arguments {
+    /// Records the motion (20)-(21) with QEMU in the loop.
+    fn drive(&self, rig: &Rig, mode: Mode, name: &'static str) -> Result<Run, Failure> {
+        let plan = task(self.duration_s).with_mode(mode);
+        let ticks = plan.ticks(rig);
+        let mut board = Qemu::start(&QemuSettings::new(&self.firmware))?;
+        let progress = Progress::new(name, u64::from(ticks));
+        let started = Instant::now();
+        let recording = record(
+            &mut board,
+            &plan.block(rig),
+            &rig.model,
+            &Settings::default(),
+            ticks,
+            &mut |tick| progress.at(u64::from(tick)),
+        )?;
+        let elapsed_s = started.elapsed().as_secs_f64();
+        progress.finish();
+        let counts_per_turn = f64::from(rig.encoder_counts_per_turn);
+        Ok(Run {
+            name,
+            tracking: Tracking::of(&recording.log, counts_per_turn),
+            speed: f64::from(ticks) * rig.sample_period_s / elapsed_s,
+            instructions_per_tick: recording.instructions_per_tick(),
+            log: recording.log,
+        })
+    }
+}
+
+fn print_table(plain: &Run, modelled: &Run) {
+    println!("Motion (20)-(21), firmware in QEMU around the simulated robot\n");
+    println!("  joint   rms tracking error [mrad]        ratio");
+    println!("          PD alone   PD with the model");
+    for (without, with) in plain.tracking.iter().zip(&modelled.tracking) {
+        let (without_mrad, with_mrad) = (1e3 * without.rms_rad(), 1e3 * with.rms_rad());
+        println!(
+            "  {}       {without_mrad:8.3}   {with_mrad:8.4}           {:6.0}",
+            without.joint,
+            without_mrad / with_mrad
+        );
+    }
+    println!(
+        "\n  a tick takes {:.0} instructions; the loop ran {:.0} times as fast as real time",
+        modelled.instructions_per_tick, modelled.speed
+    );
+}

@@ -1,0 +1,160 @@
+//! `rrr simulate`: experiments of the simulated robot, recorded as if it were real.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use firmware::Mode;
+
+use super::{Failure, create_directory};
+use crate::board::{Board, InProcess, Qemu, QemuSettings};
+use crate::files::{Dataset, RobotFile};
+use crate::progress::Progress;
+use crate::simulation::{Plan, Recipe, Rig, Settings, record};
+
+/// Arguments of `rrr simulate`.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// The robot to simulate, which the board also takes for its model.
+    #[arg(long, value_name = "MODEL.toml")]
+    pub model: PathBuf,
+    /// What to record: campaign, gap, task, excitation or friction.
+    #[arg(long, value_name = "NAME")]
+    pub dataset: String,
+    /// Directory for dataset.toml and the logs.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// What the commands are made of, instead of what the data set asks for:
+    /// pd, pd-friction, pd-model, friction-only or open-loop.
+    #[arg(long)]
+    pub mode: Option<String>,
+    /// How the logs are written.
+    #[arg(long, value_enum, default_value_t = Format::CsvGz)]
+    pub format: Format,
+    /// Run the firmware's image in QEMU instead of in this process.
+    #[arg(long, value_name = "ELF")]
+    pub qemu: Option<PathBuf>,
+    /// Seed of all noises.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u32,
+    /// Amplifier noise [V rms].
+    #[arg(long, default_value_t = 0.004)]
+    pub noise_v: f64,
+    /// Integration steps per tick.
+    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub substeps: u32,
+}
+
+/// A log's format.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Format {
+    /// Compressed text.
+    CsvGz,
+    /// Text.
+    Csv,
+    /// For Foxglove.
+    Mcap,
+}
+
+impl Format {
+    fn extension(self) -> &'static str {
+        match self {
+            Self::CsvGz => "csv.gz",
+            Self::Csv => "csv",
+            Self::Mcap => "mcap",
+        }
+    }
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// An unknown name, a model that cannot be used, a board that does not answer, or a
+/// directory that cannot be written.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let rig = rig(&RobotFile::read(&arguments.model)?)?;
+    let plans = arguments.plans(&rig)?;
+    create_directory(&arguments.out)?;
+    let mut board = arguments.board()?;
+    for (index, plan) in plans.iter().enumerate() {
+        arguments.record(&mut *board, &rig, plan, index as u32)?;
+    }
+    let extension = arguments.format.extension();
+    let dataset = Dataset {
+        directory: arguments.out.clone(),
+        encoder_counts_per_rev: Some(f64::from(rig.encoder_counts_per_turn)),
+        entries: plans.iter().map(|plan| plan.entry(extension)).collect(),
+    };
+    dataset.write(&arguments.out)?;
+    println!("{} logs in {}", plans.len(), arguments.out.display());
+    Ok(())
+}
+
+/// The rig that a model file describes.
+fn rig(file: &RobotFile) -> Result<Rig, Failure> {
+    let mut rig = Rig::new(file.robot()?);
+    let table = &file.robot;
+    if let Some(counts) = table.encoder_counts_per_rev {
+        rig.encoder_counts_per_turn = counts as u32;
+    }
+    rig.sample_period_s = table.sample_period_s.unwrap_or(rig.sample_period_s);
+    rig.command_limit_v = table.command_limit_v.unwrap_or(rig.command_limit_v);
+    Ok(rig)
+}
+
+impl Arguments {
+    fn plans(&self, rig: &Rig) -> Result<Vec<Plan>, Failure> {
+        let recipe = Recipe::by_name(&self.dataset).ok_or_else(|| {
+            let known: Vec<String> =
+                Recipe::ALL.iter().map(|r| format!("{} ({})", r.name, r.purpose)).collect();
+            let message = format!("--dataset {}: no such data set", self.dataset);
+            Failure::new(message, format!("take one of {}", known.join(", ")))
+        })?;
+        let plans = recipe.plans(rig, self.seed);
+        match self.mode()? {
+            Some(mode) => Ok(plans.into_iter().map(|plan| plan.with_mode(mode)).collect()),
+            None => Ok(plans),
+        }
+    }
+
+    fn mode(&self) -> Result<Option<Mode>, Failure> {
+        let Some(name) = &self.mode else { return Ok(None) };
+        let mode = Mode::from_name(name).ok_or_else(|| {
+            let known = Mode::ALL.map(Mode::name).join(", ");
+            Failure::new(format!("--mode {name}: no such mode"), format!("take one of {known}"))
+        })?;
+        Ok(Some(mode))
+    }
+
+    fn board(&self) -> Result<Box<dyn Board>, Failure> {
+        match &self.qemu {
+            Some(image) => Ok(Box::new(Qemu::start(&QemuSettings::new(image))?)),
+            None => Ok(Box::new(InProcess::default())),
+        }
+    }
+
+    /// Records a plan and writes its log.
+    fn record(
+        &self,
+        board: &mut dyn Board,
+        rig: &Rig,
+        plan: &Plan,
+        index: u32,
+    ) -> Result<(), Failure> {
+        let ticks = plan.ticks(rig);
+        let settings = Settings {
+            sample_period_s: rig.sample_period_s,
+            substeps: self.substeps,
+            noise_v: self.noise_v,
+            seed: u64::from(self.seed) << 32 | u64::from(index),
+        };
+        let progress = Progress::new(&plan.name, u64::from(ticks));
+        let recording =
+            record(board, &plan.block(rig), &rig.model, &settings, ticks, &mut |tick| {
+                progress.at(u64::from(tick))
+            })?;
+        progress.finish();
+        let entry = plan.entry(self.format.extension());
+        recording.log.write(self.out.join(entry.file))?;
+        Ok(())
+    }
+}

@@ -1,0 +1,46 @@
+//! What the tests share.
+#![allow(dead_code)] // Each test file uses a part of it.
+
+use std::path::{Path, PathBuf};
+
+use host_tool::files::{JointLog, Log, Position};
+
+/// A file of the collected data, or `None`, with a note on stderr, where it is absent.
+pub fn data(name: &str) -> Option<PathBuf> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data").join(name);
+    if path.exists() {
+        return Some(path);
+    }
+    eprintln!("skipped: ../shared/data/{name} is absent");
+    None
+}
+
+/// An empty directory that vanishes with the value.
+pub fn directory() -> tempfile::TempDir {
+    tempfile::tempdir().unwrap()
+}
+
+/// A log of three joints in counts, on the millisecond grid.
+pub fn log_in_counts(rows: usize) -> Log {
+    let joint = |joint: u8| JointLog {
+        joint,
+        position: Position::Count((0..rows as i64).map(|i| 1000 * i64::from(joint) - i).collect()),
+        command_v: (0..rows).map(|i| (i % 7) as f64 * 0.125 - 0.25).collect(),
+        reference_rad: Some((0..rows).map(|i| i as f64 / 8.0 - 1.570796).collect()),
+    };
+    Log {
+        time_s: (0..rows).map(|i| i as f64 / 1000.0).collect(),
+        joints: (1..=3).map(joint).collect(),
+    }
+}
+
+/// A log of joint 3 in radians, unevenly sampled, without a reference.
+pub fn log_in_radians() -> Log {
+    let joint = JointLog {
+        joint: 3,
+        position: Position::Radian(vec![-0.00145723659, 0.25, 0.5]),
+        command_v: vec![-0.004396, 0.0, 1.0],
+        reference_rad: None,
+    };
+    Log { time_s: vec![0.0, 0.003334, 0.01], joints: vec![joint] }
+}
