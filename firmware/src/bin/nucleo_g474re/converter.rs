@@ -19,12 +19,16 @@ const READ_CLOCK: Hertz = Hertz(5_312_500);
 /// 170 MHz / 8; the converter takes up to 30 MHz.
 const WRITE_CLOCK: Hertz = Hertz(21_250_000);
 
-// Times of the data sheet in cycles of 170 MHz, 5.9 ns each.
+// Times of the data sheet in cycles of 170 MHz, 5.9 ns each; a delay lasts at least as long.
 const CYCLES_PER_US: u32 = 170;
-/// SYNC stays high for 100 ns between frames, 200 ns when reading.
-const SYNC_HIGH_CYCLES: u32 = 36;
-/// From SYNC high to LDAC low, 130 ns; the pulse itself needs 20 ns.
-const LOAD_CYCLES: u32 = 24;
+/// SYNC stays high for 100 ns after a frame is written.
+const SYNC_HIGH_CYCLES: u32 = 17;
+/// And for 200 ns where an answer is fetched.
+const SYNC_HIGH_READING_CYCLES: u32 = 34;
+/// From SYNC high to LDAC low, 130 ns.
+const SYNC_TO_LOAD_CYCLES: u32 = 23;
+/// LDAC stays low for 20 ns.
+const LOAD_CYCLES: u32 = 4;
 /// CLR takes 2.5 us to act.
 const CLEAR_US: u32 = 5;
 
@@ -107,13 +111,13 @@ impl Converter {
         self.clear.set_high();
     }
 
-    /// Three codes, which the outputs follow at the same instant; takes 5 us.
+    /// Three codes, which the outputs follow at the same instant; takes 6 us.
     #[inline]
     pub fn put_out(&mut self, codes: &[DacCode; 3]) -> Result<(), ConverterFault> {
         for (channel, code) in Channel::JOINTS.into_iter().zip(codes) {
             self.send(ad5754r::set_code(channel, *code))?;
         }
-        asm::delay(LOAD_CYCLES);
+        asm::delay(SYNC_TO_LOAD_CYCLES);
         self.load.set_low();
         asm::delay(LOAD_CYCLES);
         self.load.set_high();
@@ -144,11 +148,12 @@ impl Converter {
     /// The answer to a question comes with the frame after it.
     fn ask(&mut self, question: Frame) -> Result<Frame, ConverterFault> {
         self.send(question)?;
+        asm::delay(SYNC_HIGH_READING_CYCLES);
         let mut answer = ad5754r::NO_OPERATION;
         self.sync.set_low();
         let result = self.spi.blocking_transfer_in_place(&mut answer);
         self.sync.set_high();
-        asm::delay(SYNC_HIGH_CYCLES);
+        asm::delay(SYNC_HIGH_READING_CYCLES);
         result?;
         Ok(answer)
     }

@@ -4,7 +4,8 @@
 //! `docs/board.md`. Nothing here waits for a task, and nothing interrupts it.
 
 use core::ptr;
-use core::sync::atomic::{AtomicPtr, Ordering};
+use core::sync::atomic::Ordering::{Acquire, Relaxed, Release};
+use core::sync::atomic::{AtomicPtr, AtomicU32};
 
 use cortex_m::singleton;
 use embassy_stm32::Peri;
@@ -53,7 +54,7 @@ pub fn start(timer: Peri<'static, TIM6>, encoders: Encoders, mut converter: Conv
         running: false,
         converter_fault: set_up.is_err(),
     };
-    TICK.store(defmt::unwrap!(singleton!(: Tick = tick)), Ordering::Release);
+    TICK.store(defmt::unwrap!(singleton!(: Tick = tick)), Release);
     // SAFETY: no critical section is open that the interrupt could break.
     unsafe { interrupt::TIM6_DAC.enable() };
     orders
@@ -73,7 +74,7 @@ fn millisecond_timer(timer: Peri<'static, TIM6>) -> Timer<'static, TIM6> {
 fn TIM6_DAC() {
     // SAFETY: the pointer is null or comes from a singleton that nothing else refers
     // to, and this interrupt, the only place that follows it, cannot interrupt itself.
-    if let Some(tick) = unsafe { TICK.load(Ordering::Acquire).as_mut() } {
+    if let Some(tick) = unsafe { TICK.load(Acquire).as_mut() } {
         tick.run();
     }
 }
@@ -133,21 +134,22 @@ impl Tick {
     }
 
     fn report(&self) {
-        let count = |counter: &core::sync::atomic::AtomicU32, by: bool| {
-            let now = counter.load(Ordering::Relaxed).wrapping_add(u32::from(by));
-            counter.store(now, Ordering::Relaxed);
-        };
-        REPORT.loaded.store(self.controller.is_some(), Ordering::Relaxed);
-        REPORT.running.store(self.running, Ordering::Relaxed);
-        REPORT.converter_fault.store(self.converter_fault, Ordering::Relaxed);
-        count(&REPORT.ticks, true);
+        REPORT.loaded.store(self.controller.is_some(), Relaxed);
+        REPORT.running.store(self.running, Relaxed);
+        REPORT.converter_fault.store(self.converter_fault, Relaxed);
+        count(&REPORT.ticks);
+        let mut taken = u32::from(self.timer.regs_core().cnt().read().cnt());
         // The timer's event has come again: the interrupt follows at once, late.
-        let registers = self.timer.regs_core();
-        let overrun = registers.sr().read().uif();
-        count(&REPORT.overruns, overrun);
-        let late = if overrun { u32::from(COUNTS_PER_PERIOD) } else { 0 };
-        let taken = u32::from(registers.cnt().read().cnt()) + late;
-        let longest = REPORT.longest_tenth_us.load(Ordering::Relaxed).max(taken);
-        REPORT.longest_tenth_us.store(longest, Ordering::Relaxed);
+        if self.timer.regs_core().sr().read().uif() {
+            taken += u32::from(COUNTS_PER_PERIOD);
+            count(&REPORT.overruns);
+        }
+        let longest = REPORT.longest_tenth_us.load(Relaxed).max(taken);
+        REPORT.longest_tenth_us.store(longest, Relaxed);
     }
+}
+
+/// Only the tick writes these, so loading and storing need not be one step.
+fn count(counter: &AtomicU32) {
+    counter.store(counter.load(Relaxed).wrapping_add(1), Relaxed);
 }
