@@ -4,70 +4,86 @@ use std::collections::BTreeMap;
 
 use anyhow::{Context, Result, bail};
 
-use crate::code::Code;
+use crate::code::{Code, Function};
 use crate::thumb::Flow;
 
 /// The functions reached from some roots.
 #[derive(Debug)]
 pub struct Reached {
-    /// Each with the function that led to it; a root with itself.
-    callers: BTreeMap<u32, u32>,
+    /// Each with the call found first; a root with none.
+    calls: BTreeMap<u32, Option<Call>>,
+}
+
+/// A call or a jump from one function to another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Call {
+    /// Where the calling function begins.
+    pub caller: u32,
+    /// The address of the instruction.
+    pub site: u32,
 }
 
 impl Reached {
-    /// Follows every call and branch, taken or not. What cannot be followed is an
-    /// error, so that nothing is missed.
-    pub fn from(roots: &[u32], code: &Code<'_>) -> Result<Self> {
-        let mut callers: BTreeMap<u32, u32> = roots.iter().map(|&root| (root, root)).collect();
+    /// Follows every call and branch, taken or not, but none out of an `end`. What
+    /// cannot be followed is an error, so that nothing is missed.
+    pub fn from(roots: &[u32], code: &Code<'_>, end: impl Fn(&Function) -> bool) -> Result<Self> {
+        let mut calls: BTreeMap<u32, Option<Call>> =
+            roots.iter().map(|&root| (root, None)).collect();
         let mut pending = roots.to_vec();
         while let Some(caller) = pending.pop() {
-            for callee in callees(code, caller)? {
-                callers.entry(callee).or_insert_with(|| {
+            if code.function(caller).is_some_and(&end) {
+                continue;
+            }
+            for (site, callee) in callees(code, caller)? {
+                calls.entry(callee).or_insert_with(|| {
                     pending.push(callee);
-                    caller
+                    Some(Call { caller, site })
                 });
             }
         }
-        Ok(Self { callers })
+        Ok(Self { calls })
     }
 
     /// The addresses of the functions, roots included.
     pub fn functions(&self) -> impl Iterator<Item = u32> {
-        self.callers.keys().copied()
+        self.calls.keys().copied()
     }
 
-    /// The way from a root to a function.
-    pub fn path(&self, to: u32) -> Vec<u32> {
-        let mut path = vec![to];
-        while let Some(&caller) = path.last().and_then(|last| self.callers.get(last)) {
-            if path.contains(&caller) {
-                break;
-            }
-            path.push(caller);
-        }
+    /// A call that leads to a function; none to a root.
+    pub fn call_of(&self, function: u32) -> Option<Call> {
+        self.calls.get(&function).copied().flatten()
+    }
+
+    /// The functions from a root to this one.
+    pub fn path(&self, function: u32) -> Vec<u32> {
+        let callers = |&callee: &u32| self.call_of(callee).map(|call| call.caller);
+        let mut path: Vec<u32> = std::iter::successors(Some(function), callers).collect();
         path.reverse();
         path
     }
 }
 
-/// The other functions that one calls or jumps to.
-fn callees(code: &Code<'_>, caller: u32) -> Result<Vec<u32>> {
-    let name = code.function(caller).map_or("?", |function| function.name());
+/// The other functions that one calls or jumps to, and from where.
+fn callees(code: &Code<'_>, caller: u32) -> Result<Vec<(u32, u32)>> {
+    let name = code.function(caller).map_or("?", Function::name);
     let mut callees = Vec::new();
-    for (address, instruction) in code.instructions(caller)? {
+    for (site, instruction) in code.instructions(caller)? {
         match instruction.flow {
             Flow::Local => {}
             Flow::Computed => bail!(
-                "{name} jumps to a computed address at {address:#x}: where to cannot be told. \
+                "{name} jumps to a computed address at {site:#x}: where to cannot be told. \
                  Call by name there, not through a pointer"
             ),
-            Flow::To(target) => callees.push(code.function_at(target).with_context(|| {
-                format!("{name} jumps at {address:#x} to {target:#x}, where no function is")
-            })?),
+            Flow::To(target) => callees.push((site, function_at(code, name, site, target)?)),
         }
     }
-    callees.retain(|&callee| callee != caller);
+    callees.retain(|&(_, callee)| callee != caller);
     Ok(callees)
+}
+
+fn function_at(code: &Code<'_>, name: &str, site: u32, target: u32) -> Result<u32> {
+    code.function_at(target)
+        .with_context(|| format!("{name} jumps at {site:#x} to {target:#x}, where no function is"))
 }
 
 #[cfg(test)]

@@ -13,10 +13,11 @@ use crate::firmware;
 use crate::image::Image;
 use crate::toolchain::FirmwareToolchain;
 
-/// Builds every board's image and checks it.
-pub fn run() -> Result<()> {
+/// Builds the images of the boards named, or of all, and checks them.
+pub fn run(names: &[&str]) -> Result<()> {
+    let boards = Board::parse(names)?;
     let toolchain = FirmwareToolchain::find_or_make()?;
-    for board in Board::ALL {
+    for board in boards {
         check(board, &firmware::build(&toolchain, board)?)?;
     }
     Ok(())
@@ -25,12 +26,12 @@ pub fn run() -> Result<()> {
 /// Checks one image and prints what the tick can reach.
 pub fn check(board: Board, image: &Image) -> Result<()> {
     let code = Code::read(&image.elf()?)?;
-    let reached = Reached::from(&ticks(&code)?, &code)?;
+    let reached = Reached::from(&ticks(&code)?, &code, is_forbidden)?;
     println!("{}: the control tick can reach these functions:", board.name());
     for function in reached.functions().filter_map(|address| code.function(address)) {
         println!("  {}", function.names.join(" = "));
     }
-    refuse_forbidden(board, &code, &reached)?;
+    refuse_forbidden(image, &code, &reached)?;
     println!("{}: {}", board.name(), verdict(&code));
     Ok(())
 }
@@ -48,22 +49,28 @@ fn ticks(code: &Code<'_>) -> Result<Vec<u32>> {
     Ok(ticks)
 }
 
-fn refuse_forbidden(board: Board, code: &Code<'_>, reached: &Reached) -> Result<()> {
-    let named = |address: u32| code.function(address).map_or("?", Function::name);
+fn refuse_forbidden(image: &Image, code: &Code<'_>, reached: &Reached) -> Result<()> {
     let offences: Vec<String> = reached
         .functions()
-        .filter(|&address| {
-            code.function(address).is_some_and(|function| function.is_called(is_forbidden))
-        })
-        .map(|address| {
-            reached.path(address).into_iter().map(named).collect::<Vec<_>>().join(" -> ")
-        })
+        .filter(|&address| code.function(address).is_some_and(is_forbidden))
+        .map(|address| offence(address, code, reached))
         .collect();
-    if !offences.is_empty() {
-        let list = offences.join("\n  ");
-        bail!("{}: the control tick can compute in f64 or panic:\n  {list}", board.name());
+    if offences.is_empty() {
+        return Ok(());
     }
-    Ok(())
+    bail!(
+        "the control tick can compute in f64 or panic:\n  {}\n\
+         `addr2line --functions --inlines --demangle --exe={} ADDRESS` shows the lines",
+        offences.join("\n  "),
+        image.path().display()
+    )
+}
+
+fn offence(address: u32, code: &Code<'_>, reached: &Reached) -> String {
+    let name = |start: u32| code.function(start).map_or("?", Function::name);
+    let path: Vec<&str> = reached.path(address).into_iter().map(name).collect();
+    let site = reached.call_of(address).map(|call| format!(", called at {:#x}", call.site));
+    format!("{}{}", path.join(" -> "), site.unwrap_or_default())
 }
 
 fn verdict(code: &Code<'_>) -> &'static str {
@@ -78,8 +85,8 @@ fn is_tick(name: &str) -> bool {
     name.contains("Controller") && name.ends_with("::tick")
 }
 
-fn is_forbidden(name: &str) -> bool {
-    is_double(name) || is_panic(name)
+fn is_forbidden(function: &Function) -> bool {
+    function.is_called(is_double) || function.is_called(is_panic)
 }
 
 /// The run-time routines for `f64`: by their names in the Arm ABI (`__aeabi_dadd`,

@@ -24,17 +24,17 @@ use anyhow::{Result, bail};
 const HELP: &str = "\
 The project's chores: cargo xtask <task>
 
-  setup                    find or make all that the firmware and its emulator need
-  firmware [qemu|nucleo]   build the images, print their paths and sizes, check the limits
-  check-elf                check that the control tick neither computes in f64 nor panics
-  test                     all of that, then the tests of all packages, the emulated board's too
-  lint                     formatting and clippy, on the host and for every board
-  bench [filter]           the benchmarks of all packages
-  demo                     the host tool against the firmware on the emulated board
+  setup                     find or make all that the firmware and its emulator need
+  firmware [qemu|nucleo]    build the images, print their paths and sizes, check the limits
+  check-elf [qemu|nucleo]   check that the control tick neither computes in f64 nor panics
+  test                      all of that, then the tests of all packages, the emulated board's too
+  lint                      formatting and clippy, on the host and for every board
+  bench [filter]            the benchmarks of all packages
+  demo                      the host tool against the firmware on the emulated board
 
 Environment:
-  CARGO_TARGET_DIR         where to build, instead of target/
-  RRR_FIRMWARE_TOOLCHAIN   `debian`: use Debian's compiler even where rustup has the target";
+  CARGO_TARGET_DIR          where to build, instead of target/
+  RRR_FIRMWARE_TOOLCHAIN    `debian`: use Debian's compiler even where rustup has the target";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -55,7 +55,7 @@ fn run(arguments: &[&str]) -> Result<()> {
         }
         ["setup"] => setup::run(),
         ["firmware", boards @ ..] => firmware::run(boards),
-        ["check-elf"] => check_elf::run(),
+        ["check-elf", boards @ ..] => check_elf::run(boards),
         ["test"] => test::run(),
         ["lint"] => lint::run(),
         ["bench", filter @ ..] => bench::run(filter),
