@@ -2,9 +2,9 @@
 
 use core::sync::atomic::Ordering::Relaxed;
 
-use embassy_stm32::Peri;
 use embassy_stm32::gpio::{Level, Output, Speed};
 use embassy_stm32::peripherals::PA5;
+use embassy_stm32::{Peri, pac};
 use embassy_time::Timer;
 use firmware::message::Status;
 
@@ -31,6 +31,15 @@ pub async fn show(pin: Peri<'static, PA5>) -> ! {
         lamp.set_low();
         Timer::after_millis(off_ms).await;
     }
+}
+
+/// Says so if the last run ended badly.
+pub fn log_reset() {
+    let reset = pac::RCC.csr();
+    if reset.read().iwdgrstf() {
+        defmt::error!("the watchdog has reset the board");
+    }
+    reset.modify(|w| w.set_rmvf(true));
 }
 
 /// Logs what has changed, at most once a second.

@@ -29,6 +29,7 @@ use crate::watchdog::Watchdog;
 async fn main(spawner: Spawner) {
     let p = embassy_stm32::init(clocks::config());
     clocks::put_tick_above_all();
+    health::log_reset();
     let watchdog = Watchdog::start(p.IWDG);
     let encoders =
         Encoders::new((p.TIM2, p.PA0, p.PA1), (p.TIM3, p.PA6, p.PA7), (p.TIM1, p.PA8, p.PA9));
