@@ -5,13 +5,18 @@
 //! | [`files`] | logs, data sets and models, as they lie on disk |
 //! | [`board`] | the control firmware, in this process or in QEMU |
 //! | [`simulation`] | the simulated robot, and experiments recorded with it |
+//! | [`identification`] | the paper's procedure, step by step |
+//! | [`signal`], [`estimation`] | the numerical tools that it uses |
 //! | [`report`] | pages with pictures |
 //! | [`commands`] | one file per subcommand of `rrr` |
 #![forbid(unsafe_code)]
 
 pub mod board;
 pub mod commands;
+pub mod estimation;
 pub mod files;
+pub mod identification;
 pub mod progress;
 pub mod report;
+pub mod signal;
 pub mod simulation;

@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use mcap::{Message, MessageStream};
+use mcap::Message;
+use mcap::io::MessageReader;
+use mcap::sans_io::LinearReaderOptions;
 
 use super::joint_message::{JointMessage, topic};
 use super::{JointLog, Log, Position};
@@ -18,7 +20,7 @@ pub(super) fn read(path: &Path) -> Result<Log, FileError> {
 /// The log that an MCAP file's messages make; messages on other topics are ignored.
 pub(super) fn log_from(bytes: &[u8]) -> Result<Log, Fault> {
     let mut joints: [Samples; 3] = Default::default();
-    for message in MessageStream::new(bytes).map_err(Problem::BrokenMcap)? {
+    for message in messages(bytes) {
         let message = message.map_err(Problem::BrokenMcap)?;
         let on_topic = |(joint, _): &(u8, &mut Samples)| topic(*joint) == message.channel.topic;
         if let Some((_, samples)) = (1..).zip(&mut joints).find(on_topic) {
@@ -28,6 +30,17 @@ pub(super) fn log_from(bytes: &[u8]) -> Result<Log, Fault> {
     let log = join((1..).zip(joints).filter(|(_, samples)| !samples.time_s.is_empty()))?;
     log.check().map_err(Fault::without_line)?;
     Ok(log)
+}
+
+/// The messages, chunk by chunk, each chunk once its checksum is right.
+///
+/// Sizes stand in the file itself, so without a limit a damaged one claims all memory.
+fn messages(bytes: &[u8]) -> MessageReader<&[u8]> {
+    const LARGEST_CHUNK: usize = 64 << 20;
+    let options = LinearReaderOptions::default()
+        .with_record_length_limit(bytes.len().saturating_add(LARGEST_CHUNK))
+        .with_prevalidate_chunk_crcs(true);
+    MessageReader::new_with_options(bytes, options)
 }
 
 /// One joint's messages, column by column.

@@ -1,0 +1,1 @@
+//! Least squares, linear and not, with covariances.

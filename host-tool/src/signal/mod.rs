@@ -1,0 +1,1 @@
+//! Filters, derivatives and spectra of sampled signals.
