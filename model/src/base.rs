@@ -119,8 +119,8 @@ fn smallest_over_a_turn<T: Real>(f: impl Fn(T, T) -> T) -> T {
     let mut lowest = (f(T::zero(), T::zero()), T::zero(), T::zero());
     let try_point = |lowest: &mut (T, T, T), x: T, y: T| {
         let value = f(x, y);
-        // Written so that a NaN is taken, and then fails the check.
-        if !(value >= lowest.0) {
+        // A NaN is taken, then kept since nothing is below it, and fails the check.
+        if value < lowest.0 || value.is_nan() {
             *lowest = (value, x, y);
         }
     };
@@ -137,4 +137,22 @@ fn smallest_over_a_turn<T: Real>(f: impl Fn(T, T) -> T) -> T {
         }
     }
     lowest.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_bottom_between_the_grid_points_is_found() {
+        let valley = |x: f64, y: f64| 2.0 - (x - 1.0).cos() - (y + 2.0).cos();
+        let lowest = smallest_over_a_turn(valley);
+        assert!(lowest < 1e-8, "{lowest:e}");
+    }
+
+    #[test]
+    fn a_posture_without_a_number_is_not_passed_over() {
+        let hole = |x: f64, y: f64| if x > 1.0 && y > 1.0 && x < 1.2 { f64::NAN } else { 1.0 };
+        assert!(smallest_over_a_turn(hole).is_nan());
+    }
 }

@@ -106,7 +106,13 @@ impl<T: Real> FrictionState<T> {
     /// For a velocity that is constant over the step, (9) is linear in z and this is
     /// its exact solution: z relaxes to gamma/sigma0 as exp(-sigma0 |v| t / gamma).
     /// That holds for steps of any length, also where sigma0 |v| / gamma reaches
-    /// 32,000 1/s and an explicit integrator explodes.
+    /// 51,000 1/s (joint 1 at 10 rad/s) and an explicit integrator explodes.
+    ///
+    /// Error at constant velocity, of 1e-5 to 10 rad/s and steps of 0.1 and 1 ms, with z in
+    /// parts of max(gamma) / sigma0: in `f64` below 1e-12 and 1e-10 V, what the comparison
+    /// can resolve; in `f32` below 2e-7 and 6e-6 V. A velocity that swings by 1 rad/s at
+    /// 1 Hz, taken at the middle of 1 ms ticks, costs up to 7e-4 and 1.1 mV around its
+    /// reversals; taken at their start, half a tick late, up to 0.094 and 43 mV.
     #[inline]
     pub fn step(&mut self, friction: &Friction<T>, velocity_rad_per_s: T, step_s: T) -> T {
         self.step_scaled(friction, FrictionScale::unchanged(), velocity_rad_per_s, step_s)

@@ -13,6 +13,37 @@
 //! | [`base`], [`geometry`], [`links`] | the 16 base parameters and where they come from |
 //! | [`robot`], [`pendulum`] | a whole rig: three joints, or the one joint of eq. (11) |
 //! | [`reference_robot`] | the numbers printed in the paper |
+//!
+//! The voltages that hold the reference robot's arm level, and the acceleration with
+//! which it falls without them:
+//!
+//! ```
+//! use model::{Posture, reference_robot::reference_robot};
+//!
+//! let robot = reference_robot::<f64>();
+//! let (level, still) = (Posture::new(0.0, 0.0), [0.0; 3]);
+//!
+//! let torque_nm = level.inverse_dynamics(&robot.base, &robot.geometry, &still, &still);
+//! let voltage_v = robot.torque_to_voltage(&torque_nm);
+//! assert!((voltage_v[1] - 2.897).abs() < 1e-3);
+//!
+//! let fall = level.forward_dynamics(&robot.base, &robot.geometry, &still, &still);
+//! assert!(fall[1] < -20.0);
+//! ```
+//!
+//! Friction in volts, eq. (9): a joint that slides for a second at 1 rad/s has reached
+//! the steady friction of eq. (10).
+//!
+//! ```
+//! use model::{FrictionState, reference_robot::reference_robot};
+//!
+//! let friction = reference_robot::<f64>().friction[0];
+//! let mut state = FrictionState::default();
+//! for _ in 0..1000 {
+//!     state.step(&friction, 1.0, 1e-3);
+//! }
+//! assert!((state.step(&friction, 1.0, 1e-3) - friction.sliding(1.0)).abs() < 1e-12);
+//! ```
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -14,12 +14,15 @@ pub trait Real: FloatCore + core::fmt::Debug + 'static {
     /// The value as `f64`, for messages and reports.
     fn as_f64(self) -> f64;
     /// Sine and cosine of an angle in radians.
+    ///
+    /// `f32`: absolute error below [`crate::trigonometry::LARGEST_ERROR`] up to 100 rad.
     fn sin_cos(self) -> (Self, Self);
-    /// e to the power of `self`.
+    /// e to the power of `self`. `f32`: relative error below 7.2e-8 on [-80, 0].
     fn exp(self) -> Self;
-    /// e to the power of `self`, minus one, exact for small arguments.
+    /// e to the power of `self`, minus one, good for small arguments too.
+    /// `f32`: relative error below 7.2e-8 on [-60, 0].
     fn exp_m1(self) -> Self;
-    /// Square root.
+    /// Square root, correctly rounded.
     fn sqrt(self) -> Self;
 }
 
