@@ -26,7 +26,7 @@ pub fn log_in_counts(rows: usize) -> Log {
         joint,
         position: Position::Count((0..rows as i64).map(|i| 1000 * i64::from(joint) - i).collect()),
         command_v: (0..rows).map(|i| (i % 7) as f64 * 0.125 - 0.25).collect(),
-        reference_rad: Some((0..rows).map(|i| i as f64 / 8.0 - 1.570796).collect()),
+        reference_rad: Some((0..rows).map(|i| i as f64 / 8.0 - 1.5).collect()),
     };
     Log {
         time_s: (0..rows).map(|i| i as f64 / 1000.0).collect(),

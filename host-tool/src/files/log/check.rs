@@ -97,6 +97,12 @@ fn check_finite(values: &[f64], column: &str) -> Result<(), Fault> {
     }
 }
 
+/// Checks that the time still increases once it is written, to a nanosecond.
+pub(super) fn check_written_time(time_s: &[f64]) -> Result<(), Fault> {
+    let written: Vec<f64> = time_s.iter().map(|time_s| (time_s * 1e9).round() / 1e9).collect();
+    check_time(&written)
+}
+
 /// Checks that the time increases strictly.
 pub(super) fn check_time(time_s: &[f64]) -> Result<(), Fault> {
     match time_s.windows(2).position(|pair| pair[1] <= pair[0]) {

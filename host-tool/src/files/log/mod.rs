@@ -85,7 +85,9 @@ impl Log {
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), FileError> {
         let path = path.as_ref();
         let format = Format::of(path)?;
-        self.check().map_err(|fault| fault.in_file(path))?;
+        self.check()
+            .and_then(|()| check::check_written_time(&self.time_s))
+            .map_err(|fault| fault.in_file(path))?;
         match format {
             Format::Csv => write_csv::write(self, path),
             Format::Mcap => write_mcap::write(self, path),
