@@ -142,7 +142,7 @@ fn bad_models_are_named_with_their_line() {
         assert_refused(directory.path(), parts);
     };
     says("zz1r", "zz9r", &["model.toml, line 12", "zz1r in [base] is missing"]);
-    says("6.3", "0", &["model.toml, line 10", "torque_constant_Nm_per_V of joint 2 is 0"]);
+    says("6.3,", "0,", &["model.toml, line 10", "torque_constant_Nm_per_V of joint 2 is 0"]);
     says("format = 1", "format = 7", &["model.toml, line 1", "format 7"]);
 }
 

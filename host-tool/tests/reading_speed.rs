@@ -31,3 +31,16 @@ fn a_measured_session_is_read_in_a_moment() {
     eprintln!("{rows} rows in {:.3} s", start.elapsed().as_secs_f64());
     assert!(recordings.iter().all(|recording| recording.position_rad(3).is_some()));
 }
+
+#[test]
+fn two_minutes_of_mcap_are_read_in_a_moment() {
+    let directory = common::directory();
+    let path = directory.path().join("long.mcap");
+    common::log_in_counts(120_000).write(&path).unwrap();
+    let start = Instant::now();
+    let read = Log::read(&path).unwrap();
+    let seconds = start.elapsed().as_secs_f64();
+    eprintln!("120,000 rows of MCAP in {seconds:.3} s");
+    assert_eq!(read.len(), 120_000);
+    assert!(seconds < 5.0, "{seconds} s");
+}
