@@ -48,7 +48,13 @@ impl<T: Real> Friction<T> {
     #[inline]
     pub fn stribeck_level(&self, velocity_rad_per_s: T) -> T {
         let ratio = velocity_rad_per_s / self.stribeck_velocity_rad_per_s;
-        self.alpha0_v + self.alpha1_v * (-(ratio * ratio)).exp()
+        let square = ratio * ratio;
+        // Beyond, the exponential is lost in alpha_0's last digit, also in f64; most
+        // motion is there, and is spared its cost.
+        if square > T::constant(40.0) {
+            return self.alpha0_v;
+        }
+        self.alpha0_v + self.alpha1_v * (-square).exp()
     }
 
     /// Friction in steady sliding, eq. (10) [V].

@@ -10,7 +10,7 @@ use model::reference_robot::reference_robot;
 use super::{Failure, create_directory};
 use crate::board::{Qemu, QemuSettings};
 use crate::progress::Progress;
-use crate::report::tracking_page::{Run, tracking_page};
+use crate::report::tracking_page::{Run, error_charts, tracking_page};
 use crate::simulation::plan::task;
 use crate::simulation::tracking::Tracking;
 use crate::simulation::{Rig, Settings, record};
@@ -41,6 +41,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     print_table(&plain, &modelled);
     let path = arguments.out.join("index.html");
     tracking_page(&plain, &modelled).write(&path)?;
+    error_charts(&plain, &modelled)[1].write_svg(&arguments.out.join("tracking.svg"))?;
     println!("\nPictures: {}", path.display());
     Ok(())
 }

@@ -1,10 +1,15 @@
 //! One chart as SVG.
 
+use std::io::Write as _;
+use std::path::Path;
+
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::{AsRangedCoord, ValueFormatter};
 use plotters::prelude::*;
 
 use super::thinning::thin;
+use crate::files::replace::replace_file;
+use crate::files::{FileError, Problem};
 
 /// How an axis is scaled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -137,6 +142,15 @@ impl Chart {
         svg
     }
 
+    /// Writes the chart as an SVG file, whole or not at all.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn write_svg(&self, path: &Path) -> Result<(), FileError> {
+        let svg = self.to_svg();
+        replace_file(path, |file| file.write_all(svg.as_bytes()).map_err(Problem::Unwritable))
+    }
+
     fn draw<'a>(&self, canvas: &Canvas<'a>) -> DrawResult<'a> {
         canvas.fill(&WHITE)?;
         let Some((x, y)) = self.ranges() else {
@@ -235,7 +249,14 @@ impl Chart {
         }
         let x = bounds(points.iter().map(|p| p.0));
         let y = bounds(points.iter().map(|p| p.1));
-        Some((padded(x, self.x_axis, 0.0), padded(y, self.y_axis, 0.06)))
+        let (low, high) = padded(y, self.y_axis, 0.06);
+        // Room for the legend above the data.
+        let named = self.series.iter().filter(|series| !series.name.is_empty()).count() as f64;
+        let high = match self.y_axis {
+            Axis::Linear => high + 0.09 * named * (high - low),
+            Axis::Logarithmic => high * (high / low).powf(0.09 * named),
+        };
+        Some((padded(x, self.x_axis, 0.0), (low, high)))
     }
 }
 

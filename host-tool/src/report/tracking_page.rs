@@ -49,9 +49,10 @@ pub fn tracking_page(plain: &Run, modelled: &Run) -> Page {
     page
 }
 
-const REMAINDER: &str = "A count of the encoder is 0.0096 mrad. The rest is a count or two: \
-amplifier noise of 4 mV, the encoder's and the converter's steps as feedback turns them into \
-voltage, and at each reversal the friction state, which the firmware takes from the reference \
+const REMAINDER: &str = "A count of the encoder is 0.0096 mrad. While the motion swells in the \
+first second, acceleration changes fast and the velocity estimate lags; feedback takes the lag \
+for an error. After that a count or two remain: amplifier noise of 4 mV, the steps of encoder \
+and converter, and at reversals the friction state, which the firmware takes from the reference \
 and the robot from its true motion.";
 
 fn rows(plain: &Run, modelled: &Run) -> Vec<Vec<String>> {
@@ -80,7 +81,7 @@ pub fn error_charts(plain: &Run, modelled: &Run) -> Vec<Chart> {
         Chart::new(format!("Joint {}", joint + 1), "time [s]", "tracking error [mrad]")
             .with(Series::line(plain.name, 1, in_milliradians(plain, joint)))
             .with(Series::line(modelled.name, 0, in_milliradians(modelled, joint)))
-            .sized(540, 260)
+            .sized(372, 260)
     };
     (0..plain.tracking.len()).map(chart).collect()
 }
@@ -89,7 +90,7 @@ fn remainder_charts(modelled: &Run) -> Vec<Chart> {
     let chart = |joint: usize| {
         Chart::new(format!("Joint {}, enlarged", joint + 1), "time [s]", "tracking error [mrad]")
             .with(Series::line("", 0, in_milliradians(modelled, joint)))
-            .sized(540, 220)
+            .sized(372, 220)
     };
     (0..modelled.tracking.len()).map(chart).collect()
 }
@@ -107,7 +108,7 @@ fn voltage_charts(plain: &Run, modelled: &Run) -> Vec<Chart> {
         Chart::new(format!("Joint {}", joint + 1), "time [s]", "command [V]")
             .with(Series::line(plain.name, 1, volts(plain, joint)).stroke(Stroke::Broad))
             .with(Series::line(modelled.name, 0, volts(modelled, joint)))
-            .sized(540, 220)
+            .sized(372, 220)
     };
     (0..plain.log.joints.len()).map(chart).collect()
 }
