@@ -29,22 +29,27 @@ pub fn build_and_weigh(toolchain: &FirmwareToolchain, board: Board) -> Result<Im
     Ok(image)
 }
 
-/// Builds one image.
+/// Builds a board's image.
 pub fn build(toolchain: &FirmwareToolchain, board: Board) -> Result<Image> {
-    say(format!("building the firmware for {}", board.name()));
+    build_binary(toolchain, board.binary())
+}
+
+/// Builds the image of a binary.
+pub fn build_binary(toolchain: &FirmwareToolchain, binary: &str) -> Result<Image> {
+    say(format!("building the firmware {binary}"));
     let mut cargo = toolchain.cargo("build");
-    cargo.args(["--quiet", "--profile", PROFILE]).args(package_arguments(board));
+    cargo.args(["--quiet", "--profile", PROFILE]).args(package_arguments(binary));
     run_command(&mut cargo)?;
-    Image::read(&image_path(board))
+    Image::read(&image_path(binary))
 }
 
-/// Selects a board's binary.
-pub fn package_arguments(board: Board) -> [&'static str; 6] {
-    ["--package", "firmware", "--bin", board.binary(), "--features", board.binary()]
+/// Selects a binary, with the feature of the same name that it requires.
+pub fn package_arguments(binary: &str) -> [&str; 6] {
+    ["--package", "firmware", "--bin", binary, "--features", binary]
 }
 
-fn image_path(board: Board) -> PathBuf {
-    workspace::firmware_target_dir().join(TARGET).join(PROFILE).join(board.binary())
+fn image_path(binary: &str) -> PathBuf {
+    workspace::firmware_target_dir().join(TARGET).join(PROFILE).join(binary)
 }
 
 fn check(board: Board, sizes: Sizes) -> Result<()> {

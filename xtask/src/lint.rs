@@ -1,10 +1,11 @@
-//! `cargo xtask lint`: formatting and clippy, on the host and for every board.
+//! `cargo xtask lint`: formatting and clippy, on the host and for every image.
 
 use anyhow::Result;
 
 use crate::board::Board;
 use crate::command::{cargo, run as run_command, say};
 use crate::firmware;
+use crate::function_costs;
 use crate::toolchain::FirmwareToolchain;
 
 /// Fails at the first file that is not formatted and at every warning.
@@ -16,12 +17,14 @@ pub fn run() -> Result<()> {
     host.args(["--quiet", "--workspace", "--all-targets"]);
     run_command(host.args(["--", "-D", "warnings"]))?;
     let toolchain = FirmwareToolchain::find_or_make()?;
-    Board::ALL.into_iter().try_for_each(|board| lint_board(&toolchain, board))
+    let boards = Board::ALL.map(Board::binary);
+    let mut binaries = boards.into_iter().chain([function_costs::BINARY]);
+    binaries.try_for_each(|binary| lint_firmware(&toolchain, binary))
 }
 
-fn lint_board(toolchain: &FirmwareToolchain, board: Board) -> Result<()> {
-    say(format!("clippy for {}", board.name()));
+fn lint_firmware(toolchain: &FirmwareToolchain, binary: &str) -> Result<()> {
+    say(format!("clippy for the firmware {binary}"));
     let mut clippy = toolchain.clippy();
-    clippy.arg("--quiet").args(firmware::package_arguments(board));
+    clippy.arg("--quiet").args(firmware::package_arguments(binary));
     run_command(clippy.args(["--", "-D", "warnings"]))
 }

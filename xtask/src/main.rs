@@ -7,7 +7,9 @@ mod check_elf;
 mod code;
 mod command;
 mod demo;
+mod emulator;
 mod firmware;
+mod function_costs;
 mod image;
 mod lint;
 mod packages;
@@ -28,8 +30,9 @@ The project's chores: cargo xtask <task>
   firmware [qemu|nucleo]    build the images, print their paths and sizes, check the limits
   check-elf [qemu|nucleo]   check that the control tick neither computes in f64 nor panics
   test                      all of that, then the tests of all packages, the emulated board's too
-  lint                      formatting and clippy, on the host and for every board
+  lint                      formatting and clippy, on the host and for every image
   bench [filter]            the benchmarks of all packages
+  function-costs            what elementary functions cost on the board's core, counted in QEMU
   demo                      the host tool against the firmware on the emulated board
 
 Environment:
@@ -59,6 +62,7 @@ fn run(arguments: &[&str]) -> Result<()> {
         ["test"] => test::run(),
         ["lint"] => lint::run(),
         ["bench", filter @ ..] => bench::run(filter),
+        ["function-costs"] => function_costs::run(),
         ["demo"] => demo::run(),
         [task, ..] => bail!("`{task}` is no task, or not with these arguments\n\n{HELP}"),
     }

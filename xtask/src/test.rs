@@ -5,22 +5,21 @@ use anyhow::Result;
 use crate::board::Board;
 use crate::check_elf;
 use crate::command::{cargo, run as run_command, say};
+use crate::emulator;
 use crate::firmware;
 use crate::image::Image;
-use crate::setup;
 use crate::toolchain::FirmwareToolchain;
-
-/// Tells the end-to-end tests which image to run.
-const QEMU_FIRMWARE: &str = "RRR_QEMU_FIRMWARE";
 
 /// Builds, weighs and checks the images, then runs the tests of all packages.
 pub fn run() -> Result<()> {
     let toolchain = FirmwareToolchain::find_or_make()?;
-    setup::ensure_emulator()?;
+    emulator::ensure()?;
     let image = build_and_check(&toolchain, Board::Qemu)?;
     build_and_check(&toolchain, Board::Nucleo)?;
     say("running the tests of all packages");
-    run_command(cargo("test").args(["--quiet", "--workspace"]).env(QEMU_FIRMWARE, image.path()))
+    let mut test = cargo("test");
+    test.args(["--quiet", "--release", "--workspace"]);
+    run_command(test.env(emulator::IMAGE_VARIABLE, image.path()))
 }
 
 fn build_and_check(toolchain: &FirmwareToolchain, board: Board) -> Result<Image> {
