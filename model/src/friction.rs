@@ -32,6 +32,8 @@ pub struct Friction<T> {
 pub struct FrictionScale<T> {
     /// Factor on the Coulomb and Stribeck level gamma.
     pub level: T,
+    /// What comes on top of it [V].
+    pub added_v: T,
     /// Factor on the viscous coefficient.
     pub viscous: T,
 }
@@ -39,7 +41,7 @@ pub struct FrictionScale<T> {
 impl<T: Real> FrictionScale<T> {
     /// Friction as the model says.
     pub fn unchanged() -> Self {
-        Self { level: T::one(), viscous: T::one() }
+        Self { level: T::one(), added_v: T::zero(), viscous: T::one() }
     }
 }
 
@@ -133,7 +135,7 @@ impl<T: Real> FrictionState<T> {
         velocity_rad_per_s: T,
         step_s: T,
     ) -> T {
-        let level = friction.stribeck_level(velocity_rad_per_s) * scale.level;
+        let level = friction.stribeck_level(velocity_rad_per_s) * scale.level + scale.added_v;
         let relaxation = friction.sigma0_v_per_rad * velocity_rad_per_s.abs() * step_s / level;
         let decay = (-relaxation).exp_m1();
         let before = self.deflection_rad;

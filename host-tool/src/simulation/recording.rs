@@ -8,8 +8,11 @@ use super::sensor::{Unwrapper, counts};
 use crate::board::{Board, BoardError};
 use crate::files::{JointLog, Log, Position};
 
-/// Records `ticks` of a block's reference on a simulated robot that begins at rest
-/// where the reference begins; `progress` hears every thousandth tick.
+/// Records `ticks` of a block's reference on a robot as its model says, at rest where
+/// the reference begins; `progress` hears every thousandth tick.
+///
+/// # Errors
+/// The board refuses the block or does not answer.
 pub fn record(
     board: &mut dyn Board,
     block: &ParameterBlock,
@@ -18,13 +21,27 @@ pub fn record(
     ticks: u32,
     progress: &mut dyn FnMut(u32),
 ) -> Result<Recording, BoardError> {
+    let robot = SimulatedRobot::at_rest(*robot, start_of(block), settings);
+    record_robot(board, block, robot, ticks, progress)
+}
+
+/// [`record`] with a robot of one's own, which must be where the reference begins.
+///
+/// # Errors
+/// The board refuses the block or does not answer.
+pub fn record_robot(
+    board: &mut dyn Board,
+    block: &ParameterBlock,
+    mut robot: SimulatedRobot,
+    ticks: u32,
+    progress: &mut dyn FnMut(u32),
+) -> Result<Recording, BoardError> {
     board.load(block)?;
     board.start()?;
-    let start_rad = start_of(block);
-    let mut robot = SimulatedRobot::at_rest(*robot, start_rad, settings);
-    let mut recording = Recording::with_capacity(settings.sample_period_s, start_rad, ticks);
+    let period_s = f64::from(block.sample_period_s);
+    let mut recording = Recording::with_capacity(period_s, *robot.q_rad(), ticks);
     for tick in 0..ticks {
-        let counts = counts(robot.q_rad(), block.encoder_counts_per_turn);
+        let counts = counts(&robot.reading_rad(), block.encoder_counts_per_turn);
         let reply = board.tick(&counts.map(|count| count as i32))?;
         let command_v = reply.codes.map(|code| f64::from(code.to_volts()));
         recording.push(&counts, &command_v, &reply);
@@ -37,7 +54,7 @@ pub fn record(
 }
 
 /// Where the reference begins [rad], on the turn that its own numbers name.
-fn start_of(block: &ParameterBlock) -> [f64; 3] {
+pub fn start_of(block: &ParameterBlock) -> [f64; 3] {
     use firmware::reference::Time;
     let first = Time::new(0, block.sample_period_s, 1.0 / block.sample_period_s);
     [0, 1, 2].map(|i| {

@@ -6,6 +6,9 @@ use model::{FrictionState, Posture, Robot};
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
 
+use super::transmission::Transmission;
+use crate::effects::{Effect, Moment};
+
 /// How the robot is simulated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
@@ -30,44 +33,114 @@ impl Default for Settings {
 /// Integrated by the midpoint leapfrog: positions half a step, velocities a whole
 /// one with forces in the middle, positions the other half; one evaluation of the
 /// dynamics a step, second order. Friction takes its exact step at the middle
-/// velocity, so its relaxation at up to 32,000 1/s asks for no smaller step.
-#[derive(Clone, Debug)]
+/// velocity, so its relaxation at up to 51,000 1/s asks for no smaller step.
+#[derive(Debug)]
 pub struct SimulatedRobot {
+    /// The robot that effects have changed, motors of elastic joints included.
     robot: Robot<f64>,
+    /// What moves with the links.
+    links: Robot<f64>,
+    transmissions: [Option<Transmission>; 3],
+    effects: Vec<Box<dyn Effect>>,
     step_s: f64,
     substeps: u32,
     noise_v: f64,
     random: Pcg64Mcg,
-    q_rad: Vector3<f64>,
-    qd_rad_per_s: Vector3<f64>,
-    qdd_rad_per_s2: Vector3<f64>,
+    time_s: f64,
+    link: Motion,
+    /// The side of the encoders and of friction; the links' where the joint is stiff.
+    motor: Motion,
     friction: [FrictionState<f64>; 3],
 }
 
+/// Positions, velocities and accelerations of three joints.
+#[derive(Clone, Copy, Debug)]
+struct Motion {
+    q_rad: Vector3<f64>,
+    qd_rad_per_s: Vector3<f64>,
+    qdd_rad_per_s2: Vector3<f64>,
+}
+
+impl Motion {
+    fn at_rest(q_rad: Vector3<f64>) -> Self {
+        Self { q_rad, qd_rad_per_s: [0.0; 3], qdd_rad_per_s2: [0.0; 3] }
+    }
+
+    /// Moves the positions on by half a step, returns the velocities expected there.
+    fn drift_to_the_middle(&mut self, half_s: f64) -> Vector3<f64> {
+        for i in 0..3 {
+            self.q_rad[i] += half_s * self.qd_rad_per_s[i];
+        }
+        [0, 1, 2].map(|i| self.qd_rad_per_s[i] + half_s * self.qdd_rad_per_s2[i])
+    }
+
+    /// Takes the accelerations of the middle and moves on to the end of the step.
+    fn kick_and_drift(&mut self, qdd_rad_per_s2: Vector3<f64>, half_s: f64) {
+        for i in 0..3 {
+            self.qd_rad_per_s[i] += 2.0 * half_s * qdd_rad_per_s2[i];
+            self.q_rad[i] += half_s * self.qd_rad_per_s[i];
+        }
+        self.qdd_rad_per_s2 = qdd_rad_per_s2;
+    }
+}
+
 impl SimulatedRobot {
-    /// A checked robot at rest.
+    /// A checked robot at rest, as the model says.
     pub fn at_rest(robot: Robot<f64>, q_rad: Vector3<f64>, settings: &Settings) -> Self {
+        Self::with_effects(robot, Vec::new(), q_rad, settings)
+    }
+
+    /// A checked robot at rest that differs from its model by these effects.
+    pub fn with_effects(
+        mut robot: Robot<f64>,
+        mut effects: Vec<Box<dyn Effect>>,
+        q_rad: Vector3<f64>,
+        settings: &Settings,
+    ) -> Self {
+        let step_s = settings.sample_period_s / f64::from(settings.substeps);
+        for effect in &mut effects {
+            effect.change_robot(&mut robot);
+            effect.set_step(step_s);
+        }
+        let mut links = robot;
+        let mut transmissions = [None; 3];
+        for (joint, transmission) in effects.iter().filter_map(|effect| effect.transmission()) {
+            links = transmission.without_motor(joint, &links);
+            transmissions[joint] = Some(transmission);
+        }
         Self {
             robot,
-            step_s: settings.sample_period_s / f64::from(settings.substeps),
+            links,
+            transmissions,
+            effects,
+            step_s,
             substeps: settings.substeps,
             noise_v: settings.noise_v,
             random: Pcg64Mcg::new(u128::from(settings.seed) << 1 | 1),
-            q_rad,
-            qd_rad_per_s: [0.0; 3],
-            qdd_rad_per_s2: [0.0; 3],
+            time_s: 0.0,
+            link: Motion::at_rest(q_rad),
+            motor: Motion::at_rest(q_rad),
             friction: [FrictionState::default(); 3],
         }
     }
 
-    /// Joint angles [rad].
+    /// Joint angles on the motors' side [rad].
     pub fn q_rad(&self) -> &Vector3<f64> {
-        &self.q_rad
+        &self.motor.q_rad
     }
 
-    /// Joint velocities [rad/s].
+    /// Joint velocities on the motors' side [rad/s].
     pub fn qd_rad_per_s(&self) -> &Vector3<f64> {
-        &self.qd_rad_per_s
+        &self.motor.qd_rad_per_s
+    }
+
+    /// The angles that the encoders read [rad].
+    pub fn reading_rad(&self) -> Vector3<f64> {
+        let mut reading = self.motor.q_rad;
+        for effect in &self.effects {
+            effect.change_reading(&mut reading);
+        }
+        reading
     }
 
     /// Lets the commanded voltages act for one sample period.
@@ -84,36 +157,96 @@ impl SimulatedRobot {
     }
 
     fn substep(&mut self, voltage_v: &Vector3<f64>) {
-        let (half_s, whole_s) = (0.5 * self.step_s, self.step_s);
-        let middle_qd = [0, 1, 2].map(|i| self.qd_rad_per_s[i] + half_s * self.qdd_rad_per_s2[i]);
-        for i in 0..3 {
-            self.q_rad[i] += half_s * self.qd_rad_per_s[i];
+        let half_s = 0.5 * self.step_s;
+        let link_qd = self.link.drift_to_the_middle(half_s);
+        let elastic = self.transmissions.iter().any(Option::is_some);
+        if !elastic {
+            self.motor = self.link;
         }
-        let qdd = self.acceleration(voltage_v, &middle_qd);
-        for i in 0..3 {
-            self.qd_rad_per_s[i] += whole_s * qdd[i];
-            self.q_rad[i] += half_s * self.qd_rad_per_s[i];
+        let motor_qd = if elastic { self.motor.drift_to_the_middle(half_s) } else { link_qd };
+        let torque_nm = self.motor_torque(voltage_v, &motor_qd);
+        if elastic {
+            self.move_elastic(&torque_nm, &link_qd, &motor_qd);
+        } else {
+            let qdd = self.link_acceleration(&link_qd, &torque_nm);
+            self.link.kick_and_drift(qdd, half_s);
+            self.motor = self.link;
         }
-        self.qdd_rad_per_s2 = qdd;
+        self.time_s += self.step_s;
     }
 
-    /// Acceleration in the middle of a step, where friction also takes its step.
-    fn acceleration(&mut self, voltage_v: &Vector3<f64>, qd: &Vector3<f64>) -> Vector3<f64> {
+    /// Torques of the motors less friction [Nm], in the middle of a step.
+    fn motor_torque(&mut self, voltage_v: &Vector3<f64>, qd: &Vector3<f64>) -> Vector3<f64> {
+        let mut scale = [FrictionScale::unchanged(); 3];
+        let mut driving_v = *voltage_v;
+        if !self.effects.is_empty() {
+            let moment = self.moment(qd);
+            for effect in &mut self.effects {
+                effect.change_command(&moment, &mut driving_v);
+                effect.change_friction(&moment, &mut scale);
+            }
+            for effect in &self.effects {
+                effect.add_voltage(&moment, &mut driving_v);
+            }
+        }
         let net_v = [0, 1, 2].map(|i| {
-            let friction_v = self.friction[i].step_scaled(
-                &self.robot.friction[i],
-                FrictionScale::unchanged(),
-                qd[i],
-                self.step_s,
-            );
-            voltage_v[i] - friction_v
+            let friction = &self.robot.friction[i];
+            driving_v[i] - self.friction[i].step_scaled(friction, scale[i], qd[i], self.step_s)
         });
-        Posture::new(self.q_rad[1], self.q_rad[2]).forward_dynamics(
-            &self.robot.base,
-            &self.robot.geometry,
-            qd,
-            &self.robot.voltage_to_torque(&net_v),
-        )
+        let mut torque_nm = self.robot.voltage_to_torque(&net_v);
+        if !self.effects.is_empty() {
+            let moment = self.moment(qd);
+            for effect in &self.effects {
+                effect.add_torque(&moment, &self.robot, &mut torque_nm);
+            }
+        }
+        torque_nm
+    }
+
+    fn moment(&self, qd_rad_per_s: &Vector3<f64>) -> Moment {
+        let q_rad = self.motor.q_rad;
+        let posture = Posture::new(q_rad[1], q_rad[2]);
+        let Robot { base, geometry, .. } = &self.robot;
+        let coriolis = posture.coriolis(base, geometry, qd_rad_per_s);
+        let gravity = posture.gravity(base, geometry);
+        Moment {
+            time_s: self.time_s,
+            q_rad,
+            qd_rad_per_s: *qd_rad_per_s,
+            load_nm: [0, 1, 2].map(|i| coriolis[i] + gravity[i]),
+        }
+    }
+
+    fn link_acceleration(&self, qd: &Vector3<f64>, torque_nm: &Vector3<f64>) -> Vector3<f64> {
+        let q_rad = &self.link.q_rad;
+        let Robot { base, geometry, .. } = &self.links;
+        Posture::new(q_rad[1], q_rad[2]).forward_dynamics(base, geometry, qd, torque_nm)
+    }
+
+    /// Ends a step in which some motors move apart from their links.
+    fn move_elastic(
+        &mut self,
+        motor_torque_nm: &Vector3<f64>,
+        link_qd: &Vector3<f64>,
+        motor_qd: &Vector3<f64>,
+    ) {
+        let half_s = 0.5 * self.step_s;
+        let mut passed_nm = *motor_torque_nm;
+        let mut motor_qdd = [0.0; 3];
+        for i in 0..3 {
+            let Some(transmission) = &self.transmissions[i] else { continue };
+            let ahead_rad = self.motor.q_rad[i] - self.link.q_rad[i];
+            passed_nm[i] = transmission.torque_nm(ahead_rad, motor_qd[i] - link_qd[i]);
+            motor_qdd[i] = (motor_torque_nm[i] - passed_nm[i]) / transmission.motor_inertia_kg_m2;
+        }
+        let link_qdd = self.link_acceleration(link_qd, &passed_nm);
+        self.link.kick_and_drift(link_qdd, half_s);
+        self.motor.kick_and_drift(motor_qdd, half_s);
+        for i in (0..3).filter(|&i| self.transmissions[i].is_none()) {
+            self.motor.q_rad[i] = self.link.q_rad[i];
+            self.motor.qd_rad_per_s[i] = self.link.qd_rad_per_s[i];
+            self.motor.qdd_rad_per_s2[i] = self.link.qdd_rad_per_s2[i];
+        }
     }
 }
 

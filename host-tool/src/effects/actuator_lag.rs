@@ -1,0 +1,48 @@
+//! A first-order lag from command to torque.
+
+use model::vector::Vector3;
+
+use super::{Definition, Effect, Moment, Parameter};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "actuator_lag",
+    words: "the current follows the command as a first-order lag",
+    equation: "T du'/dt + u' = u",
+    whole_robot: false,
+    parameters: &[Parameter::new("time_constant_s", 1e-5, 0.1)],
+    build: |joint, values| {
+        Box::new(ActuatorLag {
+            joint: usize::from(joint) - 1,
+            time_constant_s: values[0],
+            share: 0.0,
+            mean: 0.0,
+            current_v: 0.0,
+        })
+    },
+};
+
+#[derive(Clone, Debug)]
+struct ActuatorLag {
+    joint: usize,
+    time_constant_s: f64,
+    /// How much of the way to the command the current goes in a step.
+    share: f64,
+    /// How much of that way it has gone on average over the step.
+    mean: f64,
+    current_v: f64,
+}
+
+impl Effect for ActuatorLag {
+    fn set_step(&mut self, step_s: f64) {
+        let steps = step_s / self.time_constant_s;
+        self.share = -(-steps).exp_m1();
+        self.mean = 1.0 - self.share / steps;
+    }
+
+    /// The exact solution for a command that is constant over the step, averaged.
+    fn change_command(&mut self, _: &Moment, command_v: &mut Vector3<f64>) {
+        let way_v = command_v[self.joint] - self.current_v;
+        command_v[self.joint] = self.current_v + self.mean * way_v;
+        self.current_v += self.share * way_v;
+    }
+}

@@ -1,0 +1,33 @@
+//! Friction that differs between the directions.
+
+use model::friction::FrictionScale;
+
+use super::{Definition, Effect, Moment, Parameter};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "asymmetric_friction",
+    words: "friction is stronger one way than the other",
+    equation: "gamma and alpha2 times 1 + e forwards, 1 - e backwards",
+    whole_robot: false,
+    parameters: &[Parameter::new("relative_asymmetry", -0.95, 0.95)],
+    build: |joint, values| {
+        Box::new(AsymmetricFriction {
+            joint: usize::from(joint) - 1,
+            relative_asymmetry: values[0],
+        })
+    },
+};
+
+#[derive(Clone, Debug)]
+struct AsymmetricFriction {
+    joint: usize,
+    relative_asymmetry: f64,
+}
+
+impl Effect for AsymmetricFriction {
+    fn change_friction(&self, moment: &Moment, scale: &mut [FrictionScale<f64>; 3]) {
+        let factor = 1.0 + self.relative_asymmetry * moment.qd_rad_per_s[self.joint].signum();
+        scale[self.joint].level *= factor;
+        scale[self.joint].viscous *= factor;
+    }
+}

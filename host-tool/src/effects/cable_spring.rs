@@ -1,0 +1,37 @@
+//! Cables that pull the joint towards a rest angle.
+
+use model::vector::Vector3;
+
+use super::{Definition, Effect, Moment, Parameter};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "cable_spring",
+    words: "cables pull the joint back to a rest angle",
+    equation: "u - k (q - q0)",
+    whole_robot: false,
+    parameters: &[
+        Parameter::new("stiffness_V_per_rad", 0.0, 10.0),
+        Parameter::new("rest_rad", -100.0, 100.0),
+    ],
+    build: |joint, values| {
+        Box::new(CableSpring {
+            joint: usize::from(joint) - 1,
+            stiffness_v_per_rad: values[0],
+            rest_rad: values[1],
+        })
+    },
+};
+
+#[derive(Clone, Debug)]
+struct CableSpring {
+    joint: usize,
+    stiffness_v_per_rad: f64,
+    rest_rad: f64,
+}
+
+impl Effect for CableSpring {
+    fn add_voltage(&self, moment: &Moment, voltage_v: &mut Vector3<f64>) {
+        let turned_rad = moment.q_rad[self.joint] - self.rest_rad;
+        voltage_v[self.joint] -= self.stiffness_v_per_rad * turned_rad;
+    }
+}

@@ -1,0 +1,40 @@
+//! Torque of the magnets on the slots.
+
+use model::vector::Vector3;
+
+use super::{Definition, Effect, Moment, Parameter};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "cogging",
+    words: "the magnets pull towards the slots, whatever the command",
+    equation: "u + A sin(n q + phi)",
+    whole_robot: false,
+    parameters: &[
+        Parameter::new("amplitude_V", 0.0, 5.0),
+        Parameter::new("harmonic", 1.0, 1000.0),
+        Parameter::new("phase_rad", -6.3, 6.3),
+    ],
+    build: |joint, values| {
+        Box::new(Cogging {
+            joint: usize::from(joint) - 1,
+            amplitude_v: values[0],
+            harmonic: values[1],
+            phase_rad: values[2],
+        })
+    },
+};
+
+#[derive(Clone, Debug)]
+struct Cogging {
+    joint: usize,
+    amplitude_v: f64,
+    harmonic: f64,
+    phase_rad: f64,
+}
+
+impl Effect for Cogging {
+    fn add_voltage(&self, moment: &Moment, voltage_v: &mut Vector3<f64>) {
+        let angle = self.harmonic * moment.q_rad[self.joint] + self.phase_rad;
+        voltage_v[self.joint] += self.amplitude_v * angle.sin();
+    }
+}

@@ -1,0 +1,28 @@
+//! An offset of the converter or the amplifier.
+
+use model::vector::Vector3;
+
+use super::{Definition, Effect, Moment, Parameter};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "dac_offset",
+    words: "the amplifier adds a constant voltage",
+    equation: "u + offset",
+    whole_robot: false,
+    parameters: &[Parameter::new("offset_V", -5.0, 5.0)],
+    build: |joint, values| {
+        Box::new(DacOffset { joint: usize::from(joint) - 1, offset_v: values[0] })
+    },
+};
+
+#[derive(Clone, Debug)]
+struct DacOffset {
+    joint: usize,
+    offset_v: f64,
+}
+
+impl Effect for DacOffset {
+    fn change_command(&mut self, _: &Moment, command_v: &mut Vector3<f64>) {
+        command_v[self.joint] += self.offset_v;
+    }
+}

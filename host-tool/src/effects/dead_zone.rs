@@ -1,0 +1,30 @@
+//! An amplifier that swallows small commands.
+
+use model::vector::Vector3;
+
+use super::{Definition, Effect, Moment, Parameter};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "dead_zone",
+    words: "the amplifier swallows the first volts of every command",
+    equation: "sgn(u) max(|u| - d, 0)",
+    whole_robot: false,
+    parameters: &[Parameter::new("half_width_V", 0.0, 5.0)],
+    build: |joint, values| {
+        Box::new(DeadZone { joint: usize::from(joint) - 1, half_width_v: values[0] })
+    },
+};
+
+#[derive(Clone, Debug)]
+struct DeadZone {
+    joint: usize,
+    half_width_v: f64,
+}
+
+impl Effect for DeadZone {
+    fn change_command(&mut self, _: &Moment, command_v: &mut Vector3<f64>) {
+        let voltage_v = command_v[self.joint];
+        let passed_v = (voltage_v.abs() - self.half_width_v).max(0.0);
+        command_v[self.joint] = passed_v.copysign(voltage_v);
+    }
+}

@@ -1,0 +1,49 @@
+//! A pure delay from command to torque.
+
+use std::collections::VecDeque;
+
+use model::vector::Vector3;
+
+use super::{Definition, Effect, Moment, Parameter};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "delay",
+    words: "the command acts later than it is given",
+    equation: "u(t - d)",
+    whole_robot: false,
+    parameters: &[Parameter::new("delay_s", 0.0, 0.1)],
+    build: |joint, values| {
+        Box::new(Delay {
+            joint: usize::from(joint) - 1,
+            delay_s: values[0],
+            fraction: 0.0,
+            waiting_v: VecDeque::new(),
+        })
+    },
+};
+
+#[derive(Clone, Debug)]
+struct Delay {
+    joint: usize,
+    delay_s: f64,
+    /// The part of a step that the delay has beyond whole ones.
+    fraction: f64,
+    /// Commands on their way, the oldest first.
+    waiting_v: VecDeque<f64>,
+}
+
+impl Effect for Delay {
+    fn set_step(&mut self, step_s: f64) {
+        let steps = self.delay_s / step_s;
+        self.fraction = steps.fract();
+        self.waiting_v = VecDeque::from(vec![0.0; steps as usize + 1]);
+    }
+
+    /// The mean over the step of the delayed command, which changes once within it.
+    fn change_command(&mut self, _: &Moment, command_v: &mut Vector3<f64>) {
+        self.waiting_v.push_back(command_v[self.joint]);
+        let older_v = self.waiting_v.pop_front().unwrap_or_default();
+        let newer_v = self.waiting_v.front().copied().unwrap_or_default();
+        command_v[self.joint] = self.fraction * older_v + (1.0 - self.fraction) * newer_v;
+    }
+}

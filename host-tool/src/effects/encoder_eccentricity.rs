@@ -1,0 +1,37 @@
+//! An encoder disc that runs out of true.
+
+use model::vector::Vector3;
+
+use super::{Definition, Effect, Parameter};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "encoder_eccentricity",
+    words: "the encoder's disc is out of centre",
+    equation: "reads q + a sin(q + phi)",
+    whole_robot: false,
+    parameters: &[
+        Parameter::new("amplitude_rad", 0.0, 0.2),
+        Parameter::new("phase_rad", -6.3, 6.3),
+    ],
+    build: |joint, values| {
+        Box::new(EncoderEccentricity {
+            joint: usize::from(joint) - 1,
+            amplitude_rad: values[0],
+            phase_rad: values[1],
+        })
+    },
+};
+
+#[derive(Clone, Debug)]
+struct EncoderEccentricity {
+    joint: usize,
+    amplitude_rad: f64,
+    phase_rad: f64,
+}
+
+impl Effect for EncoderEccentricity {
+    fn change_reading(&self, q_rad: &mut Vector3<f64>) {
+        let angle = q_rad[self.joint] + self.phase_rad;
+        q_rad[self.joint] += self.amplitude_rad * angle.sin();
+    }
+}

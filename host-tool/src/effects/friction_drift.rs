@@ -1,0 +1,39 @@
+//! Friction that changes as the joint warms.
+
+use model::friction::FrictionScale;
+
+use super::{Definition, Effect, Moment, Parameter};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "friction_drift",
+    words: "friction changes as the joint warms up",
+    equation: "gamma and alpha2 times 1 + e (1 - exp(-t/T))",
+    whole_robot: false,
+    parameters: &[
+        Parameter::new("relative_change", -0.9, 2.0),
+        Parameter::new("time_constant_s", 0.1, 10000.0),
+    ],
+    build: |joint, values| {
+        Box::new(FrictionDrift {
+            joint: usize::from(joint) - 1,
+            relative_change: values[0],
+            time_constant_s: values[1],
+        })
+    },
+};
+
+#[derive(Clone, Debug)]
+struct FrictionDrift {
+    joint: usize,
+    relative_change: f64,
+    time_constant_s: f64,
+}
+
+impl Effect for FrictionDrift {
+    fn change_friction(&self, moment: &Moment, scale: &mut [FrictionScale<f64>; 3]) {
+        let warmed = -(-moment.time_s / self.time_constant_s).exp_m1();
+        let factor = 1.0 + self.relative_change * warmed;
+        scale[self.joint].level *= factor;
+        scale[self.joint].viscous *= factor;
+    }
+}

@@ -1,0 +1,28 @@
+//! Friction that grows with the load on the bearing.
+
+use model::friction::FrictionScale;
+
+use super::{Definition, Effect, Moment, Parameter};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "load_friction",
+    words: "friction grows with the load on the joint",
+    equation: "gamma + b |c + h|",
+    whole_robot: false,
+    parameters: &[Parameter::new("coefficient_V_per_Nm", 0.0, 1.0)],
+    build: |joint, values| {
+        Box::new(LoadFriction { joint: usize::from(joint) - 1, coefficient_v_per_nm: values[0] })
+    },
+};
+
+#[derive(Clone, Debug)]
+struct LoadFriction {
+    joint: usize,
+    coefficient_v_per_nm: f64,
+}
+
+impl Effect for LoadFriction {
+    fn change_friction(&self, moment: &Moment, scale: &mut [FrictionScale<f64>; 3]) {
+        scale[self.joint].added_v += self.coefficient_v_per_nm * moment.load_nm[self.joint].abs();
+    }
+}

@@ -1,0 +1,40 @@
+//! Friction that varies over the turn.
+
+use model::friction::FrictionScale;
+
+use super::{Definition, Effect, Moment, Parameter};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "position_friction",
+    words: "the friction level varies over the turn",
+    equation: "gamma (1 + a sin(n q + phi))",
+    whole_robot: false,
+    parameters: &[
+        Parameter::new("relative_amplitude", 0.0, 0.95),
+        Parameter::new("harmonic", 1.0, 1000.0),
+        Parameter::new("phase_rad", -6.3, 6.3),
+    ],
+    build: |joint, values| {
+        Box::new(PositionFriction {
+            joint: usize::from(joint) - 1,
+            relative_amplitude: values[0],
+            harmonic: values[1],
+            phase_rad: values[2],
+        })
+    },
+};
+
+#[derive(Clone, Debug)]
+struct PositionFriction {
+    joint: usize,
+    relative_amplitude: f64,
+    harmonic: f64,
+    phase_rad: f64,
+}
+
+impl Effect for PositionFriction {
+    fn change_friction(&self, moment: &Moment, scale: &mut [FrictionScale<f64>; 3]) {
+        let angle = self.harmonic * moment.q_rad[self.joint] + self.phase_rad;
+        scale[self.joint].level *= 1.0 + self.relative_amplitude * angle.sin();
+    }
+}

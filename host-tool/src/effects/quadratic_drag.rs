@@ -1,0 +1,32 @@
+//! Drag that grows with the square of speed.
+
+use model::vector::Vector3;
+
+use super::{Definition, Effect, Moment, Parameter};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "quadratic_drag",
+    words: "air or a fan drags with the square of speed",
+    equation: "u - b qd |qd|",
+    whole_robot: false,
+    parameters: &[Parameter::new("coefficient_V_s2_per_rad2", 0.0, 1.0)],
+    build: |joint, values| {
+        Box::new(QuadraticDrag {
+            joint: usize::from(joint) - 1,
+            coefficient_v_s2_per_rad2: values[0],
+        })
+    },
+};
+
+#[derive(Clone, Debug)]
+struct QuadraticDrag {
+    joint: usize,
+    coefficient_v_s2_per_rad2: f64,
+}
+
+impl Effect for QuadraticDrag {
+    fn add_voltage(&self, moment: &Moment, voltage_v: &mut Vector3<f64>) {
+        let speed = moment.qd_rad_per_s[self.joint];
+        voltage_v[self.joint] -= self.coefficient_v_s2_per_rad2 * speed * speed.abs();
+    }
+}

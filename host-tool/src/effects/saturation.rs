@@ -1,0 +1,28 @@
+//! An amplifier that gives less than the model's limit.
+
+use model::vector::Vector3;
+
+use super::{Definition, Effect, Moment, Parameter};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "saturation",
+    words: "the amplifier gives no more than a limit that the model does not know",
+    equation: "u cut at +-L",
+    whole_robot: false,
+    parameters: &[Parameter::new("limit_V", 0.01, 100.0)],
+    build: |joint, values| {
+        Box::new(Saturation { joint: usize::from(joint) - 1, limit_v: values[0] })
+    },
+};
+
+#[derive(Clone, Debug)]
+struct Saturation {
+    joint: usize,
+    limit_v: f64,
+}
+
+impl Effect for Saturation {
+    fn change_command(&mut self, _: &Moment, command_v: &mut Vector3<f64>) {
+        command_v[self.joint] = command_v[self.joint].clamp(-self.limit_v, self.limit_v);
+    }
+}

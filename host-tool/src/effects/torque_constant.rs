@@ -1,0 +1,28 @@
+//! A torque constant that is not what the data sheet says.
+
+use model::vector::Vector3;
+
+use super::{Definition, Effect, Moment, Parameter};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "torque_constant",
+    words: "the motor gives more or less torque per volt than the model believes",
+    equation: "torque = (1 + e) k_t u",
+    whole_robot: false,
+    parameters: &[Parameter::new("relative_error", -0.5, 0.5)],
+    build: |joint, values| {
+        Box::new(TorqueConstant { joint: usize::from(joint) - 1, relative_error: values[0] })
+    },
+};
+
+#[derive(Clone, Debug)]
+struct TorqueConstant {
+    joint: usize,
+    relative_error: f64,
+}
+
+impl Effect for TorqueConstant {
+    fn change_command(&mut self, _: &Moment, command_v: &mut Vector3<f64>) {
+        command_v[self.joint] *= 1.0 + self.relative_error;
+    }
+}

@@ -1,0 +1,40 @@
+//! A torque constant that varies over the turn.
+
+use model::vector::Vector3;
+
+use super::{Definition, Effect, Moment, Parameter};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "torque_ripple",
+    words: "the torque constant varies over the turn",
+    equation: "u (1 + a sin(n q + phi))",
+    whole_robot: false,
+    parameters: &[
+        Parameter::new("relative_amplitude", 0.0, 0.9),
+        Parameter::new("harmonic", 1.0, 1000.0),
+        Parameter::new("phase_rad", -6.3, 6.3),
+    ],
+    build: |joint, values| {
+        Box::new(TorqueRipple {
+            joint: usize::from(joint) - 1,
+            relative_amplitude: values[0],
+            harmonic: values[1],
+            phase_rad: values[2],
+        })
+    },
+};
+
+#[derive(Clone, Debug)]
+struct TorqueRipple {
+    joint: usize,
+    relative_amplitude: f64,
+    harmonic: f64,
+    phase_rad: f64,
+}
+
+impl Effect for TorqueRipple {
+    fn change_command(&mut self, moment: &Moment, command_v: &mut Vector3<f64>) {
+        let angle = self.harmonic * moment.q_rad[self.joint] + self.phase_rad;
+        command_v[self.joint] *= 1.0 + self.relative_amplitude * angle.sin();
+    }
+}
