@@ -18,6 +18,14 @@ pub fn clustered_covariance(
     unit_covariance: &DMatrix<f64>,
     blocks: &[Vec<usize>],
 ) -> DMatrix<f64> {
+    let number = blocks.len() as f64;
+    let meat = meat(rows, residuals, blocks);
+    unit_covariance * meat * unit_covariance * (number / (number - 1.0).max(1.0))
+}
+
+/// Covariance of the scores Phi^T r, summed within each block of rows and independent
+/// from block to block: what stands between two (Phi^T Phi)^-1 in a covariance.
+pub fn meat(rows: &DMatrix<f64>, residuals: &DVector<f64>, blocks: &[Vec<usize>]) -> DMatrix<f64> {
     let count = rows.ncols();
     let mut meat = DMatrix::<f64>::zeros(count, count);
     for block in blocks {
@@ -27,8 +35,7 @@ pub fn clustered_covariance(
         }
         meat.ger(1.0, &score, &score, 1.0);
     }
-    let number = blocks.len() as f64;
-    unit_covariance * meat * unit_covariance * (number / (number - 1.0).max(1.0))
+    meat
 }
 
 /// How many samples carry as much information as `residuals` do, from their own

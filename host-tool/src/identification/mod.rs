@@ -4,13 +4,21 @@
 //! | --- | --- |
 //! | [`campaign`] | the recorded experiments, ready for use |
 //! | [`estimate`] | a value with its uncertainty |
+//! | [`motion`] | motion and command of all joints at the same instants |
 //! | [`one_joint`] | what the steps on one joint share, and rigs that have but one |
 //! | [`static_friction`] | static friction from constant-velocity runs, eq. (10) |
+//! | [`base_parameters`] | base parameters by least squares, eq. (13)-(16) |
+//! | [`refinement`] | friction and base parameters together |
+//! | [`reconstruction`] | the command that a model needs for a motion, Fig. 8 and 10 |
 
+pub mod base_parameters;
 pub mod campaign;
 pub mod estimate;
+pub mod motion;
 pub mod one_joint;
 pub mod presliding;
+pub mod reconstruction;
+pub mod refinement;
 pub mod static_friction;
 
 pub use campaign::{Campaign, Trace};
