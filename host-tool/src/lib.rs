@@ -6,6 +6,7 @@
 //! | [`board`] | the control firmware, in this process or in QEMU |
 //! | [`simulation`] | the simulated robot, and experiments recorded with it |
 //! | [`identification`] | the paper's procedure, step by step |
+//! | [`excitation_design`] | the motion that identifies best, section 4.2 |
 //! | [`signal`], [`estimation`] | the numerical tools that it uses |
 //! | [`report`] | pages with pictures |
 //! | [`commands`] | one file per subcommand of `rrr` |
@@ -14,6 +15,7 @@
 pub mod board;
 pub mod commands;
 pub mod estimation;
+pub mod excitation_design;
 pub mod files;
 pub mod identification;
 pub mod progress;

@@ -11,6 +11,7 @@ use crate::board::BoardError;
 use crate::files::FileError;
 
 pub mod demo;
+pub mod design_excitation;
 pub mod inverse_dynamics;
 pub mod simulate;
 
@@ -30,6 +31,8 @@ pub enum Command {
     InverseDynamics(inverse_dynamics::Arguments),
     /// Record experiments of the simulated robot.
     Simulate(simulate::Arguments),
+    /// Design the motion that identifies the base parameters best.
+    DesignExcitation(design_excitation::Arguments),
     /// Drive the simulated robot with the firmware in QEMU, without and with the model.
     Demo(demo::Arguments),
 }
@@ -43,6 +46,7 @@ impl Command {
         match self {
             Self::InverseDynamics(arguments) => inverse_dynamics::run(&arguments),
             Self::Simulate(arguments) => simulate::run(&arguments),
+            Self::DesignExcitation(arguments) => design_excitation::run(&arguments),
             Self::Demo(arguments) => demo::run(&arguments),
         }
     }

@@ -7,7 +7,7 @@ use firmware::Mode;
 
 use super::{Failure, create_directory};
 use crate::board::{Board, InProcess, Qemu, QemuSettings};
-use crate::files::{Dataset, RobotFile};
+use crate::files::{Dataset, ExcitationFile, Experiment, RobotFile, Role};
 use crate::progress::Progress;
 use crate::simulation::{Plan, Recipe, Rig, Settings, record};
 
@@ -23,6 +23,9 @@ pub struct Arguments {
     /// Directory for dataset.toml and the logs.
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
+    /// Play this motion, as `rrr design-excitation` writes it, for the excitation.
+    #[arg(long, value_name = "EXCITATION.toml")]
+    pub excitation: Option<PathBuf>,
     /// What the commands are made of, instead of what the data set asks for:
     /// pd, pd-friction, pd-model, friction-only or open-loop.
     #[arg(long)]
@@ -109,11 +112,25 @@ impl Arguments {
             let message = format!("--dataset {}: no such data set", self.dataset);
             Failure::new(message, format!("take one of {}", known.join(", ")))
         })?;
-        let plans = recipe.plans(rig, self.seed);
+        let plans = self.with_excitation(recipe.plans(rig, self.seed))?;
         match self.mode()? {
             Some(mode) => Ok(plans.into_iter().map(|plan| plan.with_mode(mode)).collect()),
             None => Ok(plans),
         }
+    }
+
+    /// The plans with the given motion in place of the train log's excitation.
+    fn with_excitation(&self, mut plans: Vec<Plan>) -> Result<Vec<Plan>, Failure> {
+        let Some(path) = &self.excitation else { return Ok(plans) };
+        let motion = ExcitationFile::read(path)?.motion();
+        let is_excitation =
+            |plan: &Plan| plan.experiment == Experiment::Excitation && plan.role == Role::Train;
+        let Some(index) = plans.iter().position(is_excitation) else {
+            let message = format!("--excitation: the data set {} has no excitation", self.dataset);
+            return Err(Failure::new(message, "take --dataset excitation, campaign or gap"));
+        };
+        plans[index] = plans[index].clone().with_motion(motion);
+        Ok(plans)
     }
 
     fn mode(&self) -> Result<Option<Mode>, Failure> {

@@ -7,6 +7,7 @@
 mod bytes;
 pub mod dataset;
 pub mod error;
+pub mod excitation_file;
 pub mod log;
 mod number;
 pub mod replace;
@@ -16,5 +17,6 @@ mod toml_source;
 
 pub use dataset::{Dataset, Entry, Experiment, Recording, Role};
 pub use error::{FileError, Problem};
+pub use excitation_file::ExcitationFile;
 pub use log::{JointLog, Log, Position};
 pub use robot_file::{EffectTable, FrictionTable, PendulumTable, RobotFile, RobotTable};

@@ -1,5 +1,6 @@
 //! The simulated robot, and experiments recorded with it.
 
+pub mod designed_excitation;
 pub mod plan;
 pub mod recipe;
 pub mod recording;

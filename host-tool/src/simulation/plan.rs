@@ -9,6 +9,7 @@ use firmware::reference::{
 use firmware::{Mode, ParameterBlock};
 
 use super::Rig;
+use super::designed_excitation::DESIGNED_EXCITATION;
 use crate::files::{Entry, Experiment, Role};
 
 /// The posture in which joints are held: hanging down, where gravity asks for nothing.
@@ -62,6 +63,12 @@ impl Plan {
         Self { role, ..self }
     }
 
+    /// The same with another motion.
+    pub fn with_motion(mut self, motion: [Motion; 3]) -> Self {
+        self.reference.motion = motion;
+        self
+    }
+
     fn closed_loop(
         name: &str,
         experiment: Experiment,
@@ -108,9 +115,13 @@ pub fn task(duration_s: f32) -> Plan {
     plan.with_role(Role::Holdout)
 }
 
-/// A Fourier series on all joints; `variant` chooses among different ones.
+/// A Fourier series on all joints: variant 1 is the designed one, others are different.
 pub fn excitation(variant: u32, duration_s: f32) -> Plan {
-    let name = if variant == 1 { "excitation".into() } else { format!("excitation-{variant}") };
+    if variant == 1 {
+        let motion = DESIGNED_EXCITATION.map(Motion::Fourier);
+        return Plan::closed_loop("excitation", Experiment::Excitation, motion, duration_s);
+    }
+    let name = format!("excitation-{variant}");
     let motion = [0, 1, 2].map(|i| fourier(i, variant, 10.0, PEAK_VELOCITY_RAD_PER_S[i]));
     Plan::closed_loop(&name, Experiment::Excitation, motion, duration_s)
 }
