@@ -23,7 +23,7 @@
 //! | `record` | a log as spectra |
 //! | [`linear`] | the linearised robot, M and its inverse |
 //! | [`creep`] | lambda and kappa |
-//! | `start`, `belief`, `fit` | first guess, prior as numbers, weighted fit |
+//! | `start`, `belief`, `problem`, `fit` | first guess, prior as numbers, least-squares problem, weighted fit |
 //! | [`result`] | estimates, intervals, remarks, the FRF for Fig. 4 |
 
 mod belief;
@@ -31,6 +31,7 @@ pub mod creep;
 mod fit;
 pub mod linear;
 pub mod prior;
+mod problem;
 mod record;
 pub mod result;
 mod start;

@@ -164,7 +164,8 @@ fn moving_joint<'a>(
         )
     };
     let found = trace.joint(joint).filter(|_| (1..=3).contains(&joint)).ok_or_else(missing)?;
-    if !(known.torque_constant(joint) > 0.0) {
+    let constant = known.torque_constant(joint);
+    if constant.is_nan() || constant <= 0.0 {
         let cure = "no torque constant; add it to torque_constant_Nm_per_V of the robot file";
         return Err(unusable(trace, format!("joint {joint} has {cure}")));
     }
