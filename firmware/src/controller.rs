@@ -123,26 +123,18 @@ impl Controller {
         let inverse_dynamics_v = self.inverse_dynamics(&ahead);
         let injected_v = self.injected();
         for i in 0..3 {
-            let mode = self.block.mode[i];
             let now = ahead[i].earlier(0.5 * period_s);
-            let friction_velocity = match mode {
-                Mode::FrictionOnly => measured[i].velocity_rad_per_s,
-                _ => ahead[i].velocity_rad_per_s,
+            let mode = self.block.mode[i];
+            let terms = Terms {
+                feedback_v: self.block.gains[i].feedback(&now, &measured[i]),
+                inverse_dynamics_v: inverse_dynamics_v[i],
+                friction_v: self.joints[i].friction.step(
+                    &self.block.robot.friction[i],
+                    mode.friction_velocity(&ahead[i], &measured[i]),
+                    period_s,
+                ),
             };
-            let friction_v = self.joints[i].friction.step(
-                &self.block.robot.friction[i],
-                friction_velocity,
-                period_s,
-            );
-            let feedback_v = self.block.gains[i].feedback(&now, &measured[i]);
-            let law_v = match mode {
-                Mode::Pd => feedback_v,
-                Mode::PdFriction => feedback_v + friction_v,
-                Mode::PdModel => feedback_v + friction_v + inverse_dynamics_v[i],
-                Mode::FrictionOnly => friction_v,
-                Mode::OpenLoop => 0.0,
-            };
-            let wanted_v = law_v + injected_v[i];
+            let wanted_v = terms.sum(mode) + injected_v[i];
             let limit_v = self.block.command_limit_v;
             output.codes[i] = DacCode::from_volts(limited(wanted_v, limit_v));
             output.saturated[i] = wanted_v.abs() > limit_v;
@@ -157,8 +149,8 @@ impl Controller {
         let tick = if self.tick < self.last_tick { self.tick } else { self.last_tick };
         let time = Time::new(tick, self.block.sample_period_s, self.rate_per_s);
         let since_end_s = (self.tick - tick) as f32 * self.block.sample_period_s;
-        [0, 1, 2].map(|i| {
-            let setpoint = self.block.reference.motion[i].at(time);
+        self.block.reference.motion.each_ref().map(|motion| {
+            let setpoint = motion.at(time);
             if tick < self.last_tick { setpoint } else { setpoint.brought_to_rest(since_end_s) }
         })
     }
@@ -186,6 +178,39 @@ impl Controller {
         let time = Time::new(self.tick, self.block.sample_period_s, self.rate_per_s);
         let [first, second, third] = &mut self.joints;
         [first, second, third].map(|joint| joint.injection.next_voltage(time))
+    }
+}
+
+/// What a joint's command is made of [V].
+#[derive(Clone, Copy, Debug)]
+struct Terms {
+    feedback_v: f32,
+    inverse_dynamics_v: f32,
+    friction_v: f32,
+}
+
+impl Terms {
+    /// The terms that a mode takes, added up.
+    #[inline]
+    fn sum(&self, mode: Mode) -> f32 {
+        match mode {
+            Mode::Pd => self.feedback_v,
+            Mode::PdFriction => self.feedback_v + self.friction_v,
+            Mode::PdModel => self.feedback_v + self.friction_v + self.inverse_dynamics_v,
+            Mode::FrictionOnly => self.friction_v,
+            Mode::OpenLoop => 0.0,
+        }
+    }
+}
+
+impl Mode {
+    /// The velocity whose friction is compensated: the wanted one, unless nothing is wanted.
+    #[inline]
+    fn friction_velocity(self, wanted: &Setpoint, measured: &Measured) -> f32 {
+        match self {
+            Self::FrictionOnly => measured.velocity_rad_per_s,
+            _ => wanted.velocity_rad_per_s,
+        }
     }
 }
 
