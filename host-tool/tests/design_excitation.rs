@@ -127,7 +127,7 @@ fn the_designed_motion_excites_the_reference_robot_well() {
     let robot = reference_robot();
     let found = j_k(&robot, designed().period(1000));
     eprintln!("designed J_k {found:.4}, {:.2?}", demand(&robot));
-    assert!((found - 3.608).abs() < 0.001, "{found}");
+    assert!((found - 3.571).abs() < 0.001, "{found}");
 }
 
 #[test]
@@ -135,7 +135,7 @@ fn the_designed_motion_keeps_the_limits() {
     let of_reference = demand(&reference_robot());
     assert!(of_reference.keeps(&Limits::of_paper(10.0)), "{of_reference:?}");
     let largest_v = of_reference.command_v.into_iter().fold(0.0, f64::max);
-    assert!((4.65..4.7).contains(&largest_v), "document the peak of {largest_v} V");
+    assert!((5.25..5.4).contains(&largest_v), "document the peak of {largest_v} V");
     for robot in other_robots().take(50) {
         let demand = demand(&robot);
         assert!(demand.keeps(&Limits::of_paper(10.0)), "{demand:?}");
@@ -151,7 +151,7 @@ fn the_recorded_motion_excites_as_designed() {
     let largest_v = largest_command(&log);
     let peaks = peak_velocities(&states);
     eprintln!("recorded J_k {found:.4}, largest command {largest_v:.2} V, peaks {peaks:.2?}");
-    assert!((found - 3.658).abs() < 0.01, "{found}");
+    assert!((found - 3.605).abs() < 0.01, "{found}");
     assert!(largest_v < 9.0, "{largest_v} V");
     let limits = Limits::of_paper(10.0).velocity_rad_per_s;
     assert!((0..3).all(|i| peaks[i] <= limits[i]), "{peaks:?}");
@@ -166,8 +166,8 @@ fn robots_15_percent_off_are_excited_well_too() {
         worst = (worst.0.max(found), worst.1.max(largest_command(&log)));
     }
     eprintln!("over robots 15 % off: J_k below {:.2}, commands below {:.2} V", worst.0, worst.1);
-    assert!(worst.0 < 5.0, "{worst:?}");
-    assert!(worst.1 < 9.5, "{worst:?}");
+    assert!(worst.0 < 4.5, "{worst:?}");
+    assert!(worst.1 < 7.0, "{worst:?}");
 }
 
 #[test]
