@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | [`files`] | logs, data sets and models, as they lie on disk |
 //! | [`board`] | the control firmware, in this process or in QEMU |
+//! | [`effects`] | the catalogue of what the model does not hold |
 //! | [`simulation`] | the simulated robot, and experiments recorded with it |
 //! | [`identification`] | the paper's procedure, step by step |
 //! | [`excitation_design`] | the motion that identifies best, section 4.2 |
@@ -14,6 +15,7 @@
 
 pub mod board;
 pub mod commands;
+pub mod effects;
 pub mod estimation;
 pub mod excitation_design;
 pub mod files;

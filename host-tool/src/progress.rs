@@ -30,3 +30,34 @@ impl Progress {
         self.bar.finish_and_clear();
     }
 }
+
+/// A line that says which step of several is under way.
+#[derive(Debug)]
+pub struct Steps {
+    line: ProgressBar,
+}
+
+impl Steps {
+    /// No step yet.
+    pub fn new() -> Self {
+        let line = ProgressBar::new_spinner();
+        line.enable_steady_tick(std::time::Duration::from_millis(100));
+        Self { line }
+    }
+
+    /// This step now.
+    pub fn at(&self, step: &str) {
+        self.line.set_message(step.to_owned());
+    }
+
+    /// Takes the line away.
+    pub fn finish(&self) {
+        self.line.finish_and_clear();
+    }
+}
+
+impl Default for Steps {
+    fn default() -> Self {
+        Self::new()
+    }
+}

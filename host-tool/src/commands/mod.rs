@@ -12,6 +12,7 @@ use crate::files::FileError;
 
 pub mod demo;
 pub mod design_excitation;
+pub mod identify;
 pub mod inverse_dynamics;
 pub mod simulate;
 
@@ -27,6 +28,8 @@ pub struct CommandLine {
 /// What the tool can do.
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    /// Find the model of an unknown robot from its recorded experiments.
+    Identify(identify::Arguments),
     /// Compute joint torques and voltages from a model and a table of motions.
     InverseDynamics(inverse_dynamics::Arguments),
     /// Record experiments of the simulated robot.
@@ -44,6 +47,7 @@ impl Command {
     /// What the user is told before the tool ends with exit status 2.
     pub fn run(self) -> Result<(), Failure> {
         match self {
+            Self::Identify(arguments) => identify::run(&arguments),
             Self::InverseDynamics(arguments) => inverse_dynamics::run(&arguments),
             Self::Simulate(arguments) => simulate::run(&arguments),
             Self::DesignExcitation(arguments) => design_excitation::run(&arguments),

@@ -7,9 +7,10 @@ use firmware::Mode;
 
 use super::{Failure, create_directory};
 use crate::board::{Board, InProcess, Qemu, QemuSettings};
-use crate::files::{Dataset, ExcitationFile, Experiment, RobotFile, Role};
+use crate::effects::Effect;
+use crate::files::{Dataset, EffectTable, ExcitationFile, Experiment, RobotFile, Role};
 use crate::progress::Progress;
-use crate::simulation::{Plan, Recipe, Rig, Settings, record};
+use crate::simulation::{Plan, Recipe, Rig, Settings, SimulatedRobot, record_robot, start_of};
 
 /// Arguments of `rrr simulate`.
 #[derive(Debug, Args)]
@@ -36,6 +37,10 @@ pub struct Arguments {
     /// Run the firmware's image in QEMU instead of in this process.
     #[arg(long, value_name = "ELF")]
     pub qemu: Option<PathBuf>,
+    /// Something that the robot does and its model does not know, such as
+    /// cogging:3:amplitude_V=0.1,harmonic=8,phase_rad=0; may be given several times.
+    #[arg(long, value_name = "EFFECT:JOINT:NAME=VALUE,...")]
+    pub effect: Vec<String>,
     /// Seed of all noises.
     #[arg(long, default_value_t = 1)]
     pub seed: u32,
@@ -46,6 +51,9 @@ pub struct Arguments {
     #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub substeps: u32,
 }
+
+const EFFECT_HINT: &str = "write cogging:3:amplitude_V=0.1,harmonic=8,phase_rad=0, say; \
+                           docs/effects.md lists the catalogue";
 
 /// A log's format.
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -76,6 +84,7 @@ impl Format {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let rig = rig(&RobotFile::read(&arguments.model)?)?;
     let plans = arguments.plans(&rig)?;
+    arguments.effects()?;
     create_directory(&arguments.out)?;
     let mut board = arguments.board()?;
     for (index, plan) in plans.iter().enumerate() {
@@ -142,6 +151,22 @@ impl Arguments {
         Ok(Some(mode))
     }
 
+    /// The effects of the model file and those of the command line.
+    fn effects(&self) -> Result<Vec<Box<dyn Effect>>, Failure> {
+        let listed = RobotFile::read(&self.model)?.effects;
+        let from_file = listed.iter().map(|table| {
+            table.effect().map_err(|error| {
+                let message = format!("{}: [[effect]]: {error}", self.model.display());
+                Failure::new(message, "correct the table; docs/effects.md lists the catalogue")
+            })
+        });
+        let from_line = self.effect.iter().map(|text| {
+            let effect = EffectTable::from_text(text).and_then(|table| table.effect());
+            effect.map_err(|error| Failure::new(format!("--effect {text}: {error}"), EFFECT_HINT))
+        });
+        from_file.chain(from_line).collect()
+    }
+
     fn board(&self) -> Result<Box<dyn Board>, Failure> {
         match &self.qemu {
             Some(image) => Ok(Box::new(Qemu::start(&QemuSettings::new(image))?)),
@@ -165,10 +190,12 @@ impl Arguments {
             seed: u64::from(self.seed) << 32 | u64::from(index),
         };
         let progress = Progress::new(&plan.name, u64::from(ticks));
-        let recording =
-            record(board, &plan.block(rig), &rig.model, &settings, ticks, &mut |tick| {
-                progress.at(u64::from(tick))
-            })?;
+        let block = plan.block(rig);
+        let robot =
+            SimulatedRobot::with_effects(rig.model, self.effects()?, start_of(&block), &settings);
+        let recording = record_robot(board, &block, robot, ticks, &mut |tick| {
+            progress.at(u64::from(tick));
+        })?;
         progress.finish();
         let entry = plan.entry(self.format.extension());
         recording.log.write(self.out.join(entry.file))?;

@@ -8,6 +8,8 @@
 //! | [`one_joint`] | what the steps on one joint share, and rigs that have but one |
 //! | [`static_friction`] | static friction from constant-velocity runs, eq. (10) |
 //! | [`base_parameters`] | base parameters by least squares, eq. (13)-(16) |
+//! | [`presliding`] | pre-sliding friction from the FRF, eq. (12) |
+//! | [`procedure`] | **all steps together** |
 //! | [`refinement`] | friction and base parameters together |
 //! | [`reconstruction`] | the command that a model needs for a motion, Fig. 8 and 10 |
 
@@ -17,6 +19,7 @@ pub mod estimate;
 pub mod motion;
 pub mod one_joint;
 pub mod presliding;
+pub mod procedure;
 pub mod reconstruction;
 pub mod refinement;
 pub mod static_friction;

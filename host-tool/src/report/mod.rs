@@ -1,6 +1,8 @@
 //! Pages with pictures, each a single file.
 
 pub mod chart;
+pub mod identification_page;
+pub mod identification_summary;
 pub mod page;
 mod thinning;
 pub mod tracking_page;

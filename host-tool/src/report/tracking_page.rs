@@ -81,7 +81,7 @@ pub fn error_charts(plain: &Run, modelled: &Run) -> Vec<Chart> {
         Chart::new(format!("Joint {}", joint + 1), "time [s]", "tracking error [mrad]")
             .with(Series::line(plain.name, 1, in_milliradians(plain, joint)))
             .with(Series::line(modelled.name, 0, in_milliradians(modelled, joint)))
-            .sized(372, 260)
+            .sized(352, 260)
     };
     (0..plain.tracking.len()).map(chart).collect()
 }
@@ -90,7 +90,7 @@ fn remainder_charts(modelled: &Run) -> Vec<Chart> {
     let chart = |joint: usize| {
         Chart::new(format!("Joint {}, enlarged", joint + 1), "time [s]", "tracking error [mrad]")
             .with(Series::line("", 0, in_milliradians(modelled, joint)))
-            .sized(372, 220)
+            .sized(352, 220)
     };
     (0..modelled.tracking.len()).map(chart).collect()
 }
@@ -108,7 +108,7 @@ fn voltage_charts(plain: &Run, modelled: &Run) -> Vec<Chart> {
         Chart::new(format!("Joint {}", joint + 1), "time [s]", "command [V]")
             .with(Series::line(plain.name, 1, volts(plain, joint)).stroke(Stroke::Broad))
             .with(Series::line(modelled.name, 0, volts(modelled, joint)))
-            .sized(372, 220)
+            .sized(352, 220)
     };
     (0..plain.log.joints.len()).map(chart).collect()
 }

@@ -8,9 +8,10 @@ pub mod rig;
 pub mod robot;
 pub mod sensor;
 pub mod tracking;
+pub mod transmission;
 
 pub use plan::Plan;
 pub use recipe::Recipe;
-pub use recording::{Recording, record};
+pub use recording::{Recording, record, record_robot, start_of};
 pub use rig::Rig;
 pub use robot::{Settings, SimulatedRobot};

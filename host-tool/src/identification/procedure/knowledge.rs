@@ -1,0 +1,74 @@
+//! What one step tells the next.
+
+use model::Friction;
+
+use crate::identification::base_parameters::BaseResult;
+use crate::identification::presliding::{Presliding, Prior, Sliding};
+use crate::identification::refinement::FrictionKnowledge;
+use crate::identification::static_friction::StaticFriction;
+
+/// Where the search begins for a joint of which nothing is known, as the paper's joints are.
+const TYPICAL: Friction<f64> = Friction {
+    alpha0_v: 0.3,
+    alpha1_v: 0.0,
+    stribeck_velocity_rad_per_s: 0.003,
+    alpha2_v_s_per_rad: 0.1,
+    sigma0_v_per_rad: 400.0,
+    sigma1_v_s_per_rad: 3.0,
+};
+
+/// What the static step knows of a joint's friction, or nothing.
+///
+/// Motion of all joints tells nothing of the Stribeck velocity and of the bristles, so
+/// without a run at constant velocities they stay at what is typical.
+pub fn from_static(found: Option<&StaticFriction>) -> FrictionKnowledge {
+    let Some(found) = found else {
+        let held =
+            Friction { alpha0_v: f64::INFINITY, alpha2_v_s_per_rad: f64::INFINITY, ..none() };
+        return FrictionKnowledge { value: TYPICAL, standard_error: held };
+    };
+    let standard_error = Friction {
+        alpha0_v: found.alpha0_v.standard_error,
+        alpha1_v: found.alpha1_v.standard_error,
+        stribeck_velocity_rad_per_s: found.stribeck_velocity_rad_per_s.standard_error,
+        alpha2_v_s_per_rad: found.alpha2_v_s_per_rad.standard_error,
+        sigma0_v_per_rad: found.sigma0_v_per_rad.standard_error,
+        sigma1_v_s_per_rad: found.sigma1_v_s_per_rad.standard_error,
+    };
+    FrictionKnowledge { value: found.friction(), standard_error }
+}
+
+fn none() -> Friction<f64> {
+    Friction {
+        alpha0_v: 0.0,
+        alpha1_v: 0.0,
+        stribeck_velocity_rad_per_s: 0.0,
+        alpha2_v_s_per_rad: 0.0,
+        sigma0_v_per_rad: 0.0,
+        sigma1_v_s_per_rad: 0.0,
+    }
+}
+
+/// What the FRF must know before: the mass matrix and sliding friction.
+pub fn prior(base: &BaseResult, statics: &[Option<StaticFriction>; 3]) -> Prior {
+    /// Least squares on an excitation gives the mass matrix that well.
+    const MASS_MATRIX_ERROR: f64 = 0.01;
+    let prior = Prior::with_base(base.base, MASS_MATRIX_ERROR);
+    statics.iter().flatten().fold(prior, |prior, found| {
+        let sliding = Sliding {
+            alpha0_v: found.alpha0_v.clone(),
+            alpha1_v: found.alpha1_v.clone(),
+            stribeck_velocity_rad_per_s: found.stribeck_velocity_rad_per_s.clone(),
+            alpha2_v_s_per_rad: found.alpha2_v_s_per_rad.clone(),
+        };
+        prior.with_sliding(found.joint, sliding)
+    })
+}
+
+/// Takes the FRF's bristles in place of what was known of them.
+pub fn learn(knowledge: &mut FrictionKnowledge, found: &Presliding) {
+    knowledge.value.sigma0_v_per_rad = found.sigma0_v_per_rad.value;
+    knowledge.value.sigma1_v_s_per_rad = found.sigma1_v_s_per_rad.value;
+    knowledge.standard_error.sigma0_v_per_rad = found.sigma0_v_per_rad.standard_error;
+    knowledge.standard_error.sigma1_v_s_per_rad = found.sigma1_v_s_per_rad.standard_error;
+}

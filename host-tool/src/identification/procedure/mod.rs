@@ -1,0 +1,158 @@
+//! The whole procedure: what feeds what, and what to do when an experiment is missing.
+//!
+//! static friction -> base parameters -> pre-sliding FRF -> all together -> validation.
+//! The FRF needs the mass matrix, the base parameters need friction; the bristles that
+//! the static step finds along are good enough for the first round.
+
+mod knowledge;
+mod result;
+mod table;
+
+pub use result::{Held, Identified};
+pub use table::model_file;
+
+use model::{Geometry, Robot};
+use rayon::prelude::*;
+
+use super::base_parameters::{self, BaseResult};
+use super::presliding::{self, Presliding, Prior};
+use super::reconstruction::reconstruct;
+use super::refinement::{self, FrictionKnowledge};
+use super::static_friction::{self, StaticFriction};
+use super::{Campaign, StepError, Trace};
+use crate::files::{Experiment, Role};
+
+/// Runs all steps on the `train` logs and judges the model on the `holdout` logs.
+///
+/// `say` hears what is being done. Experiments that are missing are named in the
+/// result's `missing`; what needs them is done without, or not at all.
+///
+/// # Errors
+/// No excitation, or one that cannot be used: without it there is no model.
+pub fn identify(campaign: &Campaign, say: &dyn Fn(&str)) -> Result<Identified, StepError> {
+    let geometry = geometry(campaign)?;
+    let mut missing = Vec::new();
+    say("static friction");
+    let statics = static_friction_of_all(campaign, &mut missing);
+    let mut knowledge: [FrictionKnowledge; 3] =
+        [0, 1, 2].map(|i| knowledge::from_static(statics[i].as_ref()));
+    say("base parameters");
+    let excitations: Vec<&Trace> =
+        campaign.traces_of(Experiment::Excitation, Role::Train, None).collect();
+    let (paper, base) = both_base(campaign, &excitations, &knowledge)?;
+    say("pre-sliding friction");
+    let prior = knowledge::prior(&base, &statics);
+    let presliding = presliding_of_all(campaign, &prior, &mut missing);
+    for found in &presliding {
+        knowledge::learn(&mut knowledge[usize::from(found.joint) - 1], found);
+    }
+    say("all parameters together");
+    let refined = refinement::refine(
+        &excitations,
+        &campaign.known,
+        &knowledge,
+        &refinement::Settings::default(),
+    )?;
+    let robot = Robot {
+        geometry,
+        base: refined.base,
+        torque_constant_nm_per_v: [1, 2, 3].map(|j| campaign.known.torque_constant(j)),
+        friction: refined.friction,
+    };
+    say("validation");
+    let held = held_out(campaign, &robot);
+    let mut identified =
+        Identified { statics, presliding, paper, base, refined, robot, held, missing };
+    identified.note_contradictions();
+    Ok(identified)
+}
+
+fn geometry(campaign: &Campaign) -> Result<Geometry<f64>, StepError> {
+    campaign.known.geometry.ok_or_else(|| StepError::Numerical {
+        step: "identify",
+        what: "this rig has one joint; the procedure for three joints cannot run on it".into(),
+    })
+}
+
+/// Static friction of the joints that have a run at constant velocities.
+fn static_friction_of_all(
+    campaign: &Campaign,
+    missing: &mut Vec<String>,
+) -> [Option<StaticFriction>; 3] {
+    let found: Vec<_> = (1..=3u8)
+        .into_par_iter()
+        .map(|joint| {
+            let mut traces =
+                campaign.traces_of(Experiment::ConstantVelocity, Role::Train, Some(joint));
+            let no_log = || StepError::NoLog {
+                step: "static friction",
+                experiment: format!("constant-velocity of joint {joint}"),
+            };
+            let trace = traces.next().ok_or_else(no_log)?;
+            static_friction::identify(trace, joint, &campaign.known)
+        })
+        .collect();
+    let mut kept = [None, None, None];
+    for (slot, result) in kept.iter_mut().zip(found) {
+        match result {
+            Ok(friction) => *slot = Some(friction),
+            Err(error) => missing.push(error.to_string()),
+        }
+    }
+    kept
+}
+
+/// The paper's plain least squares, and the weighted one that goes on.
+fn both_base(
+    campaign: &Campaign,
+    excitations: &[&Trace],
+    knowledge: &[FrictionKnowledge; 3],
+) -> Result<(BaseResult, BaseResult), StepError> {
+    let friction = knowledge.map(|joint| joint.value);
+    let solve = |settings: base_parameters::Settings| {
+        base_parameters::identify(excitations, &campaign.known, &friction, &settings)
+    };
+    let (paper, weighted) = rayon::join(
+        || solve(base_parameters::Settings::paper()),
+        || solve(base_parameters::Settings::default()),
+    );
+    Ok((paper?, weighted?))
+}
+
+fn presliding_of_all(
+    campaign: &Campaign,
+    prior: &Prior,
+    missing: &mut Vec<String>,
+) -> Vec<Presliding> {
+    let traces: Vec<&Trace> =
+        campaign.traces_of(Experiment::PreslidingNoise, Role::Train, None).collect();
+    for joint in 1..=3 {
+        if traces.iter().all(|trace| trace.joint != Some(joint)) {
+            let experiment = format!("presliding-noise of joint {joint}");
+            let error = StepError::NoLog { step: "pre-sliding FRF", experiment };
+            missing.push(error.to_string());
+        }
+    }
+    let settings = presliding::Settings::default();
+    let results = presliding::identify_all(&traces, &campaign.known, prior, &settings);
+    let mut kept = Vec::new();
+    for (_, result) in results {
+        match result {
+            Ok(found) => kept.push(found),
+            Err(error) => missing.push(error.to_string()),
+        }
+    }
+    kept
+}
+
+/// The command of each `holdout` log, reconstructed.
+fn held_out(campaign: &Campaign, robot: &Robot<f64>) -> Vec<Held> {
+    let settings = refinement::Settings::default().rows;
+    let traces: Vec<&Trace> =
+        campaign.traces.iter().filter(|trace| trace.role == Role::Holdout).collect();
+    let one = |trace: &&Trace| {
+        let stretches = reconstruct(trace, robot, &settings).ok()?;
+        Some(Held { file: trace.file.clone(), stretches })
+    };
+    traces.par_iter().filter_map(one).collect()
+}

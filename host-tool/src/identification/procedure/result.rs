@@ -1,0 +1,70 @@
+//! What the procedure found.
+
+use model::Robot;
+
+use crate::identification::base_parameters::{BaseResult, JointResidual};
+use crate::identification::presliding::Presliding;
+use crate::identification::reconstruction::Reconstruction;
+use crate::identification::refinement::Refined;
+use crate::identification::static_friction::StaticFriction;
+
+/// The result of all steps.
+#[derive(Clone, Debug)]
+pub struct Identified {
+    /// Static friction, where there was a run at constant velocities.
+    pub statics: [Option<StaticFriction>; 3],
+    /// Pre-sliding friction, where there was noise.
+    pub presliding: Vec<Presliding>,
+    /// Base parameters the paper's way.
+    pub paper: BaseResult,
+    /// Base parameters by weighted least squares on filtered sides.
+    pub base: BaseResult,
+    /// All parameters together.
+    pub refined: Refined,
+    /// The model.
+    pub robot: Robot<f64>,
+    /// The commands of the logs held out, reconstructed.
+    pub held: Vec<Held>,
+    /// What could not be done, and why.
+    pub missing: Vec<String>,
+}
+
+/// A log held out.
+#[derive(Clone, Debug)]
+pub struct Held {
+    /// Its file.
+    pub file: String,
+    /// Its unbroken stretches, reconstructed.
+    pub stretches: Vec<Reconstruction>,
+}
+
+impl Held {
+    /// What is left of each joint's command over the whole log.
+    pub fn residuals(&self) -> Vec<JointResidual> {
+        let over_all = |joint: usize, pick: fn(&JointResidual) -> f64| {
+            let weighted = self.stretches.iter().map(|stretch| {
+                let instants = stretch.time_s.len() as f64;
+                (instants, instants * pick(&stretch.joints[joint].residual).powi(2))
+            });
+            let (count, power) = weighted.fold((0.0, 0.0), |(n, p), (m, q)| (n + m, p + q));
+            f64::sqrt(power / f64::max(count, 1.0))
+        };
+        let joint = |index: usize| {
+            let rms_v = over_all(index, |residual| residual.rms_v);
+            JointResidual::new(index as u8 + 1, rms_v, over_all(index, |r| r.command_rms_v))
+        };
+        (0..3).map(joint).collect()
+    }
+}
+
+impl Identified {
+    /// Names where what was found cannot be trusted.
+    pub(super) fn note_contradictions(&mut self) {
+        if let Err(error) = self.robot.checked() {
+            self.missing.push(format!("no robot has these parameters: {error}"));
+        }
+        if !self.refined.converged {
+            self.missing.push("the refinement has not converged; its errors are too small".into());
+        }
+    }
+}

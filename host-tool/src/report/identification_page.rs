@@ -1,0 +1,186 @@
+//! `identification.html`: the paper's figures from these experiments.
+
+use model::base::NAMES;
+
+use super::{Axis, Chart, Page, Series, Stroke};
+use crate::files::{Experiment, Role};
+use crate::identification::base_parameters::JointResidual;
+use crate::identification::presliding::{FrfPoint, Presliding};
+use crate::identification::procedure::{Held, Identified};
+use crate::identification::reconstruction::JointReconstruction;
+use crate::identification::static_friction::StaticFriction;
+use crate::identification::{Campaign, Estimate, Trace};
+
+const HALF: (u32, u32) = (535, 290);
+const THIRD: (u32, u32) = (352, 260);
+
+/// The page of a result.
+pub fn identification_page(campaign: &Campaign, identified: &Identified) -> Page {
+    let mut page = Page::new("Identification of an RRR robot", &lead(identified));
+    for remark in &identified.missing {
+        page.paragraph(&format!("Note: {remark}"));
+    }
+    page.heading("What is left on motion held out").table(&HELD_HEADER, &held_rows(identified));
+    page.heading("Static friction (Table 2)").table(&FRICTION_HEADER, &friction_rows(identified));
+    page.charts(&identified.statics.iter().flatten().map(stribeck_chart).collect::<Vec<_>>());
+    page.heading("Pre-sliding friction (Fig. 4)");
+    page.charts(&identified.presliding.iter().flat_map(frf_charts).collect::<Vec<_>>());
+    for remark in identified.presliding.iter().flat_map(|found| &found.remarks) {
+        page.paragraph(remark);
+    }
+    page.heading("Excitation (Fig. 6 and 7)").charts(&excitation_charts(campaign));
+    page.heading("Base parameters (eq. 19)").table(&BASE_HEADER, &base_rows(identified));
+    page.heading("Convergence (Fig. 9)").charts(&[convergence_chart(identified)]);
+    page.heading("Command, recorded and reconstructed (Fig. 8 and 10)");
+    page.charts(&identified.held.iter().flat_map(command_charts).collect::<Vec<_>>());
+    page
+}
+
+/// The worst share left on any log held out, as a sentence.
+fn lead(identified: &Identified) -> String {
+    let residuals = identified.held.iter().flat_map(Held::residuals);
+    match residuals.max_by(|a, b| a.share.total_cmp(&b.share)) {
+        Some(worst) => format!(
+            "On motion that was not used, the model explains all but {:.2} % of the command of \
+             every joint; the most is left on joint {}, {:.1} mV.",
+            100.0 * worst.share,
+            worst.joint,
+            1e3 * worst.rms_v
+        ),
+        None => "No log was held out, so nothing is said of how good the model is.".into(),
+    }
+}
+
+const HELD_HEADER: [&str; 5] = ["Log", "joint", "left, rms [mV]", "command, rms [V]", "share [%]"];
+
+fn held_rows(identified: &Identified) -> Vec<Vec<String>> {
+    let row = |held: &Held| -> Vec<Vec<String>> {
+        let cells = |r: JointResidual| {
+            vec![
+                held.file.clone(),
+                r.joint.to_string(),
+                format!("{:.1}", 1e3 * r.rms_v),
+                format!("{:.3}", r.command_rms_v),
+                format!("{:.2}", 100.0 * r.share),
+            ]
+        };
+        held.residuals().into_iter().map(cells).collect()
+    };
+    identified.held.iter().flat_map(row).collect()
+}
+
+const FRICTION_HEADER: [&str; 4] = ["Parameter", "joint 1", "joint 2", "joint 3"];
+
+fn friction_rows(identified: &Identified) -> Vec<Vec<String>> {
+    let [first, second, third] = &identified.refined.friction_estimates;
+    let rows = first.iter().zip(second).zip(third);
+    rows.map(|((a, b), c)| vec![a.0.into(), shown(&a.1), shown(&b.1), shown(&c.1)]).collect()
+}
+
+const BASE_HEADER: [&str; 3] = ["Parameter", "identified", "the paper's way"];
+
+fn base_rows(identified: &Identified) -> Vec<Vec<String>> {
+    let pairs = identified.refined.base_estimates.iter().zip(&identified.paper.estimates);
+    pairs.map(|(ours, plain)| vec![ours.0.into(), shown(&ours.1), shown(&plain.1)]).collect()
+}
+
+/// A value with half its 95 % interval, to the digits that the interval allows.
+fn shown(estimate: &Estimate) -> String {
+    let half = 0.5 * (estimate.interval[1] - estimate.interval[0]);
+    let digits = if half > 0.0 { (1.0 - half.log10().floor()).clamp(0.0, 7.0) as usize } else { 5 };
+    format!("{:.digits$} ± {:.digits$}", estimate.value, half)
+}
+
+fn stribeck_chart(found: &StaticFriction) -> Chart {
+    let forward = |points: Vec<(f64, f64)>| -> Vec<(f64, f64)> {
+        points.into_iter().map(|(v, u)| (v.abs(), u * v.signum())).collect()
+    };
+    let legs = found.legs.iter().map(|leg| (leg.velocity_rad_per_s, leg.friction_v)).collect();
+    let curve = found.curve().into_iter().filter(|point| point.0 > 0.0).collect();
+    Chart::new(format!("Joint {}", found.joint), "speed [rad/s]", "friction [V]")
+        .axes(Axis::Logarithmic, Axis::Linear)
+        .with(Series::line("eq. (10), fitted", 0, curve))
+        .with(Series::line("steady legs", 1, forward(legs)).stroke(Stroke::Dots))
+        .sized(THIRD.0, THIRD.1)
+}
+
+fn frf_charts(found: &Presliding) -> [Chart; 3] {
+    // Beyond the band of the fit there is noise only.
+    let shown = |p: &&FrfPoint| p.frequency_hz <= 1.3 * found.band_hz[1];
+    let points = |pick: fn(&FrfPoint) -> f64| {
+        found.frf.iter().filter(shown).map(|p| (p.frequency_hz, pick(p))).collect::<Vec<_>>()
+    };
+    let degrees = |pick: fn(&FrfPoint) -> f64| {
+        points(pick).into_iter().map(|(f, phase)| (f, phase.to_degrees())).collect::<Vec<_>>()
+    };
+    let joint = found.joint;
+    [
+        Chart::new(format!("Joint {joint}, magnitude"), "frequency [Hz]", "[rad/V]")
+            .axes(Axis::Logarithmic, Axis::Logarithmic)
+            .with(Series::line("measured", 1, points(|p| p.measured_rad_per_v)))
+            .with(Series::line("fitted", 0, points(|p| p.fitted_rad_per_v)))
+            .sized(THIRD.0, THIRD.1),
+        Chart::new(format!("Joint {joint}, phase"), "frequency [Hz]", "[degrees]")
+            .axes(Axis::Logarithmic, Axis::Linear)
+            .with(Series::line("measured", 1, degrees(|p| p.measured_phase_rad)))
+            .with(Series::line("fitted", 0, degrees(|p| p.fitted_phase_rad)))
+            .sized(THIRD.0, THIRD.1),
+        Chart::new(format!("Joint {joint}, coherence"), "frequency [Hz]", "")
+            .axes(Axis::Logarithmic, Axis::Linear)
+            .with(Series::line("with the own command", 3, points(|p| p.coherence)))
+            .with(Series::line("with all commands", 2, points(|p| p.multiple_coherence)))
+            .sized(THIRD.0, THIRD.1),
+    ]
+}
+
+/// Trajectories and commands of the first excitation.
+fn excitation_charts(campaign: &Campaign) -> Vec<Chart> {
+    let mut traces = campaign.traces_of(Experiment::Excitation, Role::Train, None);
+    let Some(trace) = traces.next() else { return Vec::new() };
+    let angle = Chart::new("Joint angles", "time [s]", "[rad]").sized(HALF.0, HALF.1);
+    let command = Chart::new("Commands", "time [s]", "[V]").sized(HALF.0, HALF.1);
+    let series = |number: usize, values: &[f64], trace: &Trace| {
+        let points = trace.time_s.iter().copied().zip(values.iter().copied()).collect();
+        Series::line(format!("joint {}", number + 1), number, points)
+    };
+    let all = trace.joints.iter().enumerate();
+    let (angle, command) = all.fold((angle, command), |(angle, command), (i, joint)| {
+        let angle = angle.with(series(i, &joint.q_rad, trace));
+        (angle, command.with(series(i, &joint.command_v, trace)))
+    });
+    vec![angle, command]
+}
+
+/// All parameters over the number of samples, each less its last value, in its own error.
+fn convergence_chart(identified: &Identified) -> Chart {
+    let points = &identified.paper.convergence;
+    let chart =
+        Chart::new("Each parameter against its last value", "samples", "difference [kg m, kg m^2]")
+            .sized(1080, 330);
+    let last = points.last().map(|point| point.values).unwrap_or_default();
+    NAMES.iter().enumerate().fold(chart, |chart, (k, name)| {
+        // The first points, before all parameters are excited, would hide the rest.
+        let settled = points.iter().skip(points.len() / 6);
+        let line = settled.map(|p| (p.samples as f64, p.values[k] - last[k])).collect();
+        let name = if k < 7 { (*name).to_owned() } else { String::new() };
+        chart.with(Series::line(name, k, line))
+    })
+}
+
+fn command_charts(held: &Held) -> Vec<Chart> {
+    let Some(stretch) = held.stretches.first() else { return Vec::new() };
+    let points = |values: &[f64]| -> Vec<(f64, f64)> {
+        stretch.time_s.iter().copied().zip(values.iter().copied()).collect()
+    };
+    let chart = |(index, joint): (usize, &JointReconstruction)| {
+        let left: Vec<f64> =
+            joint.measured_v.iter().zip(&joint.reconstructed_v).map(|(a, b)| a - b).collect();
+        Chart::new(format!("Joint {}, {}", index + 1, held.file), "time [s]", "command [V]")
+            .with(Series::line("recorded", 1, points(&joint.measured_v)).stroke(Stroke::Broad))
+            .with(Series::line("reconstructed", 0, points(&joint.reconstructed_v)))
+            .with(Series::line("friction in it", 2, points(&joint.friction_v)))
+            .with(Series::line("left", 3, points(&left)))
+            .sized(THIRD.0, THIRD.1)
+    };
+    stretch.joints.iter().enumerate().map(chart).collect()
+}
