@@ -33,7 +33,7 @@ impl ConstantVelocity {
         let speed = self.speeds_rad_per_s.get((leg / 2) % pairs).copied().unwrap_or(0.0);
         let in_leg = Time { tick: time.tick % leg_ticks, ..time };
         let (travel_s, velocity, acceleration) = self.trapezoid(in_leg.seconds());
-        let (start_rad, speed) = if leg % 2 == 0 {
+        let (start_rad, speed) = if leg.is_multiple_of(2) {
             (self.start_rad, speed)
         } else {
             (self.start_rad + speed * (self.leg_s - self.ramp_s), -speed)
