@@ -65,6 +65,34 @@ impl LinearProblem {
         })
     }
 
+    /// The parameters and the covariance for residuals of variance one, by normal equations
+    /// with columns scaled to one: several times faster than [`Self::solve`], for use in
+    /// loops. Half as many digits: `None` where columns are nearly dependent (to 1e-5).
+    pub fn solve_fast(&self) -> Option<(DVector<f64>, DMatrix<f64>)> {
+        let scale = DVector::from_iterator(
+            self.rows.ncols(),
+            self.rows.column_iter().map(|column| 1.0 / column.norm()),
+        );
+        let mut gram = self.rows.tr_mul(&self.rows);
+        let mut moment = self.rows.tr_mul(&self.right);
+        for k in 0..gram.ncols() {
+            gram.row_mut(k).scale_mut(scale[k]);
+            gram.column_mut(k).scale_mut(scale[k]);
+            moment[k] *= scale[k];
+        }
+        let factor = gram.cholesky()?;
+        if !(factor.l_dirty().diagonal().min() > 1e-5) {
+            return None;
+        }
+        let parameters = factor.solve(&moment).component_mul(&scale);
+        let mut unit = factor.inverse();
+        for k in 0..unit.ncols() {
+            unit.row_mut(k).scale_mut(scale[k]);
+            unit.column_mut(k).scale_mut(scale[k]);
+        }
+        Some((parameters, unit))
+    }
+
     /// The condition number J_k of the rows; infinite where they do not determine all
     /// parameters.
     pub fn condition_number(&self) -> f64 {
@@ -101,6 +129,17 @@ mod tests {
         // Textbook: variance of the slope = s^2 / sum (x - mean)^2.
         let slope_error = fit.covariance[(1, 1)].sqrt();
         assert!((slope_error - 0.1 / (1000f64 / 12.0).sqrt()).abs() < 1e-4, "{slope_error}");
+    }
+
+    #[test]
+    fn the_fast_solution_is_the_same() {
+        let problem = line(1000);
+        let (fit, fast) = (problem.solve().unwrap(), problem.solve_fast().unwrap());
+        assert!((fit.parameters - fast.0).amax() < 1e-9);
+        assert!((fit.unit_covariance - fast.1).amax() < 1e-9);
+        let mut dependent = problem;
+        dependent.rows.set_column(1, &DVector::from_element(1000, 1.0));
+        assert_eq!(dependent.solve_fast(), None);
     }
 
     #[test]

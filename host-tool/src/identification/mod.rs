@@ -10,6 +10,7 @@
 //! | [`base_parameters`] | base parameters by least squares, eq. (13)-(16) |
 //! | [`presliding`] | pre-sliding friction from the FRF, eq. (12) |
 //! | [`procedure`] | **all steps together** |
+//! | [`physical`] | rigid links that have the base parameters |
 //! | [`refinement`] | friction and base parameters together |
 //! | [`reconstruction`] | the command that a model needs for a motion, Fig. 8 and 10 |
 
@@ -18,6 +19,7 @@ pub mod campaign;
 pub mod estimate;
 pub mod motion;
 pub mod one_joint;
+pub mod physical;
 pub mod presliding;
 pub mod procedure;
 pub mod reconstruction;

@@ -71,11 +71,13 @@ impl Motion {
         cutoff_hz: f64,
         instant: Instant,
     ) -> Self {
-        let filter = LowPass::new(cutoff_hz, trace.period_s);
         let time_s = &trace.time_s[range.clone()];
+        // The mean of this stretch: a typical period is rounded, which adds up.
+        let period_s = (time_s[time_s.len() - 1] - time_s[0]) / (time_s.len() - 1) as f64;
+        let filter = LowPass::new(cutoff_hz, period_s);
         let mut motion = Self {
             start_s: time_s[0],
-            period_s: trace.period_s,
+            period_s,
             q_rad: Default::default(),
             qd_rad_per_s: Default::default(),
             qdd_rad_per_s2: Default::default(),
@@ -83,20 +85,20 @@ impl Motion {
         };
         for joint in trace.joints.iter().filter(|joint| (1..=3).contains(&joint.number)) {
             let index = usize::from(joint.number) - 1;
-            let even = on_even_clock(time_s, &joint.q_rad[range.clone()], trace.period_s);
+            let even = on_even_clock(time_s, &joint.q_rad[range.clone()], period_s);
             let q = filter.zero_phase(&even);
             let at_instant = |signal: Vec<f64>| match instant {
                 Instant::Sample => signal,
                 Instant::Middle => derivative::midpoints(&signal),
             };
-            motion.qd_rad_per_s[index] = at_instant(derivative::first(&q, trace.period_s));
-            motion.qdd_rad_per_s2[index] = at_instant(derivative::second(&q, trace.period_s));
+            motion.qd_rad_per_s[index] = at_instant(derivative::first(&q, period_s));
+            motion.qdd_rad_per_s2[index] = at_instant(derivative::second(&q, period_s));
             motion.q_rad[index] = at_instant(q);
             motion.command_v[index] =
-                held_on_even_clock(time_s, &joint.command_v[range.clone()], trace.period_s);
+                held_on_even_clock(time_s, &joint.command_v[range.clone()], period_s);
         }
         if instant == Instant::Middle {
-            motion.start_s += 0.5 * trace.period_s;
+            motion.start_s += 0.5 * period_s;
         }
         motion
     }
@@ -131,10 +133,13 @@ fn unbroken(time_s: &[f64], period_s: f64) -> Vec<std::ops::Range<usize>> {
     ranges
 }
 
-/// Whether samples lie on an even clock to a thousandth of a period.
+/// Part of a period by which samples may miss an even clock and still count as even.
+const EVEN: f64 = 0.02;
+
+/// Whether samples lie on an even clock.
 fn is_even(time_s: &[f64], period_s: f64) -> bool {
     let deviation = |(k, t): (usize, &f64)| (t - time_s[0] - k as f64 * period_s).abs();
-    time_s.iter().enumerate().map(deviation).fold(0.0, f64::max) < 1e-3 * period_s
+    time_s.iter().enumerate().map(deviation).fold(0.0, f64::max) < EVEN * period_s
 }
 
 /// A sampled signal at even times, straight lines between the samples.
@@ -144,7 +149,12 @@ fn on_even_clock(time_s: &[f64], signal: &[f64], period_s: f64) -> Vec<f64> {
 
 /// A signal that is held between its samples, at even times.
 fn held_on_even_clock(time_s: &[f64], signal: &[f64], period_s: f64) -> Vec<f64> {
-    interpolated(time_s, signal, period_s, |a, b, fraction| if fraction < 0.999 { a } else { b })
+    interpolated(
+        time_s,
+        signal,
+        period_s,
+        |a, b, fraction| if fraction < 1.0 - EVEN { a } else { b },
+    )
 }
 
 fn interpolated(
@@ -157,7 +167,7 @@ fn interpolated(
         return signal.to_vec();
     }
     let last = time_s.len() - 1;
-    let count = ((time_s[last] - time_s[0]) / period_s).floor() as usize + 1;
+    let count = ((time_s[last] - time_s[0]) / period_s + EVEN).floor() as usize + 1;
     let mut k = 0;
     let at = |index: usize| {
         let t = time_s[0] + index as f64 * period_s;
@@ -221,6 +231,14 @@ mod tests {
         let motion =
             Motion::stretches(&swinging((0..3000).map(jitter).collect()), 20.0, Instant::Middle);
         assert!(acceleration_error(&motion.unwrap()[0]) < 0.01 * 39.5);
+    }
+
+    #[test]
+    fn a_period_that_rounding_changed_is_even() {
+        let rounded = f64::from(0.001f32) + 3e-12;
+        let trace = swinging((0..30_000).map(|k| f64::from(k) * rounded).collect());
+        let motion = Motion::stretches(&trace, 50.0, Instant::Middle).unwrap().remove(0);
+        assert_eq!(motion.command_v[0], trace.time_s);
     }
 
     #[test]

@@ -6,10 +6,14 @@
 //! (Gauss-Newton), the state z driven by the measured velocity.
 
 use model::base::COUNT;
-use model::{BaseParameters, Friction};
+use model::{BaseParameters, Friction, Geometry, Posture};
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
+use super::base_parameters::friction::{
+    ALPHA2, FRICTION_COUNT, FRICTION_NAMES, FrictionKnowledge, from_array, magnitude, sensitivity,
+    to_array,
+};
 use super::base_parameters::rows::{RowSettings, Rows};
 use super::base_parameters::solve::Stack;
 use super::base_parameters::{
@@ -17,36 +21,10 @@ use super::base_parameters::{
 };
 use super::campaign::{Known, Trace};
 use super::estimate::{Estimate, StepError};
+use super::motion::Motion;
 use crate::estimation::LinearProblem;
 use crate::estimation::autocorrelation::meat;
 use crate::signal::derivative;
-
-/// Parameters of a joint's friction.
-pub const FRICTION_COUNT: usize = 6;
-
-/// Their names, in the order of Tables 2 and 3.
-pub const FRICTION_NAMES: [&str; FRICTION_COUNT] = [
-    "alpha0_V",
-    "alpha1_V",
-    "stribeck_velocity_rad_per_s",
-    "alpha2_V_s_per_rad",
-    "sigma0_V_per_rad",
-    "sigma1_V_s_per_rad",
-];
-
-/// Places of alpha_1 and alpha_2 among them, which may be zero.
-const ALPHA1: usize = 1;
-const ALPHA2: usize = 3;
-
-/// What earlier steps know of a joint's friction.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FrictionKnowledge {
-    /// The values.
-    pub value: Friction<f64>,
-    /// Their standard errors, entry by entry: zero holds the value as it is, infinity
-    /// leaves it to this step alone.
-    pub standard_error: Friction<f64>,
-}
 
 /// How the refinement works.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,8 +78,11 @@ pub struct Refined {
     pub converged: bool,
 }
 
-/// Nuisance parameters of timing: the command's and the friction's lag of each joint.
-const TIMING_COUNT: usize = 6;
+/// Nuisance parameters of timing: the command's lag of each joint, the friction's, and
+/// that of the velocities which drive Coriolis and centrifugal torques.
+const TIMING_COUNT: usize = 7;
+/// Place of the last one.
+const CORIOLIS_LAG: usize = 6;
 
 /// Refines friction and base parameters on logs in which all joints move.
 ///
@@ -116,22 +97,75 @@ pub fn refine(
     let start = friction.map(|joint| joint.value);
     let stretches = all_rows(traces, known, &start, &settings.rows)?;
     let layout = Layout::of(friction);
-    let mut current = start;
-    let mut weight: Option<Vec<f64>> = None;
-    let mut steps = 0;
-    loop {
-        steps += 1;
-        let stack = linearised(&stretches, &layout, &current);
-        let solution =
-            Solution::of(&stack, &layout, friction, &current, settings, weight.take(), &stretches)
-                .ok_or_else(undetermined)?;
-        let (next, largest) = layout.moved(&current, &solution);
-        let converged = largest < 0.02;
-        current = next;
+    let timing_s = settings.timing_doubt_periods * stretches[0].motion.period_s;
+    let mut point = Point { friction: start, rigid: None };
+    let mut weight = None;
+    for steps in 1.. {
+        let stack = linearised(&stretches, &layout, &point);
+        let prior = prior_rows(&layout, friction, &point.friction, timing_s);
+        let solution = Solution::of(&stack, &prior, settings.block_s, weight.take())
+            .ok_or_else(undetermined)?;
+        let (next, largest) = layout.moved(&point.friction, &solution);
+        let converged = largest < SMALL_STEP;
         if converged || steps >= settings.most_steps {
-            return Ok(refined(&stretches, &stack, &layout, current, &solution, steps, converged));
+            return Ok(refined(&stretches, &stack, &layout, next, &solution, steps, converged));
         }
-        weight = Some(solution.weight);
+        let rigid = RigidBody::of(known, &solution);
+        point = Point { friction: next, rigid };
+        // Weights that keep changing with the residuals would keep the search from resting.
+        weight = (steps >= SETTLED_STEPS).then_some(solution.weight);
+    }
+    Err(undetermined())
+}
+
+/// Places of alpha_1 and the Stribeck velocity: a motion that reverses at rad/s^2 crosses
+/// 0.003 rad/s within a millisecond and tells nothing of them. They stay as the earlier
+/// steps found them, and their doubt is carried along.
+const UNSEEN: [usize; 2] = [1, 2];
+
+/// Steps below this, in standard errors, end the search.
+const SMALL_STEP: f64 = 0.05;
+/// Steps after which weights stay as they are.
+const SETTLED_STEPS: usize = 3;
+
+/// Where the equations are linearised.
+struct Point {
+    friction: [Friction<f64>; 3],
+    /// Known from the first step on.
+    rigid: Option<RigidBody>,
+}
+
+/// The rigid body that Coriolis torques are computed with.
+struct RigidBody {
+    base: BaseParameters<f64>,
+    geometry: Geometry<f64>,
+    torque_constant_nm_per_v: [f64; 3],
+}
+
+impl RigidBody {
+    fn of(known: &Known, solution: &Solution) -> Option<Self> {
+        Some(Self {
+            base: BaseParameters::from_array(std::array::from_fn(|k| solution.parameters[k])),
+            geometry: known.geometry?,
+            torque_constant_nm_per_v: [1, 2, 3].map(|joint| known.torque_constant(joint)),
+        })
+    }
+
+    /// Change of a joint's voltage per second that velocities come early [V/s].
+    fn coriolis_slope(&self, motion: &Motion, joint: usize) -> Vec<f64> {
+        const STEP_S: f64 = 1e-4;
+        let at = |k: usize| {
+            let (q, qd, qdd) = motion.state(k);
+            let posture = Posture::new(q[1], q[2]);
+            let torque = |step_s: f64| {
+                let velocity = [0, 1, 2].map(|i| qd[i] + step_s * qdd[i]);
+                posture.coriolis(&self.base, &self.geometry, &velocity)[joint]
+            };
+            (torque(STEP_S) - torque(-STEP_S))
+                / (2.0 * STEP_S)
+                / self.torque_constant_nm_per_v[joint]
+        };
+        (0..motion.len()).map(at).collect()
     }
 }
 
@@ -166,14 +200,12 @@ impl Layout {
     fn moved(&self, from: &[Friction<f64>; 3], solution: &Solution) -> ([Friction<f64>; 3], f64) {
         let mut values = from.each_ref().map(to_array);
         let mut largest = 0.0f64;
-        for (index, &(joint, parameter)) in self.free.iter().enumerate() {
+        let moving = self.free.iter().enumerate().filter(|(_, free)| !UNSEEN.contains(&free.1));
+        for (index, &(joint, parameter)) in moving {
             let column = self.column(index);
             let wanted = solution.parameters[column];
             let error = solution.covariance[(column, column)].sqrt();
-            let scale = match parameter {
-                ALPHA1 => values[joint][0] + values[joint][ALPHA1],
-                _ => values[joint][parameter],
-            };
+            let scale = magnitude(&values[joint], parameter);
             let allowed = if parameter == ALPHA2 { f64::INFINITY } else { scale.abs() / 3.0 };
             values[joint][parameter] += wanted.clamp(-allowed, allowed);
             largest = largest.max(wanted.abs() / error);
@@ -187,10 +219,10 @@ impl Layout {
 
 /// The equations linearised about a friction: right-hand sides and the columns of timing
 /// and friction.
-fn linearised(stretches: &[Rows], layout: &Layout, friction: &[Friction<f64>; 3]) -> Stack {
+fn linearised(stretches: &[Rows], layout: &Layout, point: &Point) -> Stack {
     let pieces: Vec<[JointPiece; 3]> = stretches
         .par_iter()
-        .map(|rows| [0, 1, 2].map(|joint| JointPiece::of(rows, joint, layout, &friction[joint])))
+        .map(|rows| [0, 1, 2].map(|joint| JointPiece::of(rows, joint, layout, point)))
         .collect();
     let (right, more): (Vec<_>, Vec<_>) = pieces
         .into_iter()
@@ -206,7 +238,8 @@ struct JointPiece {
 }
 
 impl JointPiece {
-    fn of(rows: &Rows, joint: usize, layout: &Layout, friction: &Friction<f64>) -> Self {
+    fn of(rows: &Rows, joint: usize, layout: &Layout, point: &Point) -> Self {
+        let friction = &point.friction[joint];
         let period_s = rows.motion.period_s;
         let friction_v = rows.friction_raw_v(joint, friction);
         let net_v: Vec<f64> =
@@ -214,6 +247,10 @@ impl JointPiece {
         let slope = |signal: &[f64]| rows.sampler.take(&derivative::first(signal, period_s));
         let mut columns =
             vec![(joint, slope(&rows.motion.command_v[joint])), (3 + joint, slope(&friction_v))];
+        if let Some(rigid) = &point.rigid {
+            let slope = rigid.coriolis_slope(&rows.motion, joint);
+            columns.push((CORIOLIS_LAG, rows.sampler.take(&slope)));
+        }
         let mine: Vec<(usize, usize)> = layout
             .free
             .iter()
@@ -222,30 +259,10 @@ impl JointPiece {
             .map(|(index, free)| (TIMING_COUNT + index, free.1))
             .collect();
         columns.par_extend(mine.into_par_iter().map(|(place, parameter)| {
-            let slope = sensitivity(rows, joint, friction, parameter, &friction_v);
-            (place, rows.sampler.take(&slope))
+            (place, sensitivity(rows, joint, friction, parameter, &friction_v))
         }));
         Self { right: rows.sampler.take(&net_v), columns }
     }
-}
-
-/// Derivative of a joint's friction voltage by one of its parameters.
-fn sensitivity(
-    rows: &Rows,
-    joint: usize,
-    friction: &Friction<f64>,
-    parameter: usize,
-    friction_v: &[f64],
-) -> Vec<f64> {
-    if parameter == ALPHA2 {
-        return rows.motion.qd_rad_per_s[joint].clone();
-    }
-    let mut values = to_array(friction);
-    let scale = if parameter == ALPHA1 { values[0] + values[ALPHA1] } else { values[parameter] };
-    let step = 1e-4 * scale;
-    values[parameter] += step;
-    let moved_v = rows.friction_raw_v(joint, &from_array(values));
-    moved_v.iter().zip(friction_v).map(|(a, b)| (a - b) / step).collect()
 }
 
 /// A Gauss-Newton step with its covariance.
@@ -258,45 +275,41 @@ struct Solution {
 }
 
 impl Solution {
+    /// Solves with the given weights, or with those that follow from the residuals.
     fn of(
         stack: &Stack,
-        layout: &Layout,
-        friction: &[FrictionKnowledge; 3],
-        current: &[Friction<f64>; 3],
-        settings: &Settings,
+        prior: &LinearProblem,
+        block_s: f64,
         weight: Option<Vec<f64>>,
-        stretches: &[Rows],
     ) -> Option<Self> {
-        let period_s = stretches.first()?.motion.period_s;
-        let prior = prior_rows(layout, friction, current, settings.timing_doubt_periods * period_s);
-        let mut weight = match weight {
-            Some(weight) => weight,
-            None => first_weights(stack, &prior)?,
+        let solve = |weight: &[f64]| {
+            let (parameters, unit) = with_prior(&stack.problem, weight, prior).solve_fast()?;
+            let residuals = &stack.problem.right - &stack.problem.rows * &parameters;
+            Some((parameters, unit, residuals))
         };
-        let mut parameters = DVector::zeros(0);
-        let mut residuals = DVector::zeros(0);
-        for _ in 0..2 {
-            let fit = with_prior(&stack.problem, &weight, &prior).solve()?;
-            residuals = &stack.problem.right - &stack.problem.rows * &fit.parameters;
-            parameters = fit.parameters;
-            weight = stack.weights(&residuals, true);
-        }
-        let whole = with_prior(&stack.problem, &weight, &prior);
-        let unit = whole.solve()?.unit_covariance;
+        let weight = match weight {
+            Some(weight) => weight,
+            None => {
+                // A hundredth of a volt is about what unrefined friction leaves.
+                let (_, _, first) = solve(&vec![1e4; stack.origin.len()])?;
+                let (_, _, second) = solve(&stack.weights(&first, true))?;
+                stack.weights(&second, true)
+            }
+        };
+        let (parameters, unit, residuals) = solve(&weight)?;
         let weighted = stack.problem.clone().weighted(&weight);
         let left = &weighted.right - &weighted.rows * &parameters;
-        let scores = meat(&weighted.rows, &left, &stack.blocks(settings.block_s));
-        let covariance = &unit * (scores + prior.rows.tr_mul(&prior.rows)) * &unit;
+        let blocks = stack.blocks(block_s);
+        let scores = meat(&weighted.rows, &left, &blocks);
+        let known = prior.rows.tr_mul(&prior.rows);
+        // Residuals of a fit are smaller than the errors: one block is spent per parameter
+        // that the data, not the prior, determine.
+        let determined = unit.ncols() as f64 - (&unit * &known).trace();
+        let blocks = blocks.len() as f64;
+        let spent = blocks / (blocks - determined).max(1.0);
+        let covariance = &unit * (scores * spent + known) * &unit;
         Some(Self { parameters, covariance, residuals, weight })
     }
-}
-
-/// Weights before any residual is known: those of a fit without regard to weights.
-fn first_weights(stack: &Stack, prior: &LinearProblem) -> Option<Vec<f64>> {
-    // A hundredth of a volt is about what unrefined friction leaves.
-    let equal = vec![1e4; stack.origin.len()];
-    let fit = with_prior(&stack.problem, &equal, prior).solve()?;
-    Some(stack.weights(&(&stack.problem.right - &stack.problem.rows * &fit.parameters), true))
 }
 
 /// What earlier steps know, as equations of variance one.
@@ -355,7 +368,7 @@ fn refined(
         base_covariance,
         friction,
         friction_estimates: friction_estimates(layout, &friction, &solution.covariance),
-        command_lag_s: std::array::from_fn(|joint| -solution.parameters[COUNT + joint]),
+        command_lag_s: std::array::from_fn(|joint| solution.parameters[COUNT + joint]),
         residuals: joint_residuals(stack, stretches, &solution.residuals),
         steps,
         converged,
@@ -379,29 +392,4 @@ fn friction_estimates(
         };
         FRICTION_NAMES.into_iter().enumerate().map(|(k, name)| (name, estimate(k))).collect()
     })
-}
-
-/// A friction's values in the order of [`FRICTION_NAMES`].
-pub fn to_array(friction: &Friction<f64>) -> [f64; FRICTION_COUNT] {
-    [
-        friction.alpha0_v,
-        friction.alpha1_v,
-        friction.stribeck_velocity_rad_per_s,
-        friction.alpha2_v_s_per_rad,
-        friction.sigma0_v_per_rad,
-        friction.sigma1_v_s_per_rad,
-    ]
-}
-
-/// A friction of values in the order of [`FRICTION_NAMES`].
-pub fn from_array(values: [f64; FRICTION_COUNT]) -> Friction<f64> {
-    let [alpha0_v, alpha1_v, v_s, alpha2, sigma0, sigma1] = values;
-    Friction {
-        alpha0_v,
-        alpha1_v,
-        stribeck_velocity_rad_per_s: v_s,
-        alpha2_v_s_per_rad: alpha2,
-        sigma0_v_per_rad: sigma0,
-        sigma1_v_s_per_rad: sigma1,
-    }
 }

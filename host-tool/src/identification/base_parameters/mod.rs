@@ -2,17 +2,20 @@
 
 use model::base::{COUNT, NAMES};
 use model::{BaseParameters, Friction};
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
 use super::campaign::{Known, Trace};
 use super::estimate::{Estimate, StepError};
+use crate::estimation::LinearFit;
 
 pub mod convergence;
+pub mod friction;
 pub mod rows;
 pub mod solve;
 
 pub use convergence::ConvergencePoint;
+pub use friction::FrictionKnowledge;
 pub use rows::{RowSettings, Rows};
 pub use solve::Stack;
 
@@ -85,17 +88,21 @@ pub struct BaseResult {
 
 /// Identifies the base parameters from logs in which all joints move, their friction known.
 ///
+/// The standard errors hold for residuals that correlate within `settings.block_s`, and
+/// carry those of the friction.
+///
 /// # Errors
 /// No log, a log that cannot be used, or motion that does not determine all parameters.
 pub fn identify(
     traces: &[&Trace],
     known: &Known,
-    friction: &[Friction<f64>; 3],
+    friction: &[FrictionKnowledge; 3],
     settings: &Settings,
 ) -> Result<BaseResult, StepError> {
-    let stretches = all_rows(traces, known, friction, &settings.rows)?;
+    let values = friction.map(|joint| joint.value);
+    let stretches = all_rows(traces, known, &values, &settings.rows)?;
     let right: Vec<[Vec<f64>; 3]> =
-        stretches.iter().map(|rows| without_friction(rows, friction)).collect();
+        stretches.iter().map(|rows| without_friction(rows, &values)).collect();
     let stack = Stack::new(&stretches, &right, &[], 0);
     let solved = if settings.weighted {
         stack.solve_weighted(true)
@@ -103,7 +110,8 @@ pub fn identify(
         stack.problem.solve().map(|fit| (fit, vec![1.0; stack.origin.len()]))
     };
     let (fit, weight) = solved.ok_or_else(undetermined)?;
-    let covariance = stack.covariance(&fit, &weight, settings.block_s);
+    let covariance = stack.covariance(&fit, &weight, settings.block_s)
+        + covariance_of_friction(&stretches, &stack, &fit, &weight, friction);
     let parameters: [f64; COUNT] = std::array::from_fn(|k| fit.parameters[k]);
     Ok(BaseResult {
         base: BaseParameters::from_array(parameters),
@@ -176,6 +184,53 @@ fn without_friction(rows: &Rows, friction: &[Friction<f64>; 3]) -> [Vec<f64>; 3]
     })
 }
 
+/// What the friction's standard errors, taken as independent, do to the base parameters.
+fn covariance_of_friction(
+    stretches: &[Rows],
+    stack: &Stack,
+    fit: &LinearFit,
+    weight: &[f64],
+    friction: &[FrictionKnowledge; 3],
+) -> DMatrix<f64> {
+    let mut covariance = DMatrix::zeros(COUNT, COUNT);
+    for (joint, knowledge) in friction.iter().enumerate() {
+        let errors = friction::to_array(&knowledge.standard_error);
+        for (parameter, error) in errors.into_iter().enumerate() {
+            if error > 0.0 && error.is_finite() {
+                let shift =
+                    shift_by_friction(stretches, stack, fit, weight, knowledge, joint, parameter);
+                covariance.ger(error * error, &shift, &shift, 1.0);
+            }
+        }
+    }
+    covariance
+}
+
+/// Change of the base parameters per unit of a friction parameter.
+fn shift_by_friction(
+    stretches: &[Rows],
+    stack: &Stack,
+    fit: &LinearFit,
+    weight: &[f64],
+    knowledge: &FrictionKnowledge,
+    joint: usize,
+    parameter: usize,
+) -> DVector<f64> {
+    let slopes: Vec<Vec<f64>> = stretches
+        .iter()
+        .map(|rows| {
+            let friction_v = rows.friction_raw_v(joint, &knowledge.value);
+            friction::sensitivity(rows, joint, &knowledge.value, parameter, &friction_v)
+        })
+        .collect();
+    let mut moment = DVector::zeros(COUNT);
+    for (index, at) in stack.origin.iter().enumerate().filter(|(_, at)| at.joint == joint) {
+        let change = weight[index] * slopes[at.stretch][at.instant];
+        moment.axpy(-change, &stack.problem.rows.row(index).transpose(), 1.0);
+    }
+    &fit.unit_covariance * moment
+}
+
 pub(super) fn named_estimates(
     parameters: &[f64; COUNT],
     covariance: &DMatrix<f64>,
@@ -187,11 +242,11 @@ pub(super) fn named_estimates(
 pub(super) fn joint_residuals(
     stack: &Stack,
     stretches: &[Rows],
-    residuals: &nalgebra::DVector<f64>,
+    residuals: &DVector<f64>,
 ) -> Vec<JointResidual> {
     let commands =
         stack.origin.iter().map(|at| stretches[at.stretch].joints[at.joint].command_v[at.instant]);
-    let commands = nalgebra::DVector::from_iterator(stack.origin.len(), commands);
+    let commands = DVector::from_iterator(stack.origin.len(), commands);
     let by_joint = stack.by_joint(residuals);
     (1..)
         .zip(by_joint.iter().zip(&stack.by_joint(&commands)))
