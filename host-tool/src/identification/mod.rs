@@ -3,11 +3,13 @@
 //! | module | step |
 //! | --- | --- |
 //! | [`campaign`] | the recorded experiments, ready for use |
+//! | [`ekf`] | friction, inertia and gravity of a joint by the augmented Kalman filter, eq. (11) |
 //! | [`estimate`] | a value with its uncertainty |
 //! | [`motion`] | motion and command of all joints at the same instants |
 //! | [`one_joint`] | what the steps on one joint share, and rigs that have but one |
 //! | [`static_friction`] | static friction from constant-velocity runs, eq. (10) |
 //! | [`base_parameters`] | base parameters by least squares, eq. (13)-(16) |
+//! | [`prediction`] | the motion that a model predicts from the commands, Fig. 5 |
 //! | [`presliding`] | pre-sliding friction from the FRF, eq. (12) |
 //! | [`procedure`] | **all steps together** |
 //! | [`physical`] | rigid links that have the base parameters |
@@ -16,10 +18,12 @@
 
 pub mod base_parameters;
 pub mod campaign;
+pub mod ekf;
 pub mod estimate;
 pub mod motion;
 pub mod one_joint;
 pub mod physical;
+pub mod prediction;
 pub mod presliding;
 pub mod procedure;
 pub mod reconstruction;

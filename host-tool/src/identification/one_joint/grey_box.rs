@@ -8,6 +8,14 @@ use super::sandwich;
 
 /// How many parameters of the fit are those of friction.
 pub const FRICTION: usize = 6;
+/// Parameter index of the logarithm of the viscous coefficient.
+const ALPHA2: usize = 3;
+/// Below this a jitter does nothing [rad/s].
+const LEAST_JITTER: f64 = 1e-6;
+/// Parameter index of the logarithm of the unseen velocity jitter [rad/s].
+pub const JITTER: usize = FRICTION;
+/// Parameter index of the first linear factor.
+pub const LINEAR: usize = FRICTION + 1;
 
 /// The friction's parameters as the fit sees them: their logarithms, so that none
 /// leaves its valid range. In the place of alpha_1, which may be negative, stands the
@@ -43,13 +51,15 @@ pub struct Data {
     pub step_s: f64,
     /// Velocities at all points [rad/s].
     pub qd_rad_per_s: Vec<f64>,
+    /// Mean velocities of the rows [rad/s].
+    pub row_velocity_rad_per_s: Vec<f64>,
     /// How many points make a row.
     pub points_per_row: usize,
     /// Mean command of the rows [V].
     pub command_v: DVector<f64>,
     /// Means of the linear terms' regressors, a row each.
     pub columns: DMatrix<f64>,
-    /// 1 for rows that count, 0 for those that do not.
+    /// How much a row counts; 0 where it does not.
     pub weight: Vec<f64>,
     /// Rows of a block for the standard errors.
     pub rows_per_block: usize,
@@ -58,23 +68,21 @@ pub struct Data {
 impl Data {
     /// The friction's mean over every row [V].
     ///
-    /// Far from standstill z reaches its steady value within a point; there (10) does.
-    pub fn friction_v(&self, friction: &Friction<f64>) -> Vec<f64> {
-        const SETTLED: f64 = 40.0;
-        let mut state = FrictionState::default();
-        let settled_rad = SETTLED * friction.alpha0_v.max(friction.alpha0_v + friction.alpha1_v)
-            / friction.sigma0_v_per_rad;
-        let mut at = |velocity: f64| {
-            if velocity.abs() * self.step_s < settled_rad {
-                return state.step(friction, velocity, self.step_s);
-            }
-            let level = friction.stribeck_level(velocity);
-            state.deflection_rad = level / friction.sigma0_v_per_rad * velocity.signum();
-            friction.sliding(velocity)
-        };
-        let rows = self.qd_rad_per_s.chunks_exact(self.points_per_row);
+    /// Noise shakes the joint by less than the encoder sees, and yet |v| in eq. (9)
+    /// counts it: friction relaxes under a joint that seems to stand still. The velocity
+    /// is therefore taken as two equally likely ones, `jitter` above and below.
+    pub fn friction_v(&self, friction: &Friction<f64>, jitter_rad_per_s: f64) -> Vec<f64> {
+        let mut bristles = Bristles::new(friction, jitter_rad_per_s, self.step_s);
         let scale = 1.0 / self.points_per_row as f64;
-        rows.map(|row| scale * row.iter().map(|&v| at(v)).sum::<f64>()).collect()
+        let rows = self.qd_rad_per_s.chunks_exact(self.points_per_row);
+        rows.map(|row| scale * row.iter().map(|&v| bristles.step(v)).sum::<f64>()).collect()
+    }
+
+    fn friction_at(&self, parameters: &DVector<f64>) -> Vec<f64> {
+        self.friction_v(
+            &from_logarithms(parameters.as_slice()),
+            parameters[JITTER].exp().max(LEAST_JITTER),
+        )
     }
 
     fn rows(&self) -> usize {
@@ -82,7 +90,43 @@ impl Data {
     }
 }
 
-/// A fit in progress: parameters are friction's logarithms, then the linear factors.
+/// The bristles of a joint whose velocity is known but for a jitter.
+struct Bristles<'a> {
+    friction: &'a Friction<f64>,
+    jitter_rad_per_s: f64,
+    step_s: f64,
+    /// Above this velocity z has its steady value within a step.
+    settled_rad_per_s: f64,
+    state: FrictionState<f64>,
+}
+
+impl<'a> Bristles<'a> {
+    fn new(friction: &'a Friction<f64>, jitter_rad_per_s: f64, step_s: f64) -> Self {
+        const SETTLED: f64 = 40.0;
+        let level = friction.alpha0_v.max(friction.alpha0_v + friction.alpha1_v);
+        let settled_rad_per_s = SETTLED * level / friction.sigma0_v_per_rad / step_s;
+        let state = FrictionState::default();
+        Self { friction, jitter_rad_per_s, step_s, settled_rad_per_s, state }
+    }
+
+    /// Mean friction over a step [V].
+    fn step(&mut self, velocity: f64) -> f64 {
+        if velocity.abs() > self.settled_rad_per_s {
+            let level = self.friction.stribeck_level(velocity);
+            let steady = level / self.friction.sigma0_v_per_rad * velocity.signum();
+            self.state.deflection_rad = steady;
+            return self.friction.sliding(velocity);
+        }
+        let (mut above, mut below) = (self.state, self.state);
+        let jitter = self.jitter_rad_per_s;
+        let sum = above.step(self.friction, velocity + jitter, self.step_s)
+            + below.step(self.friction, velocity - jitter, self.step_s);
+        self.state.deflection_rad = 0.5 * (above.deflection_rad + below.deflection_rad);
+        0.5 * sum
+    }
+}
+
+/// A fit in progress: parameters are friction's logarithms, the jitter's, then the linear factors.
 struct Problem<'a> {
     data: &'a Data,
     /// Which parameters may move.
@@ -93,12 +137,12 @@ struct Problem<'a> {
 
 impl<'a> Problem<'a> {
     fn new(data: &'a Data, free: &'a [usize], parameters: DVector<f64>) -> Self {
-        let friction_v = data.friction_v(&from_logarithms(parameters.as_slice()));
+        let friction_v = data.friction_at(&parameters);
         Self { data, free, parameters, friction_v }
     }
 
     fn residual(&self) -> DVector<f64> {
-        let linear = &self.data.columns * self.parameters.rows_range(FRICTION..);
+        let linear = &self.data.columns * self.parameters.rows_range(LINEAR..);
         DVector::from_fn(self.data.rows(), |row, _| {
             let error = self.data.command_v[row] - self.friction_v[row] - linear[row];
             self.data.weight[row] * error
@@ -108,13 +152,20 @@ impl<'a> Problem<'a> {
     fn slope(&self, parameter: usize) -> DVector<f64> {
         const NUDGE: f64 = 1e-5;
         let weight = &self.data.weight;
-        if parameter >= FRICTION {
-            let column = self.data.columns.column(parameter - FRICTION);
+        if parameter >= LINEAR {
+            let column = self.data.columns.column(parameter - LINEAR);
             return DVector::from_fn(column.len(), |row, _| -weight[row] * column[row]);
+        }
+        if parameter == ALPHA2 {
+            let alpha2 = self.parameters[ALPHA2].exp();
+            let velocity = &self.data.row_velocity_rad_per_s;
+            return DVector::from_fn(velocity.len(), |row, _| {
+                -weight[row] * alpha2 * velocity[row]
+            });
         }
         let mut nudged = self.parameters.clone();
         nudged[parameter] += NUDGE;
-        let friction_v = self.data.friction_v(&from_logarithms(nudged.as_slice()));
+        let friction_v = self.data.friction_at(&nudged);
         DVector::from_fn(friction_v.len(), |row, _| {
             weight[row] * (self.friction_v[row] - friction_v[row]) / NUDGE
         })
@@ -130,7 +181,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
         for (&parameter, &value) in self.free.iter().zip(x.iter()) {
             self.parameters[parameter] = value;
         }
-        self.friction_v = self.data.friction_v(&from_logarithms(self.parameters.as_slice()));
+        self.friction_v = self.data.friction_at(&self.parameters);
     }
 
     fn params(&self) -> DVector<f64> {
@@ -150,14 +201,16 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
 /// What a fit found.
 #[derive(Clone, Debug)]
 pub struct Fit {
-    /// Friction's logarithms, then the linear factors.
+    /// Friction's logarithms, the jitter's, then the linear factors.
     pub parameters: DVector<f64>,
     /// Covariance of the parameters that were free; zero for the others.
     pub covariance: DMatrix<f64>,
-    /// Residual of every row [V], zero where it does not count.
+    /// Residual of every row, not weighted, zero where it does not count [V].
     pub residual_v: DVector<f64>,
-    /// RMS residual of the rows that count [V].
+    /// RMS residual of the rows that count, all counted alike [V].
     pub rms_v: f64,
+    /// RMS residual as weighted [V].
+    pub weighted_rms_v: f64,
     /// Whether the search ended at a minimum.
     pub converged: bool,
 }
@@ -174,17 +227,20 @@ impl Fit {
     }
 }
 
-/// Fits from a start, moving only the parameters that are `free`.
+/// Fits from a start, moving only the parameters that are `free`, until a step lowers
+/// the sum of squares by less than the share `tolerance`.
 ///
 /// Covariances come from leaving out blocks of rows in turn, so that slowly changing
 /// residuals count as few, not as many.
-pub fn fit(data: &Data, start: DVector<f64>, free: &[usize], patience: usize) -> Fit {
+pub fn fit(data: &Data, start: DVector<f64>, free: &[usize], tolerance: f64) -> Fit {
+    const PATIENCE: usize = 20;
     let problem = Problem::new(data, free, start);
     let search =
-        LevenbergMarquardt::new().with_ftol(1e-9).with_xtol(1e-7).with_patience(patience.max(1));
+        LevenbergMarquardt::new().with_ftol(tolerance).with_xtol(1e-6).with_patience(PATIENCE);
     let (problem, report) = search.minimize(problem);
     let residual_v = problem.residual();
-    let counting = data.weight.iter().sum::<f64>().max(1.0);
+    let counting = data.weight.iter().filter(|&&w| w > 0.0).count().max(1) as f64;
+    let alike = unweighted(&residual_v, &data.weight);
     let jacobian = problem.jacobian().unwrap_or_else(|| DMatrix::zeros(data.rows(), free.len()));
     let small = sandwich::covariance(&jacobian, &residual_v, data.rows_per_block);
     let size = problem.parameters.len();
@@ -196,11 +252,37 @@ pub fn fit(data: &Data, start: DVector<f64>, free: &[usize], patience: usize) ->
     }
     Fit {
         covariance,
-        rms_v: (residual_v.norm_squared() / counting).sqrt(),
-        residual_v,
+        rms_v: (alike.iter().map(|r| r * r).sum::<f64>() / counting).sqrt(),
+        weighted_rms_v: (residual_v.norm_squared() / counting).sqrt(),
+        residual_v: DVector::from_vec(alike),
         converged: report.termination.was_successful(),
         parameters: problem.parameters,
     }
+}
+
+fn unweighted(residual: &DVector<f64>, weight: &[f64]) -> Vec<f64> {
+    let pairs = residual.iter().zip(weight);
+    pairs.map(|(r, &w)| if w > 0.0 { r / w } else { 0.0 }).collect()
+}
+
+/// Weights for another fit: rows count less where residuals nearby are large.
+///
+/// Reversals at speed leave ten times what slow sliding does; as equals they would
+/// drown it, and breakaway and v_s with it.
+pub fn weights_from(fit: &Fit, weight: &[f64]) -> Vec<f64> {
+    const REACH: usize = 12;
+    const QUIET_SHARE: f64 = 0.3;
+    let squares: Vec<f64> = fit.residual_v.iter().map(|r| r * r).collect();
+    let local = |row: usize| {
+        let near = &squares[row.saturating_sub(REACH)..(row + REACH).min(squares.len())];
+        near.iter().sum::<f64>() / near.len() as f64
+    };
+    let variance: Vec<f64> = (0..squares.len()).map(local).collect();
+    let mut sorted = variance.clone();
+    sorted.sort_by(f64::total_cmp);
+    let quiet = sorted[(QUIET_SHARE * sorted.len() as f64) as usize].max(1e-12);
+    let pairs = variance.iter().zip(weight);
+    pairs.map(|(v, &w)| if w > 0.0 { (quiet / (quiet + v)).sqrt() } else { 0.0 }).collect()
 }
 
 /// RMS residual at given parameters [V].

@@ -53,6 +53,26 @@ impl Motion {
     pub fn is_empty(&self) -> bool {
         self.time_s.is_empty()
     }
+
+    /// The nearest points to another motion's times.
+    pub fn at_times_of(&self, other: &Self) -> Self {
+        let first_s = self.time_s.first().copied().unwrap_or(0.0);
+        let nearest = |time_s: &f64| {
+            let point = ((time_s - first_s) / self.step_s).round().max(0.0) as usize;
+            point.min(self.len().saturating_sub(1))
+        };
+        let points: Vec<usize> = other.time_s.iter().map(nearest).collect();
+        let chosen = |values: &[f64]| points.iter().map(|&point| values[point]).collect();
+        Self {
+            step_s: other.step_s,
+            time_s: other.time_s.clone(),
+            q_rad: chosen(&self.q_rad),
+            qd_rad_per_s: chosen(&self.qd_rad_per_s),
+            qdd_rad_per_s2: chosen(&self.qdd_rad_per_s2),
+            command_v: chosen(&self.command_v),
+            measured: points.iter().map(|&point| self.measured[point]).collect(),
+        }
+    }
 }
 
 /// Smooths a joint's columns.

@@ -4,36 +4,48 @@ use nalgebra::{DMatrix, DVector};
 
 /// Covariance of a least-squares estimate by the jackknife over blocks of rows.
 ///
-/// Each block is left out in turn and the estimate moves, to first order, by
-/// (H - H_b)^-1 g_b, where H = J'J and g_b = J_b' r_b. Residuals may be correlated
-/// within a block and differ in size from block to block; a parameter that one block
-/// alone determines gets the large error it deserves. (Cameron and Miller, 2015, call
-/// this CR3.) Infinite where the blocks cannot determine the estimate.
+/// See [`jackknife`]; H = J'J and g_b = J_b' r_b.
 pub fn covariance(
     jacobian: &DMatrix<f64>,
     residual: &DVector<f64>,
     rows_per_block: usize,
 ) -> DMatrix<f64> {
-    let size = jacobian.ncols();
     let whole = jacobian.tr_mul(jacobian);
-    let mut sum = DMatrix::zeros(size, size);
     let rows_per_block = rows_per_block.max(1);
-    let mut blocks = 0.0;
-    for begin in (0..residual.len()).step_by(rows_per_block) {
+    let blocks = (0..residual.len()).step_by(rows_per_block).map(|begin| {
         let rows = rows_per_block.min(residual.len() - begin);
         let block = jacobian.rows(begin, rows);
-        let score = block.tr_mul(&residual.rows(begin, rows));
+        (block.tr_mul(&block), block.tr_mul(&residual.rows(begin, rows)))
+    });
+    jackknife(&whole, blocks)
+}
+
+/// Covariance of an estimate that solves sum of scores g_b = 0 with slope matrix H.
+///
+/// Each block is left out in turn and the estimate moves, to first order, by
+/// (H - H_b)^-1 g_b. Residuals may be correlated within a block and differ in size from
+/// block to block; a parameter that one block alone determines gets the large error it
+/// deserves. (Cameron and Miller, 2015, call this CR3.) Infinite where the blocks
+/// cannot determine the estimate.
+pub fn jackknife(
+    whole: &DMatrix<f64>,
+    blocks: impl Iterator<Item = (DMatrix<f64>, DVector<f64>)>,
+) -> DMatrix<f64> {
+    let size = whole.nrows();
+    let mut sum = DMatrix::zeros(size, size);
+    let mut count = 0.0;
+    for (hessian, score) in blocks {
         if score.iter().all(|&g| g == 0.0) {
             continue;
         }
-        let Some(inverse) = scaled_inverse(&(&whole - block.tr_mul(&block)), &whole) else {
+        let Some(inverse) = scaled_inverse(&(whole - hessian), whole) else {
             return DMatrix::from_diagonal_element(size, size, f64::INFINITY);
         };
         let change = inverse * score;
         sum += &change * change.transpose();
-        blocks += 1.0;
+        count += 1.0;
     }
-    sum * ((blocks - 1.0) / f64::max(blocks, 1.0))
+    sum * ((count - 1.0) / f64::max(count, 1.0))
 }
 
 /// The inverse of a positive definite matrix, computed with the other's diagonal scaled to one.

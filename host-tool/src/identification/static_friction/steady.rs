@@ -3,8 +3,8 @@
 use model::Friction;
 use serde::Serialize;
 
-use super::rows::Rows;
-use crate::identification::one_joint::grey_box::{FRICTION, Fit};
+use crate::identification::one_joint::grey_box::{Fit, LINEAR};
+use crate::identification::one_joint::rows::Rows;
 
 /// A part of a log at steady velocity.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -81,7 +81,7 @@ fn leg(rows: &Rows, fit: &Fit, begin: usize, end: usize) -> SteadyLeg {
     let count = (end - begin) as f64;
     let linear = |row: usize| -> f64 {
         (0..rows.terms.len())
-            .map(|column| rows.data.columns[(row, column)] * fit.parameters[FRICTION + column])
+            .map(|column| rows.data.columns[(row, column)] * fit.parameters[LINEAR + column])
             .sum()
     };
     let friction: f64 = (begin..end).map(|row| rows.data.command_v[row] - linear(row)).sum();

@@ -2,15 +2,21 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::grey_box::Data;
+use super::motion::{Motion, Smoothing, smoothed};
+use super::reconstruction::{Belief, reconstructed};
+use super::start;
 use crate::identification::campaign::{JointTrace, Known, Trace};
 use crate::identification::estimate::StepError;
-use crate::identification::one_joint::grey_box::Data;
-use crate::identification::one_joint::motion::{Motion, Smoothing, smoothed};
 
 /// Points of the motion that are averaged to a row.
 const POINTS_PER_ROW: usize = 5;
-/// Length of a block for the standard errors [s].
-const BLOCK_S: f64 = 0.5;
+/// Where q2 is presumed where a log of joint 3 does not tell: eq. (11) hangs at q3 = 0.
+pub(crate) const HANGING_RAD: f64 = -std::f64::consts::FRAC_PI_2;
+/// Samples of the log that are averaged to a point.
+const SAMPLES_PER_POINT: usize = 2;
+/// Length of a block for the standard errors: a good part of a leg [s].
+const BLOCK_S: f64 = 1.5;
 /// Velocity noise that smoothing may leave: a twentieth of the usual Stribeck velocity [rad/s].
 const VELOCITY_NOISE_RAD_PER_S: f64 = 1.5e-4;
 
@@ -27,6 +33,8 @@ pub enum Term {
     Neighbour(u8),
     /// The same times the cosine of the third joint's angle, which is in D23.
     NeighbourCosine(u8),
+    /// How the held third joint gives way, times how far that shifts gravity on the second.
+    GiveWay,
 }
 
 /// Mean motion over a row.
@@ -75,6 +83,13 @@ impl Rows {
             .map(|other| (other.number, of(other)))
             .collect();
         let terms = terms(joint, &neighbours, known);
+        let rough = Self::laid_out(&motion, &neighbours, terms.clone(), joint);
+        let Some(sliding) = start::sliding(&rough) else { return Ok(rough) };
+        let belief = belief(sliding.factors[0], known);
+        let (q, u) = (&moving.q_rad, &moving.command_v);
+        let motion = reconstructed(&trace.time_s, q, u, &belief, SAMPLES_PER_POINT);
+        let neighbours: Vec<(u8, Motion)> =
+            neighbours.iter().map(|(n, other)| (*n, other.at_times_of(&motion))).collect();
         Ok(Self::laid_out(&motion, &neighbours, terms, joint))
     }
 
@@ -93,9 +108,13 @@ impl Rows {
             })
             .collect();
         let of = |number: u8| neighbours.iter().find(|(n, _)| *n == number).map(|(_, m)| m);
+        let held_rad = of(3).map_or(0.0, |m| m.q_rad.iter().sum::<f64>() / m.len().max(1) as f64);
         let columns = DMatrix::from_fn(count, terms.len(), |row, column| {
             // Joint 3's gravity turns with joint 2, which gives way a little.
-            let carried = if joint == 3 { of(2).map_or(0.0, |m| mean(&m.q_rad, row)) } else { 0.0 };
+            let carried = match joint {
+                3 => of(2).map_or(HANGING_RAD, |m| mean(&m.q_rad, row)),
+                _ => 0.0,
+            };
             let angle = rows[row].q_rad + carried;
             match terms[column] {
                 Term::Inertia => rows[row].qdd_rad_per_s2,
@@ -104,6 +123,9 @@ impl Rows {
                 Term::Neighbour(n) => of(n).map_or(0.0, |m| mean(&m.qdd_rad_per_s2, row)),
                 Term::NeighbourCosine(n) => {
                     rows[row].q_rad.cos() * of(n).map_or(0.0, |m| mean(&m.qdd_rad_per_s2, row))
+                }
+                Term::GiveWay => {
+                    -angle.sin() * of(3).map_or(0.0, |m| mean(&m.q_rad, row) - held_rad)
                 }
             }
         });
@@ -115,6 +137,7 @@ impl Rows {
         let data = Data {
             step_s: motion.step_s,
             qd_rad_per_s: motion.qd_rad_per_s.clone(),
+            row_velocity_rad_per_s: rows.iter().map(|row| row.qd_rad_per_s).collect(),
             points_per_row: POINTS_PER_ROW,
             command_v: DVector::from_fn(count, |row, _| mean(&motion.command_v, row)),
             columns,
@@ -153,9 +176,24 @@ fn terms(joint: u8, neighbours: &[(u8, Motion)], known: &Known) -> Vec<Term> {
             if joint == 3 && *number == 2 {
                 terms.push(Term::NeighbourCosine(2));
             }
+            if joint == 2 && *number == 3 {
+                terms.push(Term::GiveWay);
+            }
         }
     }
     terms
+}
+
+/// What the reconstruction of the motion is told. The wandering covers what friction
+/// does: bristles of some 200 V/rad at any speed up to their steady value.
+fn belief(inertia: f64, known: &Known) -> Belief {
+    let step_rad = known.encoder_step_rad;
+    Belief {
+        inertia: inertia.max(1e-6),
+        measurement_rad2: step_rad * step_rad / 12.0,
+        stiffness_v_per_rad: 200.0,
+        wander_v: [5e-4, 1e-2],
+    }
 }
 
 fn check(trace: &Trace, joint: u8, motion: &Motion, known: &Known) -> Result<(), StepError> {

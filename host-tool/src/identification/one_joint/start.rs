@@ -3,8 +3,8 @@
 use model::Friction;
 use nalgebra::{DMatrix, DVector};
 
+use super::grey_box::{self, LINEAR, to_logarithms};
 use super::rows::Rows;
-use crate::identification::one_joint::grey_box::{self, FRICTION, to_logarithms};
 
 /// What linear least squares makes of the rows in clear sliding.
 #[derive(Clone, Debug)]
@@ -67,8 +67,9 @@ pub fn clearly_sliding(rows: &Rows) -> Vec<usize> {
     clear
 }
 
-/// The best few starting points of a coarse grid over what sliding does not tell.
-pub fn candidates(rows: &Rows, sliding: &Sliding) -> Vec<DVector<f64>> {
+/// The best point of a coarse grid over what sliding does not tell.
+pub fn best_of_grid(rows: &Rows, sliding: &Sliding) -> Option<DVector<f64>> {
+    const JITTER_RAD_PER_S: f64 = 2e-4;
     let mut tried: Vec<(f64, DVector<f64>)> = Vec::new();
     for breakaway in [0.5, 1.0, 1.3] {
         for sigma0 in [100.0, 250.0, 700.0, 2000.0] {
@@ -80,13 +81,13 @@ pub fn candidates(rows: &Rows, sliding: &Sliding) -> Vec<DVector<f64>> {
                 sigma0_v_per_rad: sigma0,
                 sigma1_v_s_per_rad: 3.0,
             };
+            let logarithms = to_logarithms(&friction).into_iter().chain([JITTER_RAD_PER_S.ln()]);
             let start = DVector::from_iterator(
-                FRICTION + sliding.factors.len(),
-                to_logarithms(&friction).into_iter().chain(sliding.factors.iter().copied()),
+                LINEAR + sliding.factors.len(),
+                logarithms.chain(sliding.factors.iter().copied()),
             );
             tried.push((grey_box::rms(&rows.data, &start), start));
         }
     }
-    tried.sort_by(|a, b| a.0.total_cmp(&b.0));
-    tried.into_iter().map(|(_, start)| start).take(2).collect()
+    tried.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, start)| start)
 }
