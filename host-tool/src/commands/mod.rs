@@ -15,6 +15,7 @@ pub mod design_excitation;
 pub mod identify;
 pub mod inverse_dynamics;
 pub mod simulate;
+pub mod validate;
 
 /// Records, identifies, simulates and diagnoses the RRR robot from its logs.
 #[derive(Debug, Parser)]
@@ -34,6 +35,8 @@ pub enum Command {
     InverseDynamics(inverse_dynamics::Arguments),
     /// Record experiments of the simulated robot.
     Simulate(simulate::Arguments),
+    /// Judge a model on the logs held out: the command and the motion that it reconstructs.
+    Validate(validate::Arguments),
     /// Design the motion that identifies the base parameters best.
     DesignExcitation(design_excitation::Arguments),
     /// Drive the simulated robot with the firmware in QEMU, without and with the model.
@@ -49,6 +52,7 @@ impl Command {
         match self {
             Self::Identify(arguments) => identify::run(&arguments),
             Self::InverseDynamics(arguments) => inverse_dynamics::run(&arguments),
+            Self::Validate(arguments) => validate::run(&arguments),
             Self::Simulate(arguments) => simulate::run(&arguments),
             Self::DesignExcitation(arguments) => design_excitation::run(&arguments),
             Self::Demo(arguments) => demo::run(&arguments),

@@ -182,11 +182,15 @@ impl Dataset {
 }
 
 impl Recording {
+    /// Encoder counts per turn; not a number where the log is in radians and none are given.
+    pub fn counts_per_rev(&self) -> f64 {
+        // Reading made sure of them where they matter.
+        self.encoder_counts_per_rev.unwrap_or(f64::NAN)
+    }
+
     /// The position of a joint, 1 to 3, in radians; `None` where the log lacks the joint.
     pub fn position_rad(&self, joint: u8) -> Option<Vec<f64>> {
-        // Reading made sure of the counts per turn where they matter.
-        let counts_per_rev = self.encoder_counts_per_rev.unwrap_or(f64::NAN);
-        Some(self.log.joint(joint)?.position_rad(counts_per_rev))
+        Some(self.log.joint(joint)?.position_rad(self.counts_per_rev()))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use model::Geometry;
 
-use crate::files::{Dataset, Experiment, FileError, Recording, RobotFile, Role};
+use crate::files::{Dataset, Entry, Experiment, FileError, Log, Recording, RobotFile, Role};
 
 /// A log in radians and volts.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,20 +39,26 @@ pub struct JointTrace {
 impl Trace {
     /// A recording in radians.
     pub fn of(recording: Recording) -> Self {
-        let joints = recording.log.joints.iter().map(|joint| JointTrace {
+        let counts_per_rev = recording.counts_per_rev();
+        Self::of_log(recording.log, recording.entry, counts_per_rev)
+    }
+
+    /// A log in radians; counts per turn are not used where it is in radians already.
+    pub fn of_log(log: Log, entry: Entry, counts_per_rev: f64) -> Self {
+        let joints = log.joints.iter().map(|joint| JointTrace {
             number: joint.joint,
-            q_rad: recording.position_rad(joint.joint).unwrap_or_default(),
+            q_rad: joint.position_rad(counts_per_rev),
             command_v: joint.command_v.clone(),
             reference_rad: joint.reference_rad.clone(),
         });
         Self {
             joints: joints.collect(),
-            file: recording.entry.file.clone(),
-            experiment: recording.entry.experiment,
-            role: recording.entry.role,
-            joint: recording.entry.joint,
-            period_s: recording.log.sample_period_s().unwrap_or(f64::NAN),
-            time_s: recording.log.time_s,
+            file: entry.file,
+            experiment: entry.experiment,
+            role: entry.role,
+            joint: entry.joint,
+            period_s: log.sample_period_s().unwrap_or(f64::NAN),
+            time_s: log.time_s,
         }
     }
 
@@ -119,7 +125,19 @@ impl Campaign {
         let recordings = dataset.recordings()?;
         let traces = recordings.into_iter().map(Trace::of).collect();
         let counts = robot_file.robot.encoder_counts_per_rev.or(dataset.encoder_counts_per_rev);
-        Ok(Self { known: known(&robot_file, counts)?, robot_file, traces })
+        Self::new(robot_file, counts, traces)
+    }
+
+    /// A campaign of logs that are at hand; encoder counts per turn where they are known.
+    ///
+    /// # Errors
+    /// The robot file lacks what the manufacturer must tell.
+    pub fn new(
+        robot_file: RobotFile,
+        encoder_counts_per_rev: Option<f64>,
+        traces: Vec<Trace>,
+    ) -> Result<Self, FileError> {
+        Ok(Self { known: known(&robot_file, encoder_counts_per_rev)?, robot_file, traces })
     }
 
     /// The logs of an experiment, of one role, on a joint where one is named.

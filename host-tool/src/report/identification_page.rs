@@ -2,12 +2,11 @@
 
 use model::base::NAMES;
 
+use super::validation_page::{HEADER, command_charts, lead, rows};
 use super::{Axis, Chart, Page, Series, Stroke};
 use crate::files::{Experiment, Role};
-use crate::identification::base_parameters::JointResidual;
 use crate::identification::presliding::{FrfPoint, Presliding};
-use crate::identification::procedure::{Held, Identified};
-use crate::identification::reconstruction::JointReconstruction;
+use crate::identification::procedure::Identified;
 use crate::identification::static_friction::StaticFriction;
 use crate::identification::{Campaign, Estimate, Trace};
 
@@ -16,11 +15,11 @@ const THIRD: (u32, u32) = (352, 260);
 
 /// The page of a result.
 pub fn identification_page(campaign: &Campaign, identified: &Identified) -> Page {
-    let mut page = Page::new("Identification of an RRR robot", &lead(identified));
+    let mut page = Page::new("Identification of an RRR robot", &lead(&identified.held));
     for remark in &identified.missing {
         page.paragraph(&format!("Note: {remark}"));
     }
-    page.heading("What is left on motion held out").table(&HELD_HEADER, &held_rows(identified));
+    page.heading("What is left on motion held out").table(&HEADER, &rows(&identified.held));
     page.heading("Static friction (Table 2)").table(&FRICTION_HEADER, &friction_rows(identified));
     page.charts(&identified.statics.iter().flatten().map(stribeck_chart).collect::<Vec<_>>());
     page.heading("Pre-sliding friction (Fig. 4)");
@@ -34,39 +33,6 @@ pub fn identification_page(campaign: &Campaign, identified: &Identified) -> Page
     page.heading("Command, recorded and reconstructed (Fig. 8 and 10)");
     page.charts(&identified.held.iter().flat_map(command_charts).collect::<Vec<_>>());
     page
-}
-
-/// The worst share left on any log held out, as a sentence.
-fn lead(identified: &Identified) -> String {
-    let residuals = identified.held.iter().flat_map(Held::residuals);
-    match residuals.max_by(|a, b| a.share.total_cmp(&b.share)) {
-        Some(worst) => format!(
-            "On motion that was not used, the model explains all but {:.2} % of the command of \
-             every joint; the most is left on joint {}, {:.1} mV.",
-            100.0 * worst.share,
-            worst.joint,
-            1e3 * worst.rms_v
-        ),
-        None => "No log was held out, so nothing is said of how good the model is.".into(),
-    }
-}
-
-const HELD_HEADER: [&str; 5] = ["Log", "joint", "left, rms [mV]", "command, rms [V]", "share [%]"];
-
-fn held_rows(identified: &Identified) -> Vec<Vec<String>> {
-    let row = |held: &Held| -> Vec<Vec<String>> {
-        let cells = |r: JointResidual| {
-            vec![
-                held.file.clone(),
-                r.joint.to_string(),
-                format!("{:.1}", 1e3 * r.rms_v),
-                format!("{:.3}", r.command_rms_v),
-                format!("{:.2}", 100.0 * r.share),
-            ]
-        };
-        held.residuals().into_iter().map(cells).collect()
-    };
-    identified.held.iter().flat_map(row).collect()
 }
 
 const FRICTION_HEADER: [&str; 4] = ["Parameter", "joint 1", "joint 2", "joint 3"];
@@ -165,22 +131,4 @@ fn convergence_chart(identified: &Identified) -> Chart {
         let name = if k < 7 { (*name).to_owned() } else { String::new() };
         chart.with(Series::line(name, k, line))
     })
-}
-
-fn command_charts(held: &Held) -> Vec<Chart> {
-    let Some(stretch) = held.stretches.first() else { return Vec::new() };
-    let points = |values: &[f64]| -> Vec<(f64, f64)> {
-        stretch.time_s.iter().copied().zip(values.iter().copied()).collect()
-    };
-    let chart = |(index, joint): (usize, &JointReconstruction)| {
-        let left: Vec<f64> =
-            joint.measured_v.iter().zip(&joint.reconstructed_v).map(|(a, b)| a - b).collect();
-        Chart::new(format!("Joint {}, {}", index + 1, held.file), "time [s]", "command [V]")
-            .with(Series::line("recorded", 1, points(&joint.measured_v)).stroke(Stroke::Broad))
-            .with(Series::line("reconstructed", 0, points(&joint.reconstructed_v)))
-            .with(Series::line("friction in it", 2, points(&joint.friction_v)))
-            .with(Series::line("left", 3, points(&left)))
-            .sized(THIRD.0, THIRD.1)
-    };
-    stretch.joints.iter().enumerate().map(chart).collect()
 }

@@ -6,6 +6,7 @@ pub mod identification_summary;
 pub mod page;
 mod thinning;
 pub mod tracking_page;
+pub mod validation_page;
 
 pub use chart::{Axis, Chart, Series, Stroke};
 pub use page::Page;

@@ -124,6 +124,20 @@ impl SimulatedRobot {
         }
     }
 
+    /// Puts the robot into motion where it is: velocities, accelerations and bristles.
+    pub fn set_motion(
+        &mut self,
+        qd_rad_per_s: Vector3<f64>,
+        qdd_rad_per_s2: Vector3<f64>,
+        friction: [FrictionState<f64>; 3],
+    ) {
+        for side in [&mut self.link, &mut self.motor] {
+            side.qd_rad_per_s = qd_rad_per_s;
+            side.qdd_rad_per_s2 = qdd_rad_per_s2;
+        }
+        self.friction = friction;
+    }
+
     /// Joint angles on the motors' side [rad].
     pub fn q_rad(&self) -> &Vector3<f64> {
         &self.motor.q_rad

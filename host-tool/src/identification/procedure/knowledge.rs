@@ -3,8 +3,8 @@
 use model::Friction;
 
 use crate::identification::base_parameters::BaseResult;
+use crate::identification::base_parameters::friction::FrictionKnowledge;
 use crate::identification::presliding::{Presliding, Prior, Sliding};
-use crate::identification::refinement::FrictionKnowledge;
 use crate::identification::static_friction::StaticFriction;
 
 /// Where the search begins for a joint of which nothing is known, as the paper's joints are.

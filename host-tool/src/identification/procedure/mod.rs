@@ -14,10 +14,11 @@ pub use table::model_file;
 use model::{Geometry, Robot};
 use rayon::prelude::*;
 
+use super::base_parameters::friction::FrictionKnowledge;
 use super::base_parameters::{self, BaseResult};
+use super::physical;
 use super::presliding::{self, Presliding, Prior};
-use super::reconstruction::reconstruct;
-use super::refinement::{self, FrictionKnowledge};
+use super::refinement;
 use super::static_friction::{self, StaticFriction};
 use super::{Campaign, StepError, Trace};
 use crate::files::{Experiment, Role};
@@ -53,16 +54,19 @@ pub fn identify(campaign: &Campaign, say: &dyn Fn(&str)) -> Result<Identified, S
         &knowledge,
         &refinement::Settings::default(),
     )?;
+    say("rigid links");
+    let physical = physical::nearest(&refined.base, &refined.base_covariance, &geometry);
+    let rigid = physical.as_ref().filter(|found| found.consistent && found.positive_definite);
     let robot = Robot {
         geometry,
-        base: refined.base,
+        base: rigid.map_or(refined.base, |found| found.base),
         torque_constant_nm_per_v: [1, 2, 3].map(|j| campaign.known.torque_constant(j)),
         friction: refined.friction,
     };
     say("validation");
     let held = held_out(campaign, &robot);
     let mut identified =
-        Identified { statics, presliding, paper, base, refined, robot, held, missing };
+        Identified { statics, presliding, paper, base, refined, physical, robot, held, missing };
     identified.note_contradictions();
     Ok(identified)
 }
@@ -108,9 +112,8 @@ fn both_base(
     excitations: &[&Trace],
     knowledge: &[FrictionKnowledge; 3],
 ) -> Result<(BaseResult, BaseResult), StepError> {
-    let friction = knowledge.map(|joint| joint.value);
     let solve = |settings: base_parameters::Settings| {
-        base_parameters::identify(excitations, &campaign.known, &friction, &settings)
+        base_parameters::identify(excitations, &campaign.known, knowledge, &settings)
     };
     let (paper, weighted) = rayon::join(
         || solve(base_parameters::Settings::paper()),
@@ -147,12 +150,7 @@ fn presliding_of_all(
 
 /// The command of each `holdout` log, reconstructed.
 fn held_out(campaign: &Campaign, robot: &Robot<f64>) -> Vec<Held> {
-    let settings = refinement::Settings::default().rows;
     let traces: Vec<&Trace> =
         campaign.traces.iter().filter(|trace| trace.role == Role::Holdout).collect();
-    let one = |trace: &&Trace| {
-        let stretches = reconstruct(trace, robot, &settings).ok()?;
-        Some(Held { file: trace.file.clone(), stretches })
-    };
-    traces.par_iter().filter_map(one).collect()
+    traces.par_iter().filter_map(|trace| Held::of(trace, robot).ok()).collect()
 }

@@ -3,10 +3,14 @@
 use model::Robot;
 
 use crate::identification::base_parameters::{BaseResult, JointResidual};
+use crate::identification::physical::Physical;
+use crate::identification::prediction::{Prediction, predict};
 use crate::identification::presliding::Presliding;
-use crate::identification::reconstruction::Reconstruction;
-use crate::identification::refinement::Refined;
+use crate::identification::reconstruction::{Reconstruction, reconstruct};
+use crate::identification::refinement::{self, Refined};
 use crate::identification::static_friction::StaticFriction;
+use crate::identification::{StepError, Trace};
+use crate::simulation::tracking::rms;
 
 /// The result of all steps.
 #[derive(Clone, Debug)]
@@ -21,6 +25,9 @@ pub struct Identified {
     pub base: BaseResult,
     /// All parameters together.
     pub refined: Refined,
+    /// The nearest parameters that rigid links have; the model takes them where they are
+    /// within the errors of the refinement.
+    pub physical: Option<Physical>,
     /// The model.
     pub robot: Robot<f64>,
     /// The commands of the logs held out, reconstructed.
@@ -36,9 +43,32 @@ pub struct Held {
     pub file: String,
     /// Its unbroken stretches, reconstructed.
     pub stretches: Vec<Reconstruction>,
+    /// The motion that the model predicts from the commands.
+    pub predictions: Vec<Prediction>,
 }
 
 impl Held {
+    /// A log's command and motion by a model.
+    ///
+    /// # Errors
+    /// A log that lacks a joint or is nowhere unbroken for a second.
+    pub fn of(trace: &Trace, robot: &Robot<f64>) -> Result<Self, StepError> {
+        let rows = refinement::Settings::default().rows;
+        Ok(Self {
+            file: trace.file.clone(),
+            stretches: reconstruct(trace, robot, &rows)?,
+            predictions: predict(trace, robot)?,
+        })
+    }
+
+    /// Root mean square of each joint's predicted less measured angle [rad].
+    pub fn prediction_rms_rad(&self) -> [f64; 3] {
+        [0, 1, 2].map(|joint| {
+            let all = self.predictions.iter().flat_map(|p| p.error_rad[joint].iter().copied());
+            rms(&all.collect::<Vec<f64>>())
+        })
+    }
+
     /// What is left of each joint's command over the whole log.
     pub fn residuals(&self) -> Vec<JointResidual> {
         let over_all = |joint: usize, pick: fn(&JointResidual) -> f64| {
@@ -62,6 +92,10 @@ impl Identified {
     pub(super) fn note_contradictions(&mut self) {
         if let Err(error) = self.robot.checked() {
             self.missing.push(format!("no robot has these parameters: {error}"));
+        }
+        if self.physical.as_ref().is_some_and(|found| !found.consistent) {
+            self.missing
+                .push("no rigid links have these base parameters within their errors".into());
         }
         if !self.refined.converged {
             self.missing.push("the refinement has not converged; its errors are too small".into());

@@ -1,0 +1,57 @@
+//! `rrr validate`: how well a model reconstructs motion that it was not fitted to.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::{Failure, create_directory};
+use crate::files::{Dataset, RobotFile, Role};
+use crate::identification::Trace;
+use crate::identification::procedure::Held;
+use crate::progress::Steps;
+use crate::report::validation_page::{HEADER, rows, validation_page};
+
+/// Arguments of `rrr validate`.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// The data set: a directory with dataset.toml and its logs.
+    #[arg(value_name = "DATASET")]
+    pub dataset: PathBuf,
+    /// The model to judge.
+    #[arg(long, value_name = "MODEL.toml")]
+    pub model: PathBuf,
+    /// Directory for validation.html.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// Files that cannot be used, or no log with role "holdout".
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let robot = RobotFile::read(&arguments.model)?.robot()?;
+    let dataset = Dataset::read(&arguments.dataset)?;
+    let steps = Steps::new();
+    steps.at("reading the logs");
+    let recordings = dataset.recordings_of(Role::Holdout)?;
+    if recordings.is_empty() {
+        let list = arguments.dataset.join("dataset.toml");
+        let message = format!("{}: no log has role \"holdout\"", list.display());
+        return Err(Failure::new(message, "give one log that role; the model is judged on it"));
+    }
+    steps.at("reconstructing");
+    let held: Result<Vec<Held>, _> =
+        recordings.into_iter().map(|recording| Held::of(&Trace::of(recording), &robot)).collect();
+    let held = held?;
+    create_directory(&arguments.out)?;
+    let page = arguments.out.join("validation.html");
+    validation_page(&held).write(&page)?;
+    steps.finish();
+    println!("{}", HEADER.map(|name| format!("{name:>18}")).join(""));
+    for row in rows(&held) {
+        println!("{}", row.iter().map(|cell| format!("{cell:>18}")).collect::<String>());
+    }
+    println!("\nFigures: {}", page.display());
+    Ok(())
+}
