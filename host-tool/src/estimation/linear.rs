@@ -43,8 +43,7 @@ impl LinearProblem {
         let factor = self.triangular_factor()?;
         let singular = factor.clone().svd(false, false).singular_values;
         let (largest, smallest) = (singular.max(), singular.min());
-        // Written so that a NaN fails as well.
-        if !(smallest > largest * 1e-13) {
+        if smallest.is_nan() || smallest <= largest * 1e-13 {
             return None;
         }
         let inverse = factor.try_inverse()?;
@@ -81,7 +80,8 @@ impl LinearProblem {
             moment[k] *= scale[k];
         }
         let factor = gram.cholesky()?;
-        if !(factor.l_dirty().diagonal().min() > 1e-5) {
+        let smallest = factor.l_dirty().diagonal().min();
+        if smallest.is_nan() || smallest <= 1e-5 {
             return None;
         }
         let parameters = factor.solve(&moment).component_mul(&scale);

@@ -156,7 +156,8 @@ fn check_motion(trace: &Trace) -> Result<(), StepError> {
     };
     for joint in &trace.joints {
         // A thousandth of a radian is bristle deflection, not motion.
-        if !(range(&joint.q_rad) > 1e-2) {
+        let moved_rad = range(&joint.q_rad);
+        if moved_rad.is_nan() || moved_rad < 1e-2 {
             let what = format!(
                 "joint {} did not move, or its encoder is stuck; base parameters need motion of all joints",
                 joint.number

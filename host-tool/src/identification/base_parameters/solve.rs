@@ -16,6 +16,9 @@ pub struct Stack {
     pub problem: LinearProblem,
 }
 
+/// Columns of one joint behind the base parameters, each with its place.
+pub type MoreColumns = Vec<(usize, Vec<f64>)>;
+
 /// Where an equation comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Origin {
@@ -35,7 +38,7 @@ impl Stack {
     pub fn new(
         stretches: &[Rows],
         right: &[[Vec<f64>; 3]],
-        more: &[[Vec<(usize, Vec<f64>)>; 3]],
+        more: &[[MoreColumns; 3]],
         more_count: usize,
     ) -> Self {
         let origin = origins(stretches);
