@@ -9,6 +9,7 @@
 //! | [`one_joint`] | what the steps on one joint share, and rigs that have but one |
 //! | [`static_friction`] | static friction from constant-velocity runs, eq. (10) |
 //! | [`base_parameters`] | base parameters by least squares, eq. (13)-(16) |
+//! | [`plausibility`] | whether a log can be what it says |
 //! | [`prediction`] | the motion that a model predicts from the commands, Fig. 5 |
 //! | [`presliding`] | pre-sliding friction from the FRF, eq. (12) |
 //! | [`procedure`] | **all steps together** |
@@ -23,6 +24,7 @@ pub mod estimate;
 pub mod motion;
 pub mod one_joint;
 pub mod physical;
+pub mod plausibility;
 pub mod prediction;
 pub mod presliding;
 pub mod procedure;

@@ -16,11 +16,11 @@ use rayon::prelude::*;
 
 use super::base_parameters::friction::FrictionKnowledge;
 use super::base_parameters::{self, BaseResult};
-use super::physical;
 use super::presliding::{self, Presliding, Prior};
 use super::refinement;
 use super::static_friction::{self, StaticFriction};
 use super::{Campaign, StepError, Trace};
+use super::{physical, plausibility};
 use crate::files::{Experiment, Role};
 
 /// Runs all steps on the `train` logs and judges the model on the `holdout` logs.
@@ -32,7 +32,8 @@ use crate::files::{Experiment, Role};
 /// No excitation, or one that cannot be used: without it there is no model.
 pub fn identify(campaign: &Campaign, say: &dyn Fn(&str)) -> Result<Identified, StepError> {
     let geometry = geometry(campaign)?;
-    let mut missing = Vec::new();
+    say("examining the logs");
+    let mut missing = examine_all(campaign)?;
     say("static friction");
     let statics = static_friction_of_all(campaign, &mut missing);
     let mut knowledge: [FrictionKnowledge; 3] =
@@ -69,6 +70,14 @@ pub fn identify(campaign: &Campaign, say: &dyn Fn(&str)) -> Result<Identified, S
         Identified { statics, presliding, paper, base, refined, physical, robot, held, missing };
     identified.note_contradictions();
     Ok(identified)
+}
+
+/// Remarks on all logs.
+fn examine_all(campaign: &Campaign) -> Result<Vec<String>, StepError> {
+    let traces = &campaign.traces;
+    let examined: Result<Vec<Vec<String>>, StepError> =
+        traces.par_iter().map(|trace| plausibility::examine(trace, &campaign.known)).collect();
+    Ok(examined?.into_iter().flatten().collect())
 }
 
 fn geometry(campaign: &Campaign) -> Result<Geometry<f64>, StepError> {
