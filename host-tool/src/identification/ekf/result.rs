@@ -55,27 +55,34 @@ impl EkfPass {
 }
 
 /// What the augmented filter found.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct EkfResult {
     /// Joint, 1 to 3.
     pub joint: u8,
     /// Coulomb level alpha_0 [V].
+    #[serde(rename = "alpha0_V")]
     pub alpha0_v: Estimate,
     /// Static level above it alpha_1 [V].
+    #[serde(rename = "alpha1_V")]
     pub alpha1_v: Estimate,
     /// Breakaway level alpha_0 + alpha_1 [V].
+    #[serde(rename = "breakaway_V")]
     pub breakaway_v: Estimate,
     /// Stribeck velocity v_s [rad/s].
     pub stribeck_velocity_rad_per_s: Estimate,
     /// Viscous coefficient alpha_2 [V s/rad].
+    #[serde(rename = "alpha2_V_s_per_rad")]
     pub alpha2_v_s_per_rad: Estimate,
     /// Stiffness sigma_0 [V/rad].
+    #[serde(rename = "sigma0_V_per_rad")]
     pub sigma0_v_per_rad: Estimate,
     /// Damping sigma_1 [V s/rad].
+    #[serde(rename = "sigma1_V_s_per_rad")]
     pub sigma1_v_s_per_rad: Estimate,
     /// Inertia J of eq. (11) [kg m^2].
     pub inertia_kg_m2: Estimate,
     /// Gravity torque l of eq. (11) [Nm]; `None` for joint 1.
+    #[serde(rename = "gravity_torque_Nm")]
     pub gravity_torque_nm: Option<Estimate>,
     /// Phase p of gravity: torque = l cos(angle against the level + p) [rad]; for joint 3
     /// atan2(my3r, mx3r).
@@ -86,6 +93,7 @@ pub struct EkfResult {
     /// than their standard errors.
     pub converged: bool,
     /// Filtered motion of the last pass, at every sample.
+    #[serde(skip)]
     pub motion: Vec<State>,
     /// Noises that the last pass presumed.
     pub noise: Noise,

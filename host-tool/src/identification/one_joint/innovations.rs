@@ -5,6 +5,7 @@
 //! as torque. No smoothing stands between the data and the nonlinear friction.
 
 use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
 
 use super::sandwich;
 use super::tick::{Inputs, Joint, MOST, Regressor, State};
@@ -27,10 +28,11 @@ pub struct Samples {
 }
 
 /// What the filter believes of the noises.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Noise {
     /// Variance of a measured angle [rad^2].
     pub measurement_rad2: f64,
+    #[serde(rename = "command_V2")]
     /// Voltage noise, white with the rate of the ticks: variance over a millisecond [V^2].
     pub command_v2: f64,
 }

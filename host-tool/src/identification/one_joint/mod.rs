@@ -8,6 +8,7 @@
 //! | [`grey_box`] | the command explained from the motion by LuGre friction and linear terms |
 //! | [`start`] | where that search begins |
 //! | [`tick`] | one tick of a joint with its slopes |
+//! | [`pendulum`] | rigs of one joint with a coarse encoder |
 //! | [`samples`] | a log for the filters |
 //! | [`innovations`] | how well parameters predict the encoder, tick by tick |
 //! | [`sandwich`] | standard errors from blocks of data |
@@ -15,6 +16,7 @@
 pub mod grey_box;
 pub mod innovations;
 pub mod motion;
+pub mod pendulum;
 pub mod reconstruction;
 pub mod rows;
 pub mod samples;
