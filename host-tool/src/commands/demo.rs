@@ -1,14 +1,15 @@
-//! `rrr demo`: the firmware in QEMU drives the simulated robot, without and with the model.
+//! `rrr demo`: experiments, identification and the identified model at work, in QEMU.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
 use firmware::Mode;
 use model::reference_robot::reference_robot;
 
-use super::{Failure, create_directory};
+use super::{Failure, create_directory, identify, simulate};
 use crate::board::{Qemu, QemuSettings};
+use crate::files::RobotFile;
 use crate::progress::Progress;
 use crate::report::tracking_page::{Run, error_charts, tracking_page};
 use crate::simulation::plan::task;
@@ -21,7 +22,7 @@ pub struct Arguments {
     /// The firmware's image for QEMU's mps2-an386.
     #[arg(long, value_name = "ELF")]
     pub firmware: PathBuf,
-    /// Directory for index.html.
+    /// Directory for index.html, the campaign and the model.
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Length of each run [s].
@@ -32,10 +33,17 @@ pub struct Arguments {
 /// Runs the demonstration.
 ///
 /// # Errors
-/// QEMU or the firmware does not work, or the page cannot be written.
+/// QEMU or the firmware does not work, or a file cannot be written.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let rig = Rig::new(reference_robot());
     create_directory(&arguments.out)?;
+    println!("1. The firmware in QEMU plays the experiments to a robot that it does not know.");
+    let robot = arguments.write_robot()?;
+    simulate::run(&arguments.campaign(&robot))?;
+    println!("\n2. The logs give the model.");
+    identify::run(&arguments.identification())?;
+    let model = RobotFile::read(arguments.out.join("model.toml"))?.robot()?;
+    println!("\n3. The model goes into the firmware, which plays the motion (20)-(21).");
+    let rig = Rig::new(model);
     let plain = arguments.drive(&rig, Mode::Pd, "PD alone")?;
     let modelled = arguments.drive(&rig, Mode::PdModel, "PD with the model")?;
     print_table(&plain, &modelled);
@@ -47,6 +55,37 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 impl Arguments {
+    /// Writes the true robot, which only the simulation knows, and what its maker tells.
+    fn write_robot(&self) -> Result<PathBuf, Failure> {
+        let rig = Rig::new(reference_robot());
+        let mut file = RobotFile::from_robot(&rig.model);
+        file.robot.encoder_counts_per_rev = Some(f64::from(rig.encoder_counts_per_turn));
+        file.robot.sample_period_s = Some(rig.sample_period_s);
+        file.robot.command_limit_v = Some(rig.command_limit_v);
+        file.robot.command_bits = Some(16);
+        let truth = self.out.join("true-robot.toml");
+        file.write(&truth)?;
+        file.base = None;
+        file.friction.clear();
+        file.write(self.out.join("robot.toml"))?;
+        Ok(truth)
+    }
+
+    fn campaign(&self, robot: &Path) -> simulate::Arguments {
+        simulate::Arguments {
+            qemu: Some(self.firmware.clone()),
+            ..simulate::Arguments::new(robot, "campaign", &self.out.join("campaign"))
+        }
+    }
+
+    fn identification(&self) -> identify::Arguments {
+        identify::Arguments {
+            dataset: self.out.join("campaign"),
+            robot: self.out.join("robot.toml"),
+            out: self.out.join("model.toml"),
+        }
+    }
+
     /// Records the motion (20)-(21) with QEMU in the loop.
     fn drive(&self, rig: &Rig, mode: Mode, name: &'static str) -> Result<Run, Failure> {
         let plan = task(self.duration_s).with_mode(mode);
@@ -57,7 +96,7 @@ impl Arguments {
         let recording = record(
             &mut board,
             &plan.block(rig),
-            &rig.model,
+            &reference_robot(),
             &Settings::default(),
             ticks,
             &mut |tick| progress.at(u64::from(tick)),

@@ -39,7 +39,7 @@ pub enum Command {
     Validate(validate::Arguments),
     /// Design the motion that identifies the base parameters best.
     DesignExcitation(design_excitation::Arguments),
-    /// Drive the simulated robot with the firmware in QEMU, without and with the model.
+    /// Record, identify and control a simulated robot with the firmware in QEMU.
     Demo(demo::Arguments),
 }
 

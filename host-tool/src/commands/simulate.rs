@@ -1,6 +1,6 @@
 //! `rrr simulate`: experiments of the simulated robot, recorded as if it were real.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use firmware::Mode;
@@ -114,6 +114,23 @@ fn rig(file: &RobotFile) -> Result<Rig, Failure> {
 }
 
 impl Arguments {
+    /// A data set recorded in this process, as it is by default.
+    pub fn new(model: &Path, dataset: &str, out: &Path) -> Self {
+        Self {
+            model: model.to_owned(),
+            dataset: dataset.to_owned(),
+            out: out.to_owned(),
+            excitation: None,
+            mode: None,
+            format: Format::CsvGz,
+            qemu: None,
+            effect: Vec::new(),
+            seed: 1,
+            noise_v: 0.004,
+            substeps: 10,
+        }
+    }
+
     fn plans(&self, rig: &Rig) -> Result<Vec<Plan>, Failure> {
         let recipe = Recipe::by_name(&self.dataset).ok_or_else(|| {
             let known: Vec<String> =
