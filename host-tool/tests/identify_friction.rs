@@ -147,6 +147,30 @@ fn constant_velocity_of_rig_1() {
 }
 
 #[test]
+fn a_log_without_slow_legs_says_so() {
+    let Some((traces, known, robot)) = rig_1() else { return };
+    for joint in [1, 2] {
+        let truth = &robot.friction[usize::from(joint) - 1];
+        let mut trace = traces.iter().find(|trace| trace.joint == Some(joint)).unwrap().clone();
+        // The legs from 0.3 rad/s on.
+        let from = trace.time_s.partition_point(|&t| t < 28.5);
+        trace.time_s.drain(..from);
+        for column in &mut trace.joints {
+            column.q_rad.drain(..from);
+            column.command_v.drain(..from);
+        }
+        let found = static_friction::identify(&trace, joint, &known).unwrap();
+        within("alpha0", &found.alpha0_v, truth.alpha0_v, SLIDING);
+        within("alpha2", &found.alpha2_v_s_per_rad, truth.alpha2_v_s_per_rad, SLIDING);
+        let v_s = &found.stribeck_velocity_rad_per_s;
+        eprintln!("v_s {v_s:?} breakaway {:?}", found.breakaway_v);
+        assert!(v_s.note.is_some() && v_s.covers(truth.stribeck_velocity_rad_per_s));
+        assert!(found.breakaway_v.note.is_some());
+        assert!(found.breakaway_v.covers(truth.alpha0_v + truth.alpha1_v));
+    }
+}
+
+#[test]
 fn friction_excitation_of_rig_1() {
     let Some((traces, known, robot)) = rig_1() else { return };
     for trace in traces.iter().filter(|t| t.experiment == Experiment::FrictionExcitation) {

@@ -44,6 +44,30 @@ pub fn from_logarithms(logarithms: &[f64]) -> Friction<f64> {
     }
 }
 
+/// What is presumed where the data say nothing: a weighted sum of parameters, its value
+/// and standard deviation.
+struct Presumption {
+    weights: &'static [(usize, f64)],
+    value: f64,
+    deviation: f64,
+}
+
+/// Presumptions so weak that any data outweigh them; they keep the search from running
+/// off, and in the covariance they say how little is known.
+const PRESUMED: [Presumption; 5] = [
+    // Breakaway level within a factor of two of the Coulomb level.
+    Presumption { weights: &[(1, 1.0), (0, -1.0)], value: 0.0, deviation: 0.7 },
+    // v_s about 4 mrad/s, within a factor of four.
+    Presumption { weights: &[(2, 1.0)], value: -5.5, deviation: 1.4 },
+    // sigma_0 and sigma_1 about 300 V/rad and 3 V s/rad, within a factor of seven.
+    Presumption { weights: &[(4, 1.0)], value: 5.7, deviation: 2.0 },
+    Presumption { weights: &[(5, 1.0)], value: 1.1, deviation: 2.0 },
+    // Jitter about 0.2 mrad/s.
+    Presumption { weights: &[(JITTER, 1.0)], value: -8.5, deviation: 3.0 },
+];
+/// The residual that a presumption missed by its deviation counts as [V].
+const PRESUMED_V: f64 = 1e-3;
+
 /// What the fit works on: command = LuGre friction of the velocity + columns * factors.
 #[derive(Clone, Debug)]
 pub struct Data {
@@ -149,6 +173,28 @@ impl<'a> Problem<'a> {
         })
     }
 
+    /// The rows' residuals, then the presumptions'.
+    fn residual_with_presumptions(&self) -> DVector<f64> {
+        let rows = self.residual();
+        let presumed = PRESUMED.iter().map(|presumption| {
+            let sum: f64 = presumption.weights.iter().map(|&(k, w)| w * self.parameters[k]).sum();
+            PRESUMED_V * (sum - presumption.value) / presumption.deviation
+        });
+        let size = rows.len() + PRESUMED.len();
+        DVector::from_iterator(size, rows.iter().copied().chain(presumed))
+    }
+
+    /// [`Self::slope`] with the presumptions' slopes below.
+    fn slope_with_presumptions(&self, parameter: usize) -> DVector<f64> {
+        let rows = self.slope(parameter);
+        let presumed = PRESUMED.iter().map(|presumption| {
+            let weight = presumption.weights.iter().find(|&&(k, _)| k == parameter);
+            weight.map_or(0.0, |&(_, w)| PRESUMED_V * w / presumption.deviation)
+        });
+        let size = rows.len() + PRESUMED.len();
+        DVector::from_iterator(size, rows.iter().copied().chain(presumed))
+    }
+
     fn slope(&self, parameter: usize) -> DVector<f64> {
         const NUDGE: f64 = 1e-5;
         let weight = &self.data.weight;
@@ -189,11 +235,12 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
-        Some(self.residual())
+        Some(self.residual_with_presumptions())
     }
 
     fn jacobian(&self) -> Option<DMatrix<f64>> {
-        let slopes: Vec<DVector<f64>> = self.free.iter().map(|&p| self.slope(p)).collect();
+        let slopes: Vec<DVector<f64>> =
+            self.free.iter().map(|&p| self.slope_with_presumptions(p)).collect();
         Some(DMatrix::from_columns(&slopes))
     }
 }
@@ -241,8 +288,10 @@ pub fn fit(data: &Data, start: DVector<f64>, free: &[usize], tolerance: f64) -> 
     let residual_v = problem.residual();
     let counting = data.weight.iter().filter(|&&w| w > 0.0).count().max(1) as f64;
     let alike = unweighted(&residual_v, &data.weight);
-    let jacobian = problem.jacobian().unwrap_or_else(|| DMatrix::zeros(data.rows(), free.len()));
-    let small = sandwich::covariance(&jacobian, &residual_v, data.rows_per_block);
+    let jacobian = problem
+        .jacobian()
+        .unwrap_or_else(|| DMatrix::zeros(data.rows() + PRESUMED.len(), free.len()));
+    let small = sandwich::covariance(&jacobian, &residual_v, data.rows_per_block, PRESUMED_V);
     let size = problem.parameters.len();
     let mut covariance = DMatrix::zeros(size, size);
     for (i, &row) in free.iter().enumerate() {

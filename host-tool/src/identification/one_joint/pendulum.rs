@@ -237,7 +237,7 @@ fn fit(table: &Table, delay_s: f64) -> RobustFit {
     let remaining = residual.component_mul(&weight);
     let rows = count.max(1) as f64;
     RobustFit {
-        covariance: sandwich::covariance(&jacobian, &remaining, table.rows_per_block),
+        covariance: sandwich::covariance(&jacobian, &remaining, table.rows_per_block, 0.0),
         solution,
         scale_v,
         rms_v: (remaining.norm_squared() / rows).sqrt(),

@@ -4,11 +4,14 @@ use nalgebra::{DMatrix, DVector};
 
 /// Covariance of a least-squares estimate by the jackknife over blocks of rows.
 ///
-/// See [`jackknife`]; H = J'J and g_b = J_b' r_b.
+/// See [`jackknife`]; H = J'J and g_b = J_b' r_b. Rows of the Jacobian beyond the
+/// residual's are what is presumed, with errors of standard deviation `presumed`: they
+/// count in H and add H^-1 J_p' J_p H^-1 times its square.
 pub fn covariance(
     jacobian: &DMatrix<f64>,
     residual: &DVector<f64>,
     rows_per_block: usize,
+    presumed: f64,
 ) -> DMatrix<f64> {
     let whole = jacobian.tr_mul(jacobian);
     let rows_per_block = rows_per_block.max(1);
@@ -17,7 +20,11 @@ pub fn covariance(
         let block = jacobian.rows(begin, rows);
         (block.tr_mul(&block), block.tr_mul(&residual.rows(begin, rows)))
     });
-    jackknife(&whole, blocks)
+    let from_blocks = jackknife(&whole, blocks);
+    let presumptions = jacobian.rows(residual.len(), jacobian.nrows() - residual.len());
+    let Some(inverse) = scaled_inverse(&whole, &whole) else { return from_blocks };
+    let reach = presumptions * inverse * presumed;
+    from_blocks + reach.tr_mul(&reach)
 }
 
 /// Covariance of an estimate that solves sum of scores g_b = 0 with slope matrix H.

@@ -144,9 +144,9 @@ fn result(rows: &Rows, fit: &Fit, joint: u8, known: &Known) -> StaticFriction {
     StaticFriction {
         joint,
         alpha0_v: logarithmic(fit, 0),
-        alpha1_v: alpha1(fit),
-        breakaway_v: logarithmic(fit, 1),
-        stribeck_velocity_rad_per_s: stribeck_velocity(fit),
+        alpha1_v: at_low_speed(fit, alpha1(fit)),
+        breakaway_v: at_low_speed(fit, logarithmic(fit, 1)),
+        stribeck_velocity_rad_per_s: at_low_speed(fit, logarithmic(fit, 2)),
         alpha2_v_s_per_rad: logarithmic(fit, 3),
         sigma0_v_per_rad: logarithmic(fit, 4),
         sigma1_v_s_per_rad: logarithmic(fit, 5),
@@ -162,13 +162,17 @@ fn result(rows: &Rows, fit: &Fit, joint: u8, known: &Known) -> StaticFriction {
 /// Relative errors (rms) that the method leaves whatever the data: velocity jitter taken as
 /// two values, motion averaged over 2 ms. Measured on simulated robots, where they
 /// stand out because nothing else is wrong; in the order of the friction's logarithms.
-const METHOD_ERROR: [f64; 6] = [3e-4, 6e-3, 1.5e-2, 5e-4, 5e-3, 0.15];
+const METHOD_ERROR: [f64; 6] = [3e-4, 6e-3, 2.5e-2, 5e-4, 5e-3, 0.15];
 
 /// The fit's covariance with the method's own errors added.
 fn with_method_error(fit: Fit) -> Fit {
     let mut fit = fit;
     for (k, error) in METHOD_ERROR.into_iter().enumerate() {
         fit.covariance[(k, k)] += error * error;
+    }
+    if fit.standard_error(2) > BARELY_KNOWN {
+        // Reversals alone shape a breakaway level, but of a curve that nobody has seen.
+        fit.covariance[(1, 1)] += UNSEEN_BREAKAWAY * UNSEEN_BREAKAWAY;
     }
     fit
 }
@@ -191,14 +195,16 @@ fn alpha1(fit: &Fit) -> Estimate {
     Estimate::new(breakaway - coulomb, variance.max(0.0).sqrt())
 }
 
-/// v_s with a note where the log holds too little near it.
-fn stribeck_velocity(fit: &Fit) -> Estimate {
-    const BARELY_KNOWN: f64 = 0.5;
-    let estimate = logarithmic(fit, 2);
-    let error = fit.standard_error(2);
-    if error < BARELY_KNOWN {
+/// Standard error of ln v_s from which on the log does not tell the Stribeck curve.
+const BARELY_KNOWN: f64 = 0.5;
+/// Relative error of the breakaway level then.
+const UNSEEN_BREAKAWAY: f64 = 0.3;
+
+/// An estimate of the Stribeck curve, with a note where the log holds too little of it.
+fn at_low_speed(fit: &Fit, estimate: Estimate) -> Estimate {
+    if fit.standard_error(2) < BARELY_KNOWN {
         return estimate;
     }
-    let what = "the log has too little sliding at speeds near v_s to tell it";
-    estimate.with_note(what)
+    estimate
+        .with_note("the log has too little sliding at speeds near v_s to tell the Stribeck curve")
 }
