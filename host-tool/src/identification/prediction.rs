@@ -42,12 +42,25 @@ impl Prediction {
 /// # Errors
 /// A log that lacks a joint or is nowhere unbroken for a second.
 pub fn predict(trace: &Trace, robot: &Robot<f64>) -> Result<Vec<Prediction>, StepError> {
-    let stretches = Motion::stretches(trace, CUTOFF_HZ, Instant::Sample)?;
-    Ok(stretches.iter().map(|motion| of_motion(motion, robot)).collect())
+    predict_over(trace, robot, WINDOW_S)
 }
 
-fn of_motion(motion: &Motion, robot: &Robot<f64>) -> Prediction {
-    let window = ((WINDOW_S / motion.period_s).round() as usize).max(1);
+/// [`predict`] with windows of another length; an infinite one simulates the whole log
+/// from its beginning, as Fig. 5 does.
+///
+/// # Errors
+/// Those of [`predict`].
+pub fn predict_over(
+    trace: &Trace,
+    robot: &Robot<f64>,
+    window_s: f64,
+) -> Result<Vec<Prediction>, StepError> {
+    let stretches = Motion::stretches(trace, CUTOFF_HZ, Instant::Sample)?;
+    Ok(stretches.iter().map(|motion| of_motion(motion, robot, window_s)).collect())
+}
+
+fn of_motion(motion: &Motion, robot: &Robot<f64>, window_s: f64) -> Prediction {
+    let window = ((window_s / motion.period_s).round() as usize).clamp(1, motion.len());
     let bristles = bristles(motion, robot);
     let starts: Vec<usize> = (0..motion.len()).step_by(window).collect();
     let drifts: Vec<Vec<[f64; 3]>> = starts

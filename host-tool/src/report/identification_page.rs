@@ -5,6 +5,8 @@ use model::base::NAMES;
 use super::validation_page::{HEADER, command_charts, lead, rows};
 use super::{Axis, Chart, Page, Series, Stroke};
 use crate::files::{Experiment, Role};
+use crate::identification::ekf::{EkfPass, EkfResult};
+use crate::identification::prediction::predict_over;
 use crate::identification::presliding::{FrfPoint, Presliding};
 use crate::identification::procedure::Identified;
 use crate::identification::static_friction::StaticFriction;
@@ -22,6 +24,16 @@ pub fn identification_page(campaign: &Campaign, identified: &Identified) -> Page
     page.heading("What is left on motion held out").table(&HEADER, &rows(&identified.held));
     page.heading("Static friction (Table 2)").table(&FRICTION_HEADER, &friction_rows(identified));
     page.charts(&identified.statics.iter().flatten().map(stribeck_chart).collect::<Vec<_>>());
+    if let Some(found) = &identified.filtered {
+        page.heading("Augmented EKF on the friction excitation (Fig. 2, 3 and 5)");
+        page.table(&EKF_HEADER, &ekf_rows(found, identified));
+        page.paragraph(if found.converged {
+            "The filter has converged."
+        } else {
+            "The filter has not converged; its values are not used."
+        });
+        page.charts(&ekf_charts(found, campaign, identified));
+    }
     page.heading("Pre-sliding friction (Fig. 4)");
     page.charts(&identified.presliding.iter().flat_map(frf_charts).collect::<Vec<_>>());
     for remark in identified.presliding.iter().flat_map(|found| &found.remarks) {
@@ -130,5 +142,70 @@ fn convergence_chart(identified: &Identified) -> Chart {
         let line = settled.map(|p| (p.samples as f64, p.values[k] - last[k])).collect();
         let name = if k < 7 { (*name).to_owned() } else { String::new() };
         chart.with(Series::line(name, k, line))
+    })
+}
+
+const EKF_HEADER: [&str; 3] = ["Parameter of joint 3", "augmented EKF", "whole model"];
+
+/// The filter's estimates beside those of all steps together.
+fn ekf_rows(found: &EkfResult, identified: &Identified) -> Vec<Vec<String>> {
+    let robot = &identified.robot;
+    let gravity_nm = robot.geometry.gravity_m_s2 * robot.base.mx3r.hypot(robot.base.my3r);
+    let friction = &robot.friction[2];
+    let row = |name: &str, estimate: &Estimate, value: f64| {
+        vec![name.to_owned(), shown(estimate), format!("{value:.5}")]
+    };
+    let mut rows = vec![
+        row("alpha0_V", &found.alpha0_v, friction.alpha0_v),
+        row("alpha0_V + alpha1_V", &found.breakaway_v, friction.stribeck_level(0.0)),
+        row("alpha2_V_s_per_rad", &found.alpha2_v_s_per_rad, friction.alpha2_v_s_per_rad),
+        row("J3 [kg m^2]", &found.inertia_kg_m2, robot.base.zz3r + robot.base.ia3),
+    ];
+    rows.extend(found.gravity_torque_nm.as_ref().map(|l| row("l3 [Nm]", l, gravity_nm)));
+    rows
+}
+
+/// Command and response, the simulated response, and the parameters pass by pass.
+fn ekf_charts(found: &EkfResult, campaign: &Campaign, identified: &Identified) -> Vec<Chart> {
+    let mut traces =
+        campaign.traces_of(Experiment::FrictionExcitation, Role::Train, Some(found.joint));
+    let Some((trace, joint)) = traces.next().and_then(|t| Some((t, t.joint(found.joint)?))) else {
+        return Vec::new();
+    };
+    let points = |values: &[f64]| -> Vec<(f64, f64)> {
+        trace.time_s.iter().copied().zip(values.iter().copied()).collect()
+    };
+    let command = Chart::new("Command (Fig. 2)", "time [s]", "[V]")
+        .with(Series::line("", 0, points(&joint.command_v)))
+        .sized(HALF.0, HALF.1);
+    let mut response = Chart::new("Response (Fig. 3 and 5)", "time [s]", "angle [rad]")
+        .with(Series::line("measured", 1, points(&joint.q_rad)).stroke(Stroke::Broad))
+        .sized(HALF.0, HALF.1);
+    let simulated = predict_over(trace, &identified.robot, f64::INFINITY).unwrap_or_default();
+    if let Some(whole) = simulated.first() {
+        let index = usize::from(found.joint) - 1;
+        let sum = whole.measured_rad[index].iter().zip(&whole.error_rad[index]).map(|(q, e)| q + e);
+        let line = whole.time_s.iter().copied().zip(sum).collect();
+        response = response.with(Series::line("simulated by the model", 0, line));
+    }
+    vec![command, response, passes_chart(found)]
+}
+
+/// Each parameter over the passes, in parts of its last value.
+fn passes_chart(found: &EkfResult) -> Chart {
+    let Some(last) = found.history.last() else { return Chart::default() };
+    let chart =
+        Chart::new("Passes of the filter", "pass", "value / last value").sized(HALF.0, HALF.1);
+    let pick: [(&str, fn(&EkfPass) -> f64); 5] = [
+        ("alpha0", |pass| pass.friction.alpha0_v),
+        ("alpha1", |pass| pass.friction.alpha1_v),
+        ("alpha2", |pass| pass.friction.alpha2_v_s_per_rad),
+        ("J", |pass| pass.inertia_kg_m2),
+        ("l", |pass| pass.gravity_torque_nm),
+    ];
+    pick.into_iter().enumerate().fold(chart, |chart, (colour, (name, value))| {
+        let points =
+            found.history.iter().map(|pass| (pass.number as f64, value(pass) / value(last)));
+        chart.with(Series::line(name, colour, points.collect()))
     })
 }

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::identification::Estimate;
 use crate::identification::base_parameters::JointResidual;
+use crate::identification::ekf::EkfResult;
 use crate::identification::presliding::Presliding;
 use crate::identification::procedure::Identified;
 use crate::identification::static_friction::StaticFriction;
@@ -25,6 +26,8 @@ pub struct Summary<'a> {
     pub base_paper: BTreeMap<&'static str, &'a Estimate>,
     /// The step at constant velocities.
     pub static_friction: Vec<&'a StaticFriction>,
+    /// The augmented filter on the friction excitation.
+    pub filtered: Option<&'a EkfResult>,
     /// The FRF.
     pub presliding: &'a [Presliding],
     /// By how much each joint's command acts later than logged [s].
@@ -46,6 +49,7 @@ impl<'a> Summary<'a> {
             condition_number: identified.paper.condition_number,
             base_paper: by_name(&identified.paper.estimates),
             static_friction: identified.statics.iter().flatten().collect(),
+            filtered: identified.filtered.as_ref(),
             presliding: &identified.presliding,
             command_lag_s: refined.command_lag_s,
             holdout: identified.held.iter().map(|h| (h.file.as_str(), h.residuals())).collect(),

@@ -4,6 +4,7 @@ use model::Friction;
 
 use crate::identification::base_parameters::BaseResult;
 use crate::identification::base_parameters::friction::FrictionKnowledge;
+use crate::identification::ekf::EkfResult;
 use crate::identification::presliding::{Presliding, Prior, Sliding};
 use crate::identification::static_friction::StaticFriction;
 
@@ -17,25 +18,36 @@ const TYPICAL: Friction<f64> = Friction {
     sigma1_v_s_per_rad: 3.0,
 };
 
-/// What the static step knows of a joint's friction, or nothing.
+/// What the steps on one joint know of its friction: the run at constant velocities, else
+/// the augmented filter, else nothing.
 ///
 /// Motion of all joints tells nothing of the Stribeck velocity and of the bristles, so
-/// without a run at constant velocities they stay at what is typical.
-pub fn from_static(found: Option<&StaticFriction>) -> FrictionKnowledge {
-    let Some(found) = found else {
-        let held =
-            Friction { alpha0_v: f64::INFINITY, alpha2_v_s_per_rad: f64::INFINITY, ..none() };
-        return FrictionKnowledge { value: TYPICAL, standard_error: held };
-    };
-    let standard_error = Friction {
-        alpha0_v: found.alpha0_v.standard_error,
-        alpha1_v: found.alpha1_v.standard_error,
-        stribeck_velocity_rad_per_s: found.stribeck_velocity_rad_per_s.standard_error,
-        alpha2_v_s_per_rad: found.alpha2_v_s_per_rad.standard_error,
-        sigma0_v_per_rad: found.sigma0_v_per_rad.standard_error,
-        sigma1_v_s_per_rad: found.sigma1_v_s_per_rad.standard_error,
-    };
-    FrictionKnowledge { value: found.friction(), standard_error }
+/// without those steps they stay at what is typical.
+pub fn of_joint(found: Option<&StaticFriction>, filtered: Option<&EkfResult>) -> FrictionKnowledge {
+    if let Some(found) = found {
+        let standard_error = Friction {
+            alpha0_v: found.alpha0_v.standard_error,
+            alpha1_v: found.alpha1_v.standard_error,
+            stribeck_velocity_rad_per_s: found.stribeck_velocity_rad_per_s.standard_error,
+            alpha2_v_s_per_rad: found.alpha2_v_s_per_rad.standard_error,
+            sigma0_v_per_rad: found.sigma0_v_per_rad.standard_error,
+            sigma1_v_s_per_rad: found.sigma1_v_s_per_rad.standard_error,
+        };
+        return FrictionKnowledge { value: found.friction(), standard_error };
+    }
+    if let Some(found) = filtered {
+        let standard_error = Friction {
+            alpha0_v: found.alpha0_v.standard_error,
+            alpha1_v: found.alpha1_v.standard_error,
+            stribeck_velocity_rad_per_s: found.stribeck_velocity_rad_per_s.standard_error,
+            alpha2_v_s_per_rad: found.alpha2_v_s_per_rad.standard_error,
+            sigma0_v_per_rad: found.sigma0_v_per_rad.standard_error,
+            sigma1_v_s_per_rad: found.sigma1_v_s_per_rad.standard_error,
+        };
+        return FrictionKnowledge { value: found.friction(), standard_error };
+    }
+    let unknown = Friction { alpha0_v: f64::INFINITY, alpha2_v_s_per_rad: f64::INFINITY, ..none() };
+    FrictionKnowledge { value: TYPICAL, standard_error: unknown }
 }
 
 fn none() -> Friction<f64> {

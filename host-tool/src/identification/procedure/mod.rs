@@ -16,6 +16,7 @@ use rayon::prelude::*;
 
 use super::base_parameters::friction::FrictionKnowledge;
 use super::base_parameters::{self, BaseResult};
+use super::ekf::{self, EkfResult};
 use super::presliding::{self, Presliding, Prior};
 use super::refinement;
 use super::static_friction::{self, StaticFriction};
@@ -35,9 +36,14 @@ pub fn identify(campaign: &Campaign, say: &dyn Fn(&str)) -> Result<Identified, S
     say("examining the logs");
     let mut missing = examine_all(campaign)?;
     say("static friction");
-    let statics = static_friction_of_all(campaign, &mut missing);
-    let mut knowledge: [FrictionKnowledge; 3] =
-        [0, 1, 2].map(|i| knowledge::from_static(statics[i].as_ref()));
+    let (statics, filtered) =
+        rayon::join(|| static_friction_of_all(campaign), || filtered(campaign));
+    let statics = noted(statics, &mut missing);
+    let [filtered] = noted([filtered], &mut missing);
+    let mut knowledge = [0, 1, 2].map(|i| {
+        let of_joint = filtered.as_ref().filter(|found| usize::from(found.joint) == i + 1);
+        knowledge::of_joint(statics[i].as_ref(), of_joint)
+    });
     say("base parameters");
     let excitations: Vec<&Trace> =
         campaign.traces_of(Experiment::Excitation, Role::Train, None).collect();
@@ -66,8 +72,18 @@ pub fn identify(campaign: &Campaign, say: &dyn Fn(&str)) -> Result<Identified, S
     };
     say("validation");
     let held = held_out(campaign, &robot);
-    let mut identified =
-        Identified { statics, presliding, paper, base, refined, physical, robot, held, missing };
+    let mut identified = Identified {
+        statics,
+        filtered,
+        presliding,
+        paper,
+        base,
+        refined,
+        physical,
+        robot,
+        held,
+        missing,
+    };
     identified.note_contradictions();
     Ok(identified)
 }
@@ -87,32 +103,44 @@ fn geometry(campaign: &Campaign) -> Result<Geometry<f64>, StepError> {
     })
 }
 
-/// Static friction of the joints that have a run at constant velocities.
-fn static_friction_of_all(
-    campaign: &Campaign,
+/// Static friction of each joint from its run at constant velocities.
+fn static_friction_of_all(campaign: &Campaign) -> [Result<StaticFriction, StepError>; 3] {
+    let one = |joint: u8| {
+        let trace = the_log(campaign, Experiment::ConstantVelocity, joint, "static friction")?;
+        static_friction::identify(trace, joint, &campaign.known)
+    };
+    let (first, (second, third)) = rayon::join(|| one(1), || rayon::join(|| one(2), || one(3)));
+    [first, second, third]
+}
+
+/// The augmented filter on the friction excitation of joint 3, section 3.1.
+fn filtered(campaign: &Campaign) -> Result<EkfResult, StepError> {
+    let trace = the_log(campaign, Experiment::FrictionExcitation, 3, "augmented EKF")?;
+    ekf::identify(trace, 3, &campaign.known, &ekf::Start::from_log())
+}
+
+/// The first `train` log of an experiment on a joint.
+fn the_log<'a>(
+    campaign: &'a Campaign,
+    experiment: Experiment,
+    joint: u8,
+    step: &'static str,
+) -> Result<&'a Trace, StepError> {
+    let name = match experiment {
+        Experiment::ConstantVelocity => "constant-velocity",
+        Experiment::FrictionExcitation => "friction-excitation",
+        _ => "presliding-noise",
+    };
+    let no_log = || StepError::NoLog { step, experiment: format!("{name} of joint {joint}") };
+    campaign.traces_of(experiment, Role::Train, Some(joint)).next().ok_or_else(no_log)
+}
+
+/// What worked, and a note of what did not.
+fn noted<T, const N: usize>(
+    results: [Result<T, StepError>; N],
     missing: &mut Vec<String>,
-) -> [Option<StaticFriction>; 3] {
-    let found: Vec<_> = (1..=3u8)
-        .into_par_iter()
-        .map(|joint| {
-            let mut traces =
-                campaign.traces_of(Experiment::ConstantVelocity, Role::Train, Some(joint));
-            let no_log = || StepError::NoLog {
-                step: "static friction",
-                experiment: format!("constant-velocity of joint {joint}"),
-            };
-            let trace = traces.next().ok_or_else(no_log)?;
-            static_friction::identify(trace, joint, &campaign.known)
-        })
-        .collect();
-    let mut kept = [None, None, None];
-    for (slot, result) in kept.iter_mut().zip(found) {
-        match result {
-            Ok(friction) => *slot = Some(friction),
-            Err(error) => missing.push(error.to_string()),
-        }
-    }
-    kept
+) -> [Option<T>; N] {
+    results.map(|result| result.map_err(|error| missing.push(error.to_string())).ok())
 }
 
 /// The paper's plain least squares, and the weighted one that goes on.

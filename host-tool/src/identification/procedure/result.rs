@@ -3,6 +3,7 @@
 use model::Robot;
 
 use crate::identification::base_parameters::{BaseResult, JointResidual};
+use crate::identification::ekf::EkfResult;
 use crate::identification::physical::Physical;
 use crate::identification::prediction::{Prediction, predict};
 use crate::identification::presliding::Presliding;
@@ -17,6 +18,8 @@ use crate::simulation::tracking::rms;
 pub struct Identified {
     /// Static friction, where there was a run at constant velocities.
     pub statics: [Option<StaticFriction>; 3],
+    /// What the augmented filter made of the friction excitation of joint 3.
+    pub filtered: Option<EkfResult>,
     /// Pre-sliding friction, where there was noise.
     pub presliding: Vec<Presliding>,
     /// Base parameters the paper's way.
