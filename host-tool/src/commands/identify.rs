@@ -13,6 +13,7 @@ use crate::identification::{Campaign, StepError};
 use crate::progress::Steps;
 use crate::report::identification_page::identification_page;
 use crate::report::identification_summary::Summary;
+use crate::report::one_joint_page::{one_joint_page, one_joint_rows};
 
 /// Arguments of `rrr identify`.
 #[derive(Debug, Args)]
@@ -37,14 +38,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     steps.at("reading the logs");
     let robot_file = RobotFile::read(&arguments.robot)?;
     let campaign = Campaign::read(&Dataset::read(&arguments.dataset)?, robot_file)?;
+    if campaign.known.joints.len() == 1 {
+        return of_one_joint(arguments, &campaign, &steps);
+    }
     let identified = procedure::identify(&campaign, &|step| steps.at(step))?;
     steps.at("writing the report");
-    let directory = arguments.out.parent().filter(|p| !p.as_os_str().is_empty());
-    let directory = directory.unwrap_or(Path::new("."));
-    create_directory(directory)?;
+    let page = arguments.beside("identification.html")?;
     model_file(&identified, &campaign.robot_file).write(&arguments.out)?;
-    write_summary(&identified, &directory.join("identification.json"))?;
-    let page = directory.join("identification.html");
+    arguments.write_summary(&Summary::of(&identified))?;
     identification_page(&campaign, &identified).write(&page)?;
     steps.finish();
     print_table(&identified);
@@ -52,11 +53,40 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-fn write_summary(identified: &Identified, path: &Path) -> Result<(), Failure> {
-    let summary = Summary::of(identified);
-    let text = serde_json::to_string_pretty(&summary).unwrap_or_default();
-    replace_file(path, |file| file.write_all(text.as_bytes()).map_err(Problem::Unwritable))?;
+/// The same on a rig of one joint.
+fn of_one_joint(arguments: &Arguments, campaign: &Campaign, steps: &Steps) -> Result<(), Failure> {
+    let identified = procedure::identify_one_joint(campaign, &|step| steps.at(step))?;
+    let page = arguments.beside("identification.html")?;
+    identified.model_file(&campaign.robot_file).write(&arguments.out)?;
+    arguments.write_summary(&identified.motion)?;
+    one_joint_page(&identified).write(&page)?;
+    steps.finish();
+    for row in one_joint_rows(&identified) {
+        println!("  {:28} {:>26}", row[0], row[1]);
+    }
+    for remark in &identified.missing {
+        println!("  note: {remark}");
+    }
+    println!("\nModel: {}\nFigures: {}", arguments.out.display(), page.display());
     Ok(())
+}
+
+impl Arguments {
+    /// A file beside the model, whose directory is there afterwards.
+    fn beside(&self, name: &str) -> Result<PathBuf, Failure> {
+        let directory = self.out.parent().filter(|parent| !parent.as_os_str().is_empty());
+        let directory = directory.unwrap_or(Path::new("."));
+        create_directory(directory)?;
+        Ok(directory.join(name))
+    }
+
+    fn write_summary(&self, summary: &impl serde::Serialize) -> Result<(), Failure> {
+        let path = self.beside("identification.json")?;
+        let text = serde_json::to_string_pretty(summary)
+            .map_err(|error| Failure::new(format!("{}: {error}", path.display()), ""))?;
+        replace_file(&path, |file| file.write_all(text.as_bytes()).map_err(Problem::Unwritable))?;
+        Ok(())
+    }
 }
 
 fn print_table(identified: &Identified) {

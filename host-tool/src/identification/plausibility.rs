@@ -11,6 +11,8 @@ const FASTEST_RAD_PER_S: f64 = 60.0;
 const STUCK_S: f64 = 0.3;
 /// Fast enough that a joint cannot stop from one sample to the next [rad/s].
 const MOVING_RAD_PER_S: f64 = 0.5;
+/// A command beyond the limit by this factor is in another unit.
+const WRONG_UNIT: f64 = 3.0;
 /// More than this share of commands at the limit spoils a log.
 const MOST_AT_LIMIT: f64 = 0.05;
 
@@ -35,7 +37,7 @@ pub fn examine(trace: &Trace, known: &Known) -> Result<Vec<String>, StepError> {
 fn check_units(trace: &Trace, joint: &JointTrace, known: &Known) -> Result<(), String> {
     let number = joint.number;
     let peak = joint.command_v.iter().fold(0.0_f64, |peak, u| peak.max(u.abs()));
-    if peak > 1.001 * known.command_limit_v {
+    if peak > WRONG_UNIT * known.command_limit_v {
         return Err(format!(
             "u{number}_V reaches {peak:.3}, above command_limit_V = {}; is the column in volts?",
             known.command_limit_v
@@ -103,6 +105,11 @@ fn apart(a: &[f64], b: &[f64]) -> f64 {
 }
 
 fn at_the_limit(joint: &JointTrace, known: &Known) -> Option<String> {
+    let peak_v = joint.command_v.iter().fold(0.0_f64, |peak, u| peak.max(u.abs()));
+    if peak_v > 1.001 * known.command_limit_v {
+        let (number, limit_v) = (joint.number, known.command_limit_v);
+        return Some(format!("u{number}_V reaches {peak_v:.3}, above command_limit_V = {limit_v}"));
+    }
     let edge_v = known.command_limit_v - 1.5 * known.command_step_v;
     let cut = joint.command_v.iter().filter(|u| u.abs() >= edge_v).count();
     let share = cut as f64 / joint.command_v.len().max(1) as f64;

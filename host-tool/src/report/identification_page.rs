@@ -63,13 +63,13 @@ fn base_rows(identified: &Identified) -> Vec<Vec<String>> {
 }
 
 /// A value with half its 95 % interval, to the digits that the interval allows.
-fn shown(estimate: &Estimate) -> String {
+pub(super) fn shown(estimate: &Estimate) -> String {
     let half = 0.5 * (estimate.interval[1] - estimate.interval[0]);
     let digits = if half > 0.0 { (1.0 - half.log10().floor()).clamp(0.0, 7.0) as usize } else { 5 };
     format!("{:.digits$} ± {:.digits$}", estimate.value, half)
 }
 
-fn stribeck_chart(found: &StaticFriction) -> Chart {
+pub(super) fn stribeck_chart(found: &StaticFriction) -> Chart {
     let forward = |points: Vec<(f64, f64)>| -> Vec<(f64, f64)> {
         points.into_iter().map(|(v, u)| (v.abs(), u * v.signum())).collect()
     };

@@ -3,6 +3,7 @@
 pub mod chart;
 pub mod identification_page;
 pub mod identification_summary;
+pub mod one_joint_page;
 pub mod page;
 mod thinning;
 pub mod tracking_page;

@@ -61,10 +61,9 @@ pub fn identify(
         if number == 3 || number == 6 {
             noise = tuned(&representative(&samples), &parameters, noise);
         }
-        let belief = Belief { deviation: deviations(&parameters, spread(number)), parameters };
-        let pass = filter::run(&samples, &belief, &noise);
+        let pass = kept(&samples, parameters, &noise, spread(number));
+        let pass = pass.ok_or_else(|| lost(trace))?;
         parameters = pass.belief.parameters.clone();
-        check(&pass, trace)?;
         history.push(EkfPass::of(number + 1, &pass, &noise, known.torque_constant(joint), &rows));
         last = Some(pass);
     }
@@ -99,16 +98,35 @@ fn representative(samples: &Samples) -> Samples {
     samples.part(from, to)
 }
 
-fn check(pass: &FilterPass, trace: &Trace) -> Result<(), StepError> {
-    if pass.cost.is_finite() && pass.belief.parameters.iter().all(|p| p.is_finite()) {
-        return Ok(());
-    }
-    Err(StepError::Numerical {
+/// A pass that keeps the motion: where the filter, still unsure of its parameters, takes
+/// too large a step at a reversal and loses the motion, the pass is made again from the
+/// same estimates with less spread.
+fn kept(samples: &Samples, parameters: Vec<f64>, noise: &Noise, spread: f64) -> Option<FilterPass> {
+    const SPREADS: [f64; 5] = [1.0, 0.4, 0.16, 0.06, 0.02];
+    SPREADS.into_iter().find_map(|share| {
+        let deviation = deviations(&parameters, share * spread);
+        let belief = Belief { parameters: parameters.clone(), deviation };
+        let pass = filter::run(samples, &belief, noise);
+        keeps_the_motion(&pass, noise).then_some(pass)
+    })
+}
+
+/// Whether all is finite, inertia positive, and innovations are of the encoder's size.
+fn keeps_the_motion(pass: &FilterPass, noise: &Noise) -> bool {
+    use super::one_joint::grey_box::FRICTION;
+    const DEVIATIONS: f64 = 100.0;
+    let finite = pass.cost.is_finite() && pass.belief.parameters.iter().all(|p| p.is_finite());
+    let lost_rad = DEVIATIONS * noise.measurement_rad2.sqrt();
+    finite && pass.belief.parameters[FRICTION] > 0.0 && pass.innovation_rms_rad < lost_rad
+}
+
+fn lost(trace: &Trace) -> StepError {
+    StepError::Numerical {
         step: "EKF",
         what: format!(
             "the filter lost the motion of {}; check that its command is in volts and that \
              the torque constant is right, or give a better start",
             trace.file
         ),
-    })
+    }
 }

@@ -5,9 +5,11 @@
 //! the static step finds along are good enough for the first round.
 
 mod knowledge;
+mod one_joint;
 mod result;
 mod table;
 
+pub use one_joint::{OneJointIdentified, identify_one_joint};
 pub use result::{Held, Identified};
 pub use table::model_file;
 
