@@ -192,6 +192,34 @@ fn another_robot_by_the_filter() {
     filter_holds(&trace, &known(), &robot);
 }
 
+/// A start 30 % off in every direction: the filter must not lose the motion for good.
+#[test]
+fn a_poor_start_is_survived() {
+    let robot = another_robot();
+    let trace = recorded(&robot, &friction_excitation(&Rig::new(robot)), 7);
+    let truth = robot.friction[2];
+    let friction = Friction {
+        alpha0_v: 1.3 * truth.alpha0_v,
+        alpha1_v: 0.5 * truth.alpha1_v,
+        stribeck_velocity_rad_per_s: 1.5 * truth.stribeck_velocity_rad_per_s,
+        alpha2_v_s_per_rad: 0.7 * truth.alpha2_v_s_per_rad,
+        sigma0_v_per_rad: 1.3 * truth.sigma0_v_per_rad,
+        sigma1_v_s_per_rad: 0.7 * truth.sigma1_v_s_per_rad,
+    };
+    let inertia = 1.3 * robot.base.zz3r / robot.torque_constant_nm_per_v[2];
+    let start = Start { friction: Some(friction), inertia: Some(inertia) };
+    let found = ekf::identify(&trace, 3, &known(), &start).unwrap();
+    within("alpha0 from a poor start", &found.alpha0_v, truth.alpha0_v, SLIDING);
+    within(
+        "alpha2 from a poor start",
+        &found.alpha2_v_s_per_rad,
+        truth.alpha2_v_s_per_rad,
+        SLIDING,
+    );
+    within("J3 from a poor start", &found.inertia_kg_m2, robot.base.zz3r, INERTIA);
+    assert!(found.converged);
+}
+
 #[test]
 fn bad_logs_are_refused_with_reasons() {
     let still = |q: f64| Trace {
