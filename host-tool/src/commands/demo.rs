@@ -40,7 +40,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let robot = arguments.write_robot()?;
     simulate::run(&arguments.campaign(&robot))?;
     println!("\n2. The logs give the model.");
-    identify::run(&arguments.identification())?;
+    identify::run_whole(&arguments.identification())?;
     let model = RobotFile::read(arguments.out.join("model.toml"))?.robot()?;
     println!("\n3. The model goes into the firmware, which plays the motion (20)-(21).");
     let rig = Rig::new(model);
@@ -78,8 +78,8 @@ impl Arguments {
         }
     }
 
-    fn identification(&self) -> identify::Arguments {
-        identify::Arguments {
+    fn identification(&self) -> identify::Whole {
+        identify::Whole {
             dataset: self.out.join("campaign"),
             robot: self.out.join("robot.toml"),
             out: self.out.join("model.toml"),

@@ -5,6 +5,7 @@ use model::base::NAMES;
 use super::validation_page::{HEADER, command_charts, lead, rows};
 use super::{Axis, Chart, Page, Series, Stroke};
 use crate::files::{Experiment, Role};
+use crate::identification::base_parameters::ConvergencePoint;
 use crate::identification::ekf::{EkfPass, EkfResult};
 use crate::identification::prediction::predict_over;
 use crate::identification::presliding::{FrfPoint, Presliding};
@@ -41,7 +42,8 @@ pub fn identification_page(campaign: &Campaign, identified: &Identified) -> Page
     }
     page.heading("Excitation (Fig. 6 and 7)").charts(&excitation_charts(campaign));
     page.heading("Base parameters (eq. 19)").table(&BASE_HEADER, &base_rows(identified));
-    page.heading("Convergence (Fig. 9)").charts(&[convergence_chart(identified)]);
+    page.heading("Convergence (Fig. 9)")
+        .charts(&[convergence_chart(&identified.paper.convergence)]);
     page.heading("Command, recorded and reconstructed (Fig. 8 and 10)");
     page.charts(&identified.held.iter().flat_map(command_charts).collect::<Vec<_>>());
     page
@@ -82,7 +84,7 @@ pub(super) fn stribeck_chart(found: &StaticFriction) -> Chart {
         .sized(THIRD.0, THIRD.1)
 }
 
-fn frf_charts(found: &Presliding) -> [Chart; 3] {
+pub(super) fn frf_charts(found: &Presliding) -> [Chart; 3] {
     // Beyond the band of the fit there is noise only.
     let shown = |p: &&FrfPoint| p.frequency_hz <= 1.3 * found.band_hz[1];
     let points = |pick: fn(&FrfPoint) -> f64| {
@@ -130,8 +132,7 @@ fn excitation_charts(campaign: &Campaign) -> Vec<Chart> {
 }
 
 /// All parameters over the number of samples, each less its last value, in its own error.
-fn convergence_chart(identified: &Identified) -> Chart {
-    let points = &identified.paper.convergence;
+pub(super) fn convergence_chart(points: &[ConvergencePoint]) -> Chart {
     let chart =
         Chart::new("Each parameter against its last value", "samples", "difference [kg m, kg m^2]")
             .sized(1080, 330);
@@ -191,12 +192,15 @@ fn ekf_charts(found: &EkfResult, campaign: &Campaign, identified: &Identified) -
     vec![command, response, passes_chart(found)]
 }
 
+/// What is drawn of a pass.
+type ValueOfPass = fn(&EkfPass) -> f64;
+
 /// Each parameter over the passes, in parts of its last value.
-fn passes_chart(found: &EkfResult) -> Chart {
+pub(super) fn passes_chart(found: &EkfResult) -> Chart {
     let Some(last) = found.history.last() else { return Chart::default() };
     let chart =
         Chart::new("Passes of the filter", "pass", "value / last value").sized(HALF.0, HALF.1);
-    let pick: [(&str, fn(&EkfPass) -> f64); 5] = [
+    let pick: [(&str, ValueOfPass); 5] = [
         ("alpha0", |pass| pass.friction.alpha0_v),
         ("alpha1", |pass| pass.friction.alpha1_v),
         ("alpha2", |pass| pass.friction.alpha2_v_s_per_rad),

@@ -1,9 +1,13 @@
 //! `rrr identify`: the model of an unknown robot from its recorded experiments.
 
+mod steps;
+
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+
+pub use steps::Step;
 
 use super::{Failure, create_directory};
 use crate::files::replace::replace_file;
@@ -15,17 +19,29 @@ use crate::report::identification_page::identification_page;
 use crate::report::identification_summary::Summary;
 use crate::report::one_joint_page::{one_joint_page, one_joint_rows};
 
-/// Arguments of `rrr identify`.
+/// Arguments of `rrr identify`: those of the whole procedure, or a step.
 #[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub struct Arguments {
+    /// One step alone.
+    #[command(subcommand)]
+    pub step: Option<Step>,
+    /// The whole procedure.
+    #[command(flatten)]
+    pub whole: Option<Whole>,
+}
+
+/// Arguments of the whole procedure.
+#[derive(Debug, Args)]
+pub struct Whole {
     /// The data set: a directory with dataset.toml and its logs.
-    #[arg(value_name = "DATASET")]
+    #[arg(value_name = "DATASET", required = true)]
     pub dataset: PathBuf,
     /// What the manufacturer tells.
-    #[arg(long, value_name = "ROBOT.toml")]
+    #[arg(long, value_name = "ROBOT.toml", required = true)]
     pub robot: PathBuf,
     /// Where the model goes; identification.json and identification.html go beside it.
-    #[arg(long, value_name = "MODEL.toml")]
+    #[arg(long, value_name = "MODEL.toml", required = true)]
     pub out: PathBuf,
 }
 
@@ -34,6 +50,18 @@ pub struct Arguments {
 /// # Errors
 /// Files that cannot be used, or experiments that do not determine a model.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    match (&arguments.step, &arguments.whole) {
+        (Some(step), _) => step.run(),
+        (None, Some(whole)) => run_whole(whole),
+        (None, None) => Err(Failure::new("no data set is named", "see `rrr identify --help`")),
+    }
+}
+
+/// Runs the whole procedure.
+///
+/// # Errors
+/// Files that cannot be used, or experiments that do not determine a model.
+pub fn run_whole(arguments: &Whole) -> Result<(), Failure> {
     let steps = Steps::new();
     steps.at("reading the logs");
     let robot_file = RobotFile::read(&arguments.robot)?;
@@ -54,7 +82,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// The same on a rig of one joint.
-fn of_one_joint(arguments: &Arguments, campaign: &Campaign, steps: &Steps) -> Result<(), Failure> {
+fn of_one_joint(arguments: &Whole, campaign: &Campaign, steps: &Steps) -> Result<(), Failure> {
     let identified = procedure::identify_one_joint(campaign, &|step| steps.at(step))?;
     let page = arguments.beside("identification.html")?;
     identified.model_file(&campaign.robot_file).write(&arguments.out)?;
@@ -71,7 +99,7 @@ fn of_one_joint(arguments: &Arguments, campaign: &Campaign, steps: &Steps) -> Re
     Ok(())
 }
 
-impl Arguments {
+impl Whole {
     /// A file beside the model, whose directory is there afterwards.
     fn beside(&self, name: &str) -> Result<PathBuf, Failure> {
         let directory = self.out.parent().filter(|parent| !parent.as_os_str().is_empty());
@@ -81,12 +109,16 @@ impl Arguments {
     }
 
     fn write_summary(&self, summary: &impl serde::Serialize) -> Result<(), Failure> {
-        let path = self.beside("identification.json")?;
-        let text = serde_json::to_string_pretty(summary)
-            .map_err(|error| Failure::new(format!("{}: {error}", path.display()), ""))?;
-        replace_file(&path, |file| file.write_all(text.as_bytes()).map_err(Problem::Unwritable))?;
-        Ok(())
+        write_json(summary, &self.beside("identification.json")?)
     }
+}
+
+/// Writes numbers as JSON, whole or not at all.
+fn write_json(numbers: &impl serde::Serialize, path: &Path) -> Result<(), Failure> {
+    let text = serde_json::to_string_pretty(numbers)
+        .map_err(|error| Failure::new(format!("{}: {error}", path.display()), ""))?;
+    replace_file(path, |file| file.write_all(text.as_bytes()).map_err(Problem::Unwritable))?;
+    Ok(())
 }
 
 fn print_table(identified: &Identified) {
