@@ -67,8 +67,8 @@ pub fn clearly_sliding(rows: &Rows) -> Vec<usize> {
     clear
 }
 
-/// The best point of a coarse grid over what sliding does not tell.
-pub fn best_of_grid(rows: &Rows, sliding: &Sliding) -> Option<DVector<f64>> {
+/// A coarse grid over what sliding does not tell, the best point first.
+pub fn grid(rows: &Rows, sliding: &Sliding) -> Vec<DVector<f64>> {
     const JITTER_RAD_PER_S: f64 = 2e-4;
     let mut tried: Vec<(f64, DVector<f64>)> = Vec::new();
     for breakaway in [0.5, 1.0, 1.3] {
@@ -89,5 +89,6 @@ pub fn best_of_grid(rows: &Rows, sliding: &Sliding) -> Option<DVector<f64>> {
             tried.push((grey_box::rms(&rows.data, &start), start));
         }
     }
-    tried.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, start)| start)
+    tried.sort_by(|a, b| a.0.total_cmp(&b.0));
+    tried.into_iter().map(|(_, start)| start).collect()
 }

@@ -8,12 +8,13 @@ use super::super::base_parameters::friction::FRICTION_COUNT;
 /// Relative standard errors that no amount of data takes away: what the model's equations
 /// and their sampling are trusted to.
 ///
-/// Gravity and Coulomb friction need no derivative of the motion and carry none. Where
+/// A lag poses as inertia about the joint's own axis, so products of inertia carry none;
+/// nor do gravity and Coulomb friction, which need no derivative of the motion. Where
 /// amplifiers make noise of millivolts these are the smaller part of most errors; on a rig
 /// without noise they are nearly all of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModelDoubt {
-    /// Of inertias, in parts of the largest one of their link.
+    /// Of moments of inertia, in parts of the largest one of their link.
     pub inertia: f64,
     /// Of alpha_2.
     pub viscous: f64,
@@ -25,7 +26,7 @@ pub struct ModelDoubt {
 
 impl Default for ModelDoubt {
     fn default() -> Self {
-        Self { inertia: 1e-4, viscous: 2e-4, stiffness: 0.005, damping: 0.02 }
+        Self { inertia: 1e-4, viscous: 2e-4, stiffness: 0.003, damping: 0.012 }
     }
 }
 
@@ -38,16 +39,16 @@ impl ModelDoubt {
         BaseParameters {
             zz1r: one,
             xx2r: two,
-            xy2r: two,
-            xz2r: two,
-            yz2r: two,
+            xy2r: 0.0,
+            xz2r: 0.0,
+            yz2r: 0.0,
             zz2r: two,
             mx2r: 0.0,
             my2r: 0.0,
             xx3r: three,
-            xy3r: three,
-            xz3r: three,
-            yz3r: three,
+            xy3r: 0.0,
+            xz3r: 0.0,
+            yz3r: 0.0,
             zz3r: three,
             mx3r: 0.0,
             my3r: 0.0,

@@ -15,7 +15,7 @@ use serde::Serialize;
 
 use super::campaign::{Known, Trace};
 use super::estimate::{Estimate, StepError};
-use super::one_joint::grey_box::{self, Fit, LINEAR};
+use super::one_joint::grey_box::{self, FRICTION, Fit, LINEAR, from_logarithms};
 use super::one_joint::rows::{Rows, Term};
 use super::one_joint::start;
 use steady::SteadyLeg;
@@ -110,6 +110,17 @@ pub fn identify(trace: &Trace, joint: u8, known: &Known) -> Result<StaticFrictio
     Ok(result(&rows, &fit, joint, known))
 }
 
+/// Points of the grid from which a search may begin.
+const STARTS: usize = 6;
+
+/// Whether the Stribeck curve describes what happens at slow speeds. A search can also end
+/// where it bends the viscous friction of fast ones.
+fn is_stribeck(fit: &Fit) -> bool {
+    const FASTEST_RAD_PER_S: f64 = 0.1;
+    from_logarithms(&fit.parameters.as_slice()[..FRICTION]).stribeck_velocity_rad_per_s
+        < FASTEST_RAD_PER_S
+}
+
 /// A log's rows and the best fit to them.
 ///
 /// # Errors
@@ -125,8 +136,11 @@ pub fn fit_log(trace: &Trace, joint: u8, known: &Known) -> Result<(Rows, Fit), S
     let sliding = start::sliding(&rows).ok_or_else(unusable)?;
     let free: Vec<usize> = (0..LINEAR + rows.terms.len()).collect();
     let mut rows = rows;
-    let start = start::best_of_grid(&rows, &sliding).ok_or_else(unusable)?;
-    let mut best = grey_box::fit(&rows.data, start, &free, ROUGHLY);
+    let rough = |start| grey_box::fit(&rows.data, start, &free, ROUGHLY);
+    let mut fits = start::grid(&rows, &sliding).into_iter().take(STARTS).map(rough);
+    let first = fits.next().ok_or_else(unusable)?;
+    let mut best =
+        if is_stribeck(&first) { first } else { fits.find(is_stribeck).unwrap_or(first) };
     for _ in 0..REWEIGHTINGS {
         rows.data.weight = grey_box::weights_from(&best, &rows.data.weight);
         best = grey_box::fit(&rows.data, best.parameters, &free, FINELY);
