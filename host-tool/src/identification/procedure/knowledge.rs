@@ -2,8 +2,9 @@
 
 use model::Friction;
 
+use crate::identification::Estimate;
 use crate::identification::base_parameters::BaseResult;
-use crate::identification::base_parameters::friction::FrictionKnowledge;
+use crate::identification::base_parameters::friction::{FrictionKnowledge, from_array};
 use crate::identification::ekf::EkfResult;
 use crate::identification::presliding::{Presliding, Prior, Sliding};
 use crate::identification::static_friction::StaticFriction;
@@ -25,40 +26,38 @@ const TYPICAL: Friction<f64> = Friction {
 /// without those steps they stay at what is typical.
 pub fn of_joint(found: Option<&StaticFriction>, filtered: Option<&EkfResult>) -> FrictionKnowledge {
     if let Some(found) = found {
-        let standard_error = Friction {
-            alpha0_v: found.alpha0_v.standard_error,
-            alpha1_v: found.alpha1_v.standard_error,
-            stribeck_velocity_rad_per_s: found.stribeck_velocity_rad_per_s.standard_error,
-            alpha2_v_s_per_rad: found.alpha2_v_s_per_rad.standard_error,
-            sigma0_v_per_rad: found.sigma0_v_per_rad.standard_error,
-            sigma1_v_s_per_rad: found.sigma1_v_s_per_rad.standard_error,
-        };
-        return FrictionKnowledge { value: found.friction(), standard_error };
+        let errors = [
+            &found.alpha0_v,
+            &found.alpha1_v,
+            &found.stribeck_velocity_rad_per_s,
+            &found.alpha2_v_s_per_rad,
+            &found.sigma0_v_per_rad,
+            &found.sigma1_v_s_per_rad,
+        ];
+        return with_errors(found.friction(), errors);
     }
     if let Some(found) = filtered {
-        let standard_error = Friction {
-            alpha0_v: found.alpha0_v.standard_error,
-            alpha1_v: found.alpha1_v.standard_error,
-            stribeck_velocity_rad_per_s: found.stribeck_velocity_rad_per_s.standard_error,
-            alpha2_v_s_per_rad: found.alpha2_v_s_per_rad.standard_error,
-            sigma0_v_per_rad: found.sigma0_v_per_rad.standard_error,
-            sigma1_v_s_per_rad: found.sigma1_v_s_per_rad.standard_error,
-        };
-        return FrictionKnowledge { value: found.friction(), standard_error };
+        let errors = [
+            &found.alpha0_v,
+            &found.alpha1_v,
+            &found.stribeck_velocity_rad_per_s,
+            &found.alpha2_v_s_per_rad,
+            &found.sigma0_v_per_rad,
+            &found.sigma1_v_s_per_rad,
+        ];
+        return with_errors(found.friction(), errors);
     }
     let unknown = Friction { alpha0_v: f64::INFINITY, alpha2_v_s_per_rad: f64::INFINITY, ..none() };
     FrictionKnowledge { value: TYPICAL, standard_error: unknown }
 }
 
+fn with_errors(value: Friction<f64>, estimates: [&Estimate; 6]) -> FrictionKnowledge {
+    let standard_error = from_array(estimates.map(|estimate| estimate.standard_error));
+    FrictionKnowledge { value, standard_error }
+}
+
 fn none() -> Friction<f64> {
-    Friction {
-        alpha0_v: 0.0,
-        alpha1_v: 0.0,
-        stribeck_velocity_rad_per_s: 0.0,
-        alpha2_v_s_per_rad: 0.0,
-        sigma0_v_per_rad: 0.0,
-        sigma1_v_s_per_rad: 0.0,
-    }
+    from_array([0.0; 6])
 }
 
 /// What the FRF must know before: the mass matrix and sliding friction.
