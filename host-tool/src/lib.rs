@@ -1,4 +1,4 @@
-//! The host tool: records, identifies, simulates and diagnoses the RRR robot.
+//! The host tool: simulates the RRR robot, identifies it and judges the model.
 //!
 //! | module | what it holds |
 //! | --- | --- |

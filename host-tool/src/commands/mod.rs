@@ -17,7 +17,7 @@ pub mod inverse_dynamics;
 pub mod simulate;
 pub mod validate;
 
-/// Records, identifies, simulates and diagnoses the RRR robot from its logs.
+/// Simulates the RRR robot, identifies it from its logs and judges the model.
 #[derive(Debug, Parser)]
 #[command(name = "rrr", version, about, propagate_version = true)]
 pub struct CommandLine {

@@ -39,7 +39,7 @@ impl Estimate {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StepError {
     /// No log of this experiment.
-    #[error("{step}: no log of {experiment} is there; record one with `rrr run {experiment}`")]
+    #[error("{step}: no log of {experiment} is there; record that experiment")]
     NoLog {
         /// The step that needs it.
         step: &'static str,

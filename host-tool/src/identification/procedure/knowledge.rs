@@ -22,8 +22,8 @@ const TYPICAL: Friction<f64> = Friction {
 /// What the steps on one joint know of its friction: the run at constant velocities, else
 /// the augmented filter, else nothing.
 ///
-/// Motion of all joints tells nothing of the Stribeck velocity and of the bristles, so
-/// without those steps they stay at what is typical.
+/// Motion of all joints tells nothing of the Stribeck curve, so without those steps it
+/// stays at what is typical; the rest comes from that motion, bristles from its reversals.
 pub fn of_joint(found: Option<&StaticFriction>, filtered: Option<&EkfResult>) -> FrictionKnowledge {
     if let Some(found) = found {
         let errors = [
@@ -47,7 +47,14 @@ pub fn of_joint(found: Option<&StaticFriction>, filtered: Option<&EkfResult>) ->
         ];
         return with_errors(found.friction(), errors);
     }
-    let unknown = Friction { alpha0_v: f64::INFINITY, alpha2_v_s_per_rad: f64::INFINITY, ..none() };
+    let open = f64::INFINITY;
+    let unknown = Friction {
+        alpha0_v: open,
+        alpha2_v_s_per_rad: open,
+        sigma0_v_per_rad: open,
+        sigma1_v_s_per_rad: open,
+        ..none()
+    };
     FrictionKnowledge { value: TYPICAL, standard_error: unknown }
 }
 
