@@ -1,4 +1,4 @@
-//! How fast a session's logs are read.
+//! How fast the logs of a campaign are read.
 
 use std::time::Instant;
 
@@ -23,7 +23,7 @@ fn ten_minutes_of_three_joints_are_read_in_a_moment() {
 }
 
 #[test]
-fn a_measured_session_is_read_in_a_moment() {
+fn a_measured_campaign_is_read_in_a_moment() {
     let Some(path) = common::data("rig-1") else { return };
     let start = Instant::now();
     let recordings = Dataset::read(path).unwrap().recordings().unwrap();
