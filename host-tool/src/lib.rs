@@ -7,6 +7,7 @@
 //! | [`effects`] | the catalogue of what the model does not hold |
 //! | [`simulation`] | the simulated robot, and experiments recorded with it |
 //! | [`identification`] | the paper's procedure, step by step |
+//! | [`diagnosis`] | what causes the gap between model and robot |
 //! | [`excitation_design`] | the motion that identifies best, section 4.2 |
 //! | [`signal`], [`estimation`] | the numerical tools that it uses |
 //! | [`report`] | pages with pictures |
@@ -15,6 +16,7 @@
 
 pub mod board;
 pub mod commands;
+pub mod diagnosis;
 pub mod effects;
 pub mod estimation;
 pub mod excitation_design;

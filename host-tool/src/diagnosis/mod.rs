@@ -1,0 +1,25 @@
+//! Where a real robot differs from its model, what causes it, and how much of the gap goes
+//! away when the cause is added.
+
+mod result;
+
+pub use result::*;
+
+use crate::identification::{Campaign, StepError};
+use crate::progress::Steps;
+
+/// How a diagnosis works.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Settings {}
+
+/// Diagnoses the logs of a campaign against the model in its robot file.
+///
+/// # Errors
+/// Logs that do not fit the model's robot, or that cannot be used.
+pub fn diagnose(
+    _campaign: &Campaign,
+    _settings: &Settings,
+    _steps: &Steps,
+) -> Result<Diagnosis, StepError> {
+    Err(StepError::Numerical { step: "diagnosis", what: "not there yet".into() })
+}
