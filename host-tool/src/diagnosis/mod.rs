@@ -1,7 +1,22 @@
 //! Where a real robot differs from its model, what causes it, and how much of the gap goes
 //! away when the cause is added.
 
+pub mod candidate;
+pub mod even_clock;
+pub mod evidence;
+pub mod fit;
+pub mod harmonics;
+pub mod linearisation;
+mod link_motion;
+pub mod noise;
+mod reading;
 mod result;
+pub mod row_filter;
+pub mod search;
+pub mod stretch;
+pub mod subject;
+pub mod unknowns;
+pub mod voltage;
 
 pub use result::*;
 

@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter};
+use super::{Definition, Effect, Moment, Parameter, Search};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "actuator_lag",
@@ -10,6 +10,8 @@ pub(super) const DEFINITION: Definition = Definition {
     equation: "T du'/dt + u' = u",
     whole_robot: false,
     parameters: &[Parameter::new("time_constant_s", 1e-5, 0.1)],
+    couples_joints: false,
+    search: Search::From(|_| vec![vec![5e-4], vec![2e-3], vec![6e-3], vec![0.02]]),
     build: |joint, values| {
         Box::new(ActuatorLag {
             joint: usize::from(joint) - 1,

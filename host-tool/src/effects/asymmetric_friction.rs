@@ -2,7 +2,7 @@
 
 use model::friction::FrictionScale;
 
-use super::{Definition, Effect, Moment, Parameter};
+use super::{Definition, Effect, Moment, Parameter, Search};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "asymmetric_friction",
@@ -10,6 +10,8 @@ pub(super) const DEFINITION: Definition = Definition {
     equation: "gamma and alpha2 times 1 + e forwards, 1 - e backwards",
     whole_robot: false,
     parameters: &[Parameter::new("relative_asymmetry", -0.95, 0.95)],
+    couples_joints: false,
+    search: Search::From(|_| vec![vec![0.1]]),
     build: |joint, values| {
         Box::new(AsymmetricFriction {
             joint: usize::from(joint) - 1,

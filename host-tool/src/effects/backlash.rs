@@ -1,6 +1,6 @@
 //! Play between motor and link.
 
-use super::{Definition, Effect, Parameter};
+use super::{Definition, Effect, Parameter, Search, Typical};
 use crate::simulation::transmission::Transmission;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -14,6 +14,8 @@ pub(super) const DEFINITION: Definition = Definition {
         Parameter::new("damping_Nm_s_per_rad", 0.0, 1e3),
         Parameter::new("motor_inertia_kg_m2", 1e-5, 10.0),
     ],
+    couples_joints: true,
+    search: Search::From(starts),
     build: |joint, values| {
         let transmission = Transmission {
             gap_rad: values[0],
@@ -24,6 +26,18 @@ pub(super) const DEFINITION: Definition = Definition {
         Box::new(Backlash { joint: usize::from(joint) - 1, transmission })
     },
 };
+
+/// Gaps of some mrad and a stiff spring beyond.
+fn starts(typical: &Typical) -> Vec<Vec<f64>> {
+    let mut starts = Vec::new();
+    for gap_rad in [5e-4, 2e-3, 6e-3] {
+        for resonance_hz in [15.0, 40.0] {
+            let [stiffness, damping, inertia] = typical.spring(resonance_hz, 0.15);
+            starts.push(vec![gap_rad, stiffness, damping, inertia]);
+        }
+    }
+    starts
+}
 
 #[derive(Clone, Debug)]
 struct Backlash {

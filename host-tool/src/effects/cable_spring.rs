@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter};
+use super::{Definition, Effect, Moment, Parameter, Search};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "cable_spring",
@@ -13,6 +13,8 @@ pub(super) const DEFINITION: Definition = Definition {
         Parameter::new("stiffness_V_per_rad", 0.0, 10.0),
         Parameter::new("rest_rad", -100.0, 100.0),
     ],
+    couples_joints: false,
+    search: Search::From(|typical| vec![vec![0.1 * typical.friction_v, typical.position_rad]]),
     build: |joint, values| {
         Box::new(CableSpring {
             joint: usize::from(joint) - 1,

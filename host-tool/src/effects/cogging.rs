@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter};
+use super::{Carrier, Definition, Effect, Moment, Parameter, Search};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "cogging",
@@ -14,6 +14,8 @@ pub(super) const DEFINITION: Definition = Definition {
         Parameter::new("harmonic", 1.0, 1000.0),
         Parameter::new("phase_rad", -6.3, 6.3),
     ],
+    couples_joints: false,
+    search: Search::Harmonics(Carrier::Unity),
     build: |joint, values| {
         Box::new(Cogging {
             joint: usize::from(joint) - 1,

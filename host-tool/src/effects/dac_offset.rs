@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter};
+use super::{Definition, Effect, Moment, Parameter, Search};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "dac_offset",
@@ -10,6 +10,8 @@ pub(super) const DEFINITION: Definition = Definition {
     equation: "u + offset",
     whole_robot: false,
     parameters: &[Parameter::new("offset_V", -5.0, 5.0)],
+    couples_joints: false,
+    search: Search::From(|typical| vec![vec![0.1 * typical.friction_v]]),
     build: |joint, values| {
         Box::new(DacOffset { joint: usize::from(joint) - 1, offset_v: values[0] })
     },

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter};
+use super::{Definition, Effect, Moment, Parameter, Search};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "delay",
@@ -12,6 +12,8 @@ pub(super) const DEFINITION: Definition = Definition {
     equation: "u(t - d)",
     whole_robot: false,
     parameters: &[Parameter::new("delay_s", 0.0, 0.1)],
+    couples_joints: false,
+    search: Search::From(|_| vec![vec![8e-4], vec![2.5e-3], vec![6e-3], vec![0.02]]),
     build: |joint, values| {
         Box::new(Delay {
             joint: usize::from(joint) - 1,

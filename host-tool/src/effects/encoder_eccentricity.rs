@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Parameter};
+use super::{Definition, Effect, Parameter, Search};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "encoder_eccentricity",
@@ -13,6 +13,8 @@ pub(super) const DEFINITION: Definition = Definition {
         Parameter::new("amplitude_rad", 0.0, 0.2),
         Parameter::new("phase_rad", -6.3, 6.3),
     ],
+    couples_joints: true,
+    search: Search::From(|_| [0.0, 1.57, 3.14, -1.57].map(|phase_rad| vec![2e-3, phase_rad]).to_vec()),
     build: |joint, values| {
         Box::new(EncoderEccentricity {
             joint: usize::from(joint) - 1,

@@ -1,6 +1,6 @@
 //! A joint that gives way.
 
-use super::{Definition, Effect, Parameter};
+use super::{Definition, Effect, Parameter, Search, Typical};
 use crate::simulation::transmission::Transmission;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -13,6 +13,8 @@ pub(super) const DEFINITION: Definition = Definition {
         Parameter::new("damping_Nm_s_per_rad", 0.0, 1e3),
         Parameter::new("motor_inertia_kg_m2", 1e-5, 10.0),
     ],
+    couples_joints: true,
+    search: Search::From(starts),
     build: |joint, values| {
         let transmission = Transmission {
             gap_rad: 0.0,
@@ -23,6 +25,18 @@ pub(super) const DEFINITION: Definition = Definition {
         Box::new(JointElasticity { joint: usize::from(joint) - 1, transmission })
     },
 };
+
+/// Resonances with the motor held, as the logs may show them, lightly damped.
+fn starts(typical: &Typical) -> Vec<Vec<f64>> {
+    let mut starts = Vec::new();
+    for motor_part in [0.1, 0.3] {
+        for resonance_hz in [7.0, 12.0, 20.0, 35.0] {
+            let spring = typical.spring(resonance_hz, motor_part);
+            starts.push(spring.to_vec());
+        }
+    }
+    starts
+}
 
 #[derive(Clone, Debug)]
 struct JointElasticity {

@@ -2,7 +2,7 @@
 
 use model::friction::FrictionScale;
 
-use super::{Definition, Effect, Moment, Parameter};
+use super::{Definition, Effect, Moment, Parameter, Search};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "load_friction",
@@ -10,6 +10,8 @@ pub(super) const DEFINITION: Definition = Definition {
     equation: "gamma + b |c + h|",
     whole_robot: false,
     parameters: &[Parameter::new("coefficient_V_per_Nm", 0.0, 1.0)],
+    couples_joints: false,
+    search: Search::From(|typical| vec![vec![0.1 * typical.friction_v / typical.load_nm]]),
     build: |joint, values| {
         Box::new(LoadFriction { joint: usize::from(joint) - 1, coefficient_v_per_nm: values[0] })
     },
@@ -22,6 +24,10 @@ struct LoadFriction {
 }
 
 impl Effect for LoadFriction {
+    fn feels_load(&self) -> bool {
+        true
+    }
+
     fn change_friction(&self, moment: &Moment, scale: &mut [FrictionScale<f64>; 3]) {
         scale[self.joint].added_v += self.coefficient_v_per_nm * moment.load_nm[self.joint].abs();
     }

@@ -24,11 +24,13 @@ mod payload;
 mod position_friction;
 mod quadratic_drag;
 mod saturation;
+mod search;
 mod tip_force;
 mod torque_constant;
 mod torque_ripple;
 
 pub use parse::EffectError;
+pub use search::{Carrier, Search, Typical};
 
 use std::fmt::Debug;
 
@@ -75,6 +77,10 @@ pub struct Definition {
     pub whole_robot: bool,
     /// Its parameters.
     pub parameters: &'static [Parameter],
+    /// Whether it shows in the commands of other joints as well.
+    pub couples_joints: bool,
+    /// Where a search for its parameters begins.
+    pub search: Search,
     /// The effect with these values, one per parameter, on a joint (1 to 3, or 0).
     build: fn(joint: u8, values: &[f64]) -> Box<dyn Effect>,
 }
@@ -88,12 +94,19 @@ pub struct Parameter {
     pub lowest: f64,
     /// The most that it can be.
     pub highest: f64,
+    /// Whether it may be left out, and is zero then.
+    pub optional: bool,
 }
 
 impl Parameter {
     /// A parameter with its bounds.
     pub const fn new(name: &'static str, lowest: f64, highest: f64) -> Self {
-        Self { name, lowest, highest }
+        Self { name, lowest, highest, optional: false }
+    }
+
+    /// A parameter that is zero where it is left out.
+    pub const fn optional(name: &'static str, lowest: f64, highest: f64) -> Self {
+        Self { name, lowest, highest, optional: true }
     }
 }
 
@@ -122,6 +135,11 @@ pub trait Effect: Debug + Send {
 
     /// Changes the voltages on their way from the converter to the motors.
     fn change_command(&mut self, _moment: &Moment, _command_v: &mut Vector3<f64>) {}
+
+    /// Whether it asks for the moment's load.
+    fn feels_load(&self) -> bool {
+        false
+    }
 
     /// Changes the level and the viscous part of friction.
     fn change_friction(&self, _moment: &Moment, _scale: &mut [FrictionScale<f64>; 3]) {}

@@ -90,10 +90,13 @@ impl Definition {
                 continue;
             }
             names.push(parameter.name);
-            let given = table.get(parameter.name).and_then(numbers);
-            values.extend(given.ok_or_else(|| self.wrong_parameters(given_names(table)))?);
+            match table.get(parameter.name).map(numbers) {
+                None if parameter.optional => values.push(0.0),
+                given => values
+                    .extend(given.flatten().ok_or_else(|| self.wrong_parameters(given_names(table)))?),
+            }
         }
-        if table.len() != names.len() {
+        if table.keys().any(|key| !names.contains(&key.as_str())) {
             return Err(self.wrong_parameters(given_names(table)));
         }
         Ok(values)
@@ -124,9 +127,19 @@ impl EffectTable {
     /// # Errors
     /// An unknown name, or parameters that do not fit.
     pub fn effect(&self) -> Result<Box<dyn Effect>, EffectError> {
+        let (definition, values) = self.definition_and_values()?;
+        definition.with(self.joint, &values)
+    }
+
+    /// The kind of effect that the table describes, and its values in the order of the
+    /// kind's parameters.
+    ///
+    /// # Errors
+    /// An unknown name, or parameters that do not fit.
+    pub fn definition_and_values(&self) -> Result<(&'static Definition, Vec<f64>), EffectError> {
         let definition = Definition::by_name(&self.effect)
             .ok_or_else(|| EffectError::Unknown(self.effect.clone()))?;
-        definition.with(self.joint, &definition.values(&self.parameters)?)
+        Ok((definition, definition.values(&self.parameters)?))
     }
 
     /// The table that `effect:joint:name=value,name=value` describes; a vector's

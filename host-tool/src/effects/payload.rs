@@ -3,7 +3,7 @@
 use model::links::{Link, base_parameters};
 use model::{BaseParameters, Robot};
 
-use super::{Definition, Effect, Parameter};
+use super::{Definition, Effect, Parameter, Search};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "payload",
@@ -11,6 +11,8 @@ pub(super) const DEFINITION: Definition = Definition {
     equation: "point mass m at the origin of frame 3",
     whole_robot: true,
     parameters: &[Parameter::new("mass_kg", 0.0, 50.0)],
+    couples_joints: true,
+    search: Search::From(|_| vec![vec![0.1]]),
     build: |_, values| Box::new(Payload { mass_kg: values[0] }),
 };
 

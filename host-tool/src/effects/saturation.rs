@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter};
+use super::{Definition, Effect, Moment, Parameter, Search};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "saturation",
@@ -10,6 +10,8 @@ pub(super) const DEFINITION: Definition = Definition {
     equation: "u cut at +-L",
     whole_robot: false,
     parameters: &[Parameter::new("limit_V", 0.01, 100.0)],
+    couples_joints: false,
+    search: Search::From(|typical| [0.93, 0.8, 0.65, 0.5].map(|part| vec![part * typical.command_v]).to_vec()),
     build: |joint, values| {
         Box::new(Saturation { joint: usize::from(joint) - 1, limit_v: values[0] })
     },

@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter};
+use super::{Definition, Effect, Moment, Parameter, Search};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "torque_constant",
@@ -10,6 +10,8 @@ pub(super) const DEFINITION: Definition = Definition {
     equation: "torque = (1 + e) k_t u",
     whole_robot: false,
     parameters: &[Parameter::new("relative_error", -0.5, 0.5)],
+    couples_joints: false,
+    search: Search::From(|_| vec![vec![0.05]]),
     build: |joint, values| {
         Box::new(TorqueConstant { joint: usize::from(joint) - 1, relative_error: values[0] })
     },

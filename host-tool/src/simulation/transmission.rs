@@ -26,6 +26,12 @@ impl Transmission {
             + self.damping_nm_s_per_rad * ahead_rad_per_s
     }
 
+    /// How far the motor is ahead of the link when it holds a torque at rest [rad].
+    pub fn hold(&self, torque_nm: f64) -> f64 {
+        let bent_rad = torque_nm / self.stiffness_nm_per_rad;
+        bent_rad + (0.5 * self.gap_rad).copysign(torque_nm)
+    }
+
     /// The robot without the motor's inertia at a joint (0 to 2): what the spring moves.
     pub fn without_motor(&self, joint: usize, robot: &Robot<f64>) -> Robot<f64> {
         let mut links = *robot;

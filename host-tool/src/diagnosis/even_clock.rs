@@ -1,0 +1,135 @@
+//! Unevenly sampled signals on an even clock.
+
+/// Samples at their own times, and the even clock they are brought to.
+#[derive(Clone, Debug)]
+pub struct EvenClock<'a> {
+    time_s: &'a [f64],
+    period_s: f64,
+    count: usize,
+    even: bool,
+}
+
+/// Part of a period by which samples may miss an even clock and still count as even.
+const EVEN: f64 = 0.02;
+
+impl<'a> EvenClock<'a> {
+    /// A clock over strictly increasing times, at least two of them.
+    pub fn over(time_s: &'a [f64], typical_period_s: f64) -> Self {
+        let span_s = time_s[time_s.len() - 1] - time_s[0];
+        let intervals = (span_s / typical_period_s).round().max(1.0);
+        // The mean of this stretch: a typical period is rounded, which adds up.
+        let period_s = span_s / intervals;
+        let count = intervals as usize + 1;
+        let miss = |(k, t): (usize, &f64)| (t - time_s[0] - k as f64 * period_s).abs();
+        let worst = time_s.iter().enumerate().map(miss).fold(0.0, f64::max);
+        let even = count == time_s.len() && worst < EVEN * period_s;
+        Self { time_s, period_s, count, even }
+    }
+
+    /// The even period [s].
+    pub fn period_s(&self) -> f64 {
+        self.period_s
+    }
+
+    /// A smooth signal at the clock's instants: cubic pieces between the samples.
+    pub fn smooth(&self, signal: &[f64]) -> Vec<f64> {
+        if self.even {
+            return signal.to_vec();
+        }
+        let mut k = 0;
+        let at = |index: usize| {
+            let t = self.instant(index);
+            k = self.advanced(k, t);
+            cubic(self.time_s, signal, k, t)
+        };
+        (0..self.count).map(at).collect()
+    }
+
+    /// The mean over each of the clock's intervals of a signal that is held from sample to
+    /// sample. Where a sample is missing, what was put out then is not known: it is taken
+    /// to lie half way between its neighbours.
+    pub fn held_mean(&self, signal: &[f64]) -> Vec<f64> {
+        if self.even {
+            return signal.to_vec();
+        }
+        let area = self.areas(signal);
+        let mut k = 0;
+        let mut before = 0.0;
+        let mut mean = |index: usize| {
+            let t = self.instant(index + 1);
+            k = self.advanced(k, t);
+            let until = area[k] + self.value(signal, k) * (t - self.time_s[k]);
+            let mean = (until - before) / self.period_s;
+            before = until;
+            mean
+        };
+        (0..self.count).map(&mut mean).collect()
+    }
+
+    fn instant(&self, index: usize) -> f64 {
+        self.time_s[0] + index as f64 * self.period_s
+    }
+
+    /// The last sample not after `t`, from `k` on, the last one excluded.
+    fn advanced(&self, mut k: usize, t: f64) -> usize {
+        while k + 2 < self.time_s.len() && self.time_s[k + 1] <= t {
+            k += 1;
+        }
+        k
+    }
+
+    /// What acts on average between sample k and the next.
+    fn value(&self, signal: &[f64], k: usize) -> f64 {
+        let gap = self.time_s[k + 1] - self.time_s[k];
+        if gap > 1.6 * self.period_s { 0.5 * (signal[k] + signal[k + 1]) } else { signal[k] }
+    }
+
+    /// Integral from the first sample to each.
+    fn areas(&self, signal: &[f64]) -> Vec<f64> {
+        let mut area = vec![0.0];
+        for k in 0..self.time_s.len() - 1 {
+            let step = self.value(signal, k) * (self.time_s[k + 1] - self.time_s[k]);
+            area.push(area[k] + step);
+        }
+        area
+    }
+}
+
+/// Cubic Hermite interpolation between samples k and k + 1, slopes from the neighbours.
+fn cubic(time_s: &[f64], signal: &[f64], k: usize, t: f64) -> f64 {
+    let slope = |k: usize| {
+        let (a, b) = (k.saturating_sub(1), (k + 1).min(signal.len() - 1));
+        (signal[b] - signal[a]) / (time_s[b] - time_s[a])
+    };
+    let h = time_s[k + 1] - time_s[k];
+    let x = ((t - time_s[k]) / h).clamp(0.0, 1.0);
+    let (a, b) = (signal[k], signal[k + 1]);
+    let (da, db) = (h * slope(k), h * slope(k + 1));
+    let x2 = x * x;
+    let x3 = x2 * x;
+    a + da * x + (3.0 * (b - a) - 2.0 * da - db) * x2 + (2.0 * (a - b) + da + db) * x3
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn missing_samples_of_a_swing_are_filled() {
+        let all: Vec<f64> = (0..2000).map(|k| f64::from(k) * 1e-3).collect();
+        let some: Vec<f64> = all.iter().copied().filter(|t| (t * 1e3) as u32 % 10 != 7).collect();
+        let swing = |t: &f64| (6.0 * t).sin();
+        let clock = EvenClock::over(&some, 1e-3);
+        let filled = clock.smooth(&some.iter().map(swing).collect::<Vec<_>>());
+        let error = all.iter().zip(&filled).map(|(t, q)| (swing(t) - q).abs()).fold(0.0, f64::max);
+        assert!(filled.len() == 2000 && error < 1e-6, "{error:e}");
+    }
+
+    #[test]
+    fn a_held_command_keeps_its_area() {
+        let times = [0.0, 0.0008, 0.002, 0.0031, 0.004, 0.005];
+        let clock = EvenClock::over(&times, 1e-3);
+        let mean = clock.held_mean(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+        assert!((mean[0] - 1.2).abs() < 1e-12 && (mean[1] - 2.0).abs() < 1e-12, "{mean:?}");
+    }
+}

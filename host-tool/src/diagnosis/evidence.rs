@@ -1,0 +1,126 @@
+//! The logs as weighted rows, on which all models are compared.
+
+use rayon::prelude::*;
+
+use super::noise::Noise;
+use super::row_filter::RowFilter;
+use super::stretch::Stretch;
+use super::voltage::{Point, Trial};
+use crate::files::Role;
+
+/// Stretches with the filters and weights of their rows.
+#[derive(Clone, Debug)]
+pub struct Evidence {
+    /// The stretches, those of train logs first.
+    pub stretches: Vec<Stretch>,
+    /// Joints of the rig, 0 to 2.
+    pub joints: Vec<usize>,
+    /// Noise of each joint of the arm.
+    pub noise: [Noise; 3],
+    /// Filter of a joint's rows in a stretch, by joint.
+    filters: [Vec<RowFilter>; 3],
+    /// Noise of a joint's rows in a stretch, rms [V], by joint.
+    floors_v: [Vec<f64>; 3],
+    /// Stretches of train logs.
+    train: usize,
+}
+
+/// Rows of the three joints, each in units of its noise; empty where a joint has none.
+pub type Rows = [Vec<f64>; 3];
+
+impl Evidence {
+    /// Stretches as rows that are white for this noise.
+    pub fn new(mut stretches: Vec<Stretch>, joints: Vec<usize>, noise: [Noise; 3]) -> Self {
+        stretches.sort_by_key(|stretch| stretch.role == Role::Holdout);
+        let train = stretches.iter().filter(|s| s.role == Role::Train).count();
+        let filters = noise.map(|noise| {
+            let filter = |s: &Stretch| {
+                let corner_hz = noise.corner_hz().clamp(2.0, 0.4 / s.period_s);
+                RowFilter::new(s.period_s, s.brisk, corner_hz)
+            };
+            stretches.iter().map(filter).collect::<Vec<_>>()
+        });
+        let floors_v = [0, 1, 2].map(|joint| {
+            let floor = |(s, filter): (&Stretch, &RowFilter)| {
+                noise[joint].behind(|f| filter.gain(f), s.period_s)
+            };
+            stretches.iter().zip(&filters[joint]).map(floor).collect()
+        });
+        Self { stretches, joints, noise, filters, floors_v, train }
+    }
+
+    /// Rows of a model under trial, on some joints.
+    pub fn shortfall(&self, point: &Point, joints: &[usize]) -> Rows {
+        let pieces: Vec<[Vec<f64>; 3]> = (0..self.stretches.len())
+            .into_par_iter()
+            .map(|s| {
+                let trial = Trial::of(&self.stretches[s], point);
+                let mut rows: [Vec<f64>; 3] = Default::default();
+                for &joint in joints {
+                    rows[joint] = self.weighted(s, joint, &trial.shortfall(joint));
+                }
+                rows
+            })
+            .collect();
+        [0, 1, 2].map(|joint| pieces.iter().flat_map(|piece| &piece[joint]).copied().collect())
+    }
+
+    /// Rows of a joint's net voltage under a model: all that changes with effects that
+    /// neither change the motion nor the rigid body.
+    pub fn net_rows(&self, point: &Point, joint: usize) -> Rows {
+        let mut rows: Rows = Default::default();
+        for s in 0..self.stretches.len() {
+            let net = Trial::of(&self.stretches[s], point).net(joint);
+            rows[joint].extend(self.weighted(s, joint, &super::voltage::at_samples(&net)));
+        }
+        rows
+    }
+
+    /// A signal of a stretch as rows in units of the noise; zero before the joint's
+    /// friction is settled.
+    pub fn weighted(&self, s: usize, joint: usize, signal: &[f64]) -> Vec<f64> {
+        let stretch = &self.stretches[s];
+        let filter = &self.filters[joint][s];
+        let unit = 1.0 / self.floors_v[joint][s];
+        let mut rows = filter.rows(signal);
+        for (row, instant) in rows.iter_mut().zip(filter.instants(signal.len())) {
+            *row *= if instant < stretch.settled[joint] { 0.0 } else { unit };
+        }
+        rows
+    }
+
+    /// Filter of a joint's rows in a stretch.
+    pub fn filter(&self, joint: usize, s: usize) -> &RowFilter {
+        &self.filters[joint][s]
+    }
+
+    /// Noise of a joint's rows in a stretch, rms [V].
+    pub fn floor_v(&self, joint: usize, s: usize) -> f64 {
+        self.floors_v[joint][s]
+    }
+
+    /// Rows of a joint in a stretch.
+    pub fn row_count(&self, joint: usize, s: usize) -> usize {
+        self.filters[joint][s].row_count(self.stretches[s].len())
+    }
+
+    /// Where a joint's rows of each stretch lie among all of its rows.
+    pub fn ranges(&self, joint: usize) -> Vec<std::ops::Range<usize>> {
+        let mut begin = 0;
+        let range = |s: usize| {
+            let end = begin + self.row_count(joint, s);
+            std::mem::replace(&mut begin, end)..end
+        };
+        (0..self.stretches.len()).map(range).collect()
+    }
+
+    /// Rows of a joint that belong to train logs; they come first.
+    pub fn train_rows(&self, joint: usize) -> usize {
+        (0..self.train).map(|s| self.row_count(joint, s)).sum()
+    }
+
+    /// Stretches of train logs; they come first.
+    pub fn train_stretches(&self) -> usize {
+        self.train
+    }
+}

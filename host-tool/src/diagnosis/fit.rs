@@ -1,0 +1,74 @@
+//! Retuning a model to the train logs, Gauss-Newton with what is known beforehand.
+
+use super::evidence::Evidence;
+use super::linearisation::{Linearisation, objective};
+use super::subject::Subject;
+use super::unknowns::{Expected, Unknown, expected, kept_physical};
+use super::voltage::{Added, Point};
+
+/// Most steps of a fit.
+pub const MOST_STEPS: usize = 6;
+/// A step that takes less than this off the objective ends a fit.
+const SMALL_STEP: f64 = 2e-4;
+
+/// Retunes a model with everything open in it; `None` where the numbers do not work out.
+pub fn fit(
+    evidence: &Evidence,
+    subject: &Subject,
+    start: Point,
+    most_steps: usize,
+) -> Option<Linearisation> {
+    let open = open_in(evidence, subject, &start.effects);
+    let mut best = Linearisation::of(evidence, start, open.clone())?;
+    for _ in 0..most_steps {
+        let Some(next) = improved(evidence, subject, &best, &open) else { break };
+        let gain = best.objective - objective_of(evidence, &next, &open);
+        best = Linearisation::of(evidence, next, open.clone())?;
+        if gain < SMALL_STEP * best.objective {
+            break;
+        }
+    }
+    Some(best)
+}
+
+/// A better point along the step, or none.
+fn improved(
+    evidence: &Evidence,
+    subject: &Subject,
+    best: &Linearisation,
+    open: &[Expected],
+) -> Option<Point> {
+    let step = best.step();
+    [1.0, 0.5, 0.2, 0.05].into_iter().find_map(|part| {
+        let mut point = best.moved(&step, part);
+        kept_physical(&mut point, &subject.robot.friction);
+        for effect in &mut point.effects {
+            effect.normalise();
+        }
+        (objective_of(evidence, &point, open) < best.objective).then_some(point)
+    })
+}
+
+fn objective_of(evidence: &Evidence, point: &Point, open: &[Expected]) -> f64 {
+    let residual = evidence.shortfall(point, &evidence.joints);
+    let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
+    objective(&residual, &train, point, open)
+}
+
+/// Everything open in a model with these effects.
+pub fn open_in(evidence: &Evidence, subject: &Subject, effects: &[Added]) -> Vec<Expected> {
+    let period_s = evidence.stretches[0].period_s;
+    let mut open = expected(subject, period_s);
+    for (index, effect) in effects.iter().enumerate().skip(subject.known_effects.len()) {
+        for (value, parameter) in effect.definition.parameters.iter().enumerate() {
+            if parameter.name == "harmonic" {
+                continue;
+            }
+            let unknown = Unknown::Effect { index, value };
+            // So wide that it only keeps what the logs do not tell where it is.
+            let deviation = 0.5 * (parameter.highest - parameter.lowest);
+            open.push(Expected { unknown, mean: effect.values[value], deviation });
+        }
+    }
+    open
+}

@@ -1,0 +1,373 @@
+//! All rows of a model linearised in what is open, and how well a change of them fits once
+//! everything open is retuned.
+
+use model::base::COUNT;
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use rayon::prelude::*;
+
+use super::evidence::{Evidence, Rows};
+use super::unknowns::{Expected, Unknown};
+use super::voltage::{Point, Trial, at_samples};
+use crate::effects::Parameter;
+
+/// A model with its residuals and their slopes.
+pub struct Linearisation {
+    /// The model.
+    pub point: Point,
+    /// What is open in it.
+    pub expected: Vec<Expected>,
+    /// Residuals of all joints, in units of noise.
+    pub residual: Rows,
+    /// Squares of train rows and of the expectations' misses.
+    pub objective: f64,
+    /// Rows of each joint's net voltage, for effects that change nothing else.
+    net: Rows,
+    joints: Vec<JointSlopes>,
+    /// Half the gradient of the objective.
+    gradient: DVector<f64>,
+    normal: Cholesky<f64, Dyn>,
+    train: [usize; 3],
+}
+
+/// Slopes of one joint's rows.
+struct JointSlopes {
+    joint: usize,
+    /// Places of the columns among what is open.
+    places: Vec<usize>,
+    /// Rows by columns.
+    matrix: DMatrix<f64>,
+}
+
+/// How well a change of the rows fits, everything open retuned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Score {
+    /// Squares of train rows and of expectations' misses.
+    pub train: f64,
+    /// Squares of the rows held out.
+    pub holdout: f64,
+}
+
+impl Score {
+    /// Both together.
+    pub fn total(&self) -> f64 {
+        self.train + self.holdout
+    }
+}
+
+impl Linearisation {
+    /// Linearises a model; `expected` must name its effects' parameters too.
+    /// `None` where the numbers do not work out.
+    pub fn of(evidence: &Evidence, point: Point, expected: Vec<Expected>) -> Option<Self> {
+        let residual = evidence.shortfall(&point, &evidence.joints);
+        let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
+        let (net, joints) = slopes(evidence, &point, &expected, &residual);
+        let objective = objective(&residual, &train, &point, &expected);
+        let (normal, gradient) = normal_equations(&joints, &residual, &train, &point, &expected);
+        let normal = Cholesky::new(normal)?;
+        objective.is_finite().then_some(())?;
+        Some(Self { point, expected, residual, objective, net, joints, gradient, normal, train })
+    }
+
+    /// The change of what is open that fits best, by the slopes.
+    pub fn step(&self) -> DVector<f64> {
+        -self.normal.solve(&self.gradient)
+    }
+
+    /// The point a part of a step further.
+    pub fn moved(&self, step: &DVector<f64>, part: f64) -> Point {
+        let mut point = self.point.clone();
+        for (expected, change) in self.expected.iter().zip(step.iter()) {
+            let now = expected.unknown.get(&self.point);
+            expected.unknown.set(&mut point, now + part * change);
+        }
+        point
+    }
+
+    /// The score of the model as it stands, retuned by the slopes.
+    pub fn score(&self) -> Score {
+        self.score_of(&Default::default())
+    }
+
+    /// The score once rows change by `change` (empty for joints where they do not).
+    pub fn score_of(&self, change: &Rows) -> Score {
+        let gradient = &self.gradient + self.against(change);
+        let step = -self.normal.solve(&gradient);
+        let mut train = self.objective + gradient.dot(&step);
+        for &joint in &[0, 1, 2] {
+            let both = change[joint].iter().zip(&self.residual[joint]).take(self.train[joint]);
+            train += both.map(|(c, r)| c * (c + 2.0 * r)).sum::<f64>();
+        }
+        Score { train, holdout: self.left_held_out(change, &step) }
+    }
+
+    /// Squares of the rows held out after a change of rows and a step.
+    fn left_held_out(&self, change: &Rows, step: &DVector<f64>) -> f64 {
+        let of_joint = |slopes: &JointSlopes| {
+            let (joint, first) = (slopes.joint, self.train[slopes.joint]);
+            let held = slopes.matrix.rows_range(first..);
+            let own = DVector::from_iterator(
+                slopes.places.len(),
+                slopes.places.iter().map(|&place| step[place]),
+            );
+            let mut left = held * own;
+            for (k, value) in left.iter_mut().enumerate() {
+                *value += self.residual[joint][first + k];
+                *value += change[joint].get(first + k).copied().unwrap_or(0.0);
+            }
+            left.norm_squared()
+        };
+        self.joints.iter().map(of_joint).sum()
+    }
+
+    /// Slopes' products with a change of the train rows.
+    fn against(&self, change: &Rows) -> DVector<f64> {
+        let mut sum = DVector::zeros(self.expected.len());
+        for slopes in &self.joints {
+            let column = &change[slopes.joint];
+            if column.is_empty() {
+                continue;
+            }
+            let rows = self.train[slopes.joint];
+            let products = slopes
+                .matrix
+                .rows_range(..rows)
+                .tr_mul(&nalgebra::DVectorView::from_slice(&column[..rows], rows));
+            for (&place, value) in slopes.places.iter().zip(products.iter()) {
+                sum[place] += value;
+            }
+        }
+        sum
+    }
+
+    /// Half the gradient and the curvature of the score along changes of rows, about a
+    /// change of rows, everything open retuned.
+    pub fn along(&self, about: &Rows, slopes: &[Rows]) -> (DVector<f64>, DMatrix<f64>) {
+        let count = slopes.len();
+        let against: Vec<DVector<f64>> = slopes.iter().map(|rows| self.against(rows)).collect();
+        let solved: Vec<DVector<f64>> = against.iter().map(|b| self.normal.solve(b)).collect();
+        let gradient = &self.gradient + self.against(about);
+        let train = |rows: &Rows, other: &Rows| -> f64 {
+            (0..3)
+                .map(|j| {
+                    let pairs = rows[j].iter().zip(&other[j]).take(self.train[j]);
+                    pairs.map(|(a, b)| a * b).sum::<f64>()
+                })
+                .sum()
+        };
+        let half_gradient = DVector::from_fn(count, |i, _| {
+            train(&slopes[i], &self.residual) + train(&slopes[i], about)
+                - solved[i].dot(&gradient)
+        });
+        let curvature = DMatrix::from_fn(count, count, |i, k| {
+            train(&slopes[i], &slopes[k]) - against[i].dot(&solved[k])
+        });
+        (half_gradient, curvature)
+    }
+
+    /// Change of rows by one more effect.
+    pub fn change_by(&self, evidence: &Evidence, effect: &super::voltage::Added) -> Rows {
+        let joint = usize::from(effect.joint).wrapping_sub(1);
+        let couples = effect.definition.couples_joints;
+        let point = self.point.with(effect.clone());
+        let (with, without) = if couples {
+            (evidence.shortfall(&point, &evidence.joints), &self.residual)
+        } else {
+            (evidence.net_rows(&point, joint), &self.net)
+        };
+        let mut change = with;
+        for (rows, before) in change.iter_mut().zip(without) {
+            rows.iter_mut().zip(before).for_each(|(row, before)| *row -= before);
+        }
+        change
+    }
+
+    /// Rows of a joint that belong to train logs.
+    pub fn train_rows(&self, joint: usize) -> usize {
+        self.train[joint]
+    }
+
+    /// Standard deviation of an open parameter, for residuals that are noise alone.
+    pub fn deviation(&self, place: usize) -> f64 {
+        let mut unit = DVector::zeros(self.expected.len());
+        unit[place] = 1.0;
+        self.normal.solve(&unit)[place].max(0.0).sqrt()
+    }
+}
+
+/// Squares of train rows and of the expectations' misses.
+pub fn objective(
+    residual: &Rows,
+    train: &[usize; 3],
+    point: &Point,
+    expected: &[Expected],
+) -> f64 {
+    let rows: f64 =
+        (0..3).flat_map(|j| residual[j].iter().take(train[j])).map(|r| r * r).sum();
+    let misses: f64 = expected
+        .iter()
+        .map(|e| ((e.unknown.get(point) - e.mean) / e.deviation).powi(2))
+        .sum();
+    rows + misses
+}
+
+fn normal_equations(
+    joints: &[JointSlopes],
+    residual: &Rows,
+    train: &[usize; 3],
+    point: &Point,
+    expected: &[Expected],
+) -> (DMatrix<f64>, DVector<f64>) {
+    let count = expected.len();
+    let mut normal = DMatrix::zeros(count, count);
+    let mut gradient = DVector::zeros(count);
+    for (place, e) in expected.iter().enumerate() {
+        let weight = e.deviation.powi(-2);
+        normal[(place, place)] += weight;
+        gradient[place] += weight * (e.unknown.get(point) - e.mean);
+    }
+    for slopes in joints {
+        let rows = train[slopes.joint];
+        let matrix = slopes.matrix.rows_range(..rows);
+        let products = matrix.tr_mul(&matrix);
+        let right = nalgebra::DVectorView::from_slice(&residual[slopes.joint][..rows], rows);
+        let own = matrix.tr_mul(&right);
+        for (a, &place_a) in slopes.places.iter().enumerate() {
+            gradient[place_a] += own[a];
+            for (b, &place_b) in slopes.places.iter().enumerate() {
+                normal[(place_a, place_b)] += products[(a, b)];
+            }
+        }
+    }
+    (normal, gradient)
+}
+
+/// A column of rows of one joint, with its place among what is open.
+type Column = (usize, Vec<f64>);
+
+/// Net voltages as rows, and the slopes of every joint.
+fn slopes(
+    evidence: &Evidence,
+    point: &Point,
+    expected: &[Expected],
+    residual: &Rows,
+) -> (Rows, Vec<JointSlopes>) {
+    let of_effects: Vec<(usize, Rows)> = (0..expected.len())
+        .into_par_iter()
+        .filter(|&place| matches!(expected[place].unknown, Unknown::Effect { .. }))
+        .map(|place| (place, effect_slope(evidence, point, expected[place].unknown, residual)))
+        .collect();
+    let mut net: Rows = Default::default();
+    let mut joints = Vec::new();
+    for &joint in &evidence.joints {
+        let pieces: Vec<(Vec<f64>, Vec<Column>)> = (0..evidence.stretches.len())
+            .into_par_iter()
+            .map(|s| stretch_slopes(evidence, s, joint, point, expected))
+            .collect();
+        net[joint] = pieces.iter().flat_map(|piece| &piece.0).copied().collect();
+        let mut columns: Vec<Column> =
+            pieces[0].1.iter().map(|(place, _)| (*place, Vec::new())).collect();
+        for (_, stretch_columns) in &pieces {
+            for (column, (_, rows)) in columns.iter_mut().zip(stretch_columns) {
+                column.1.extend_from_slice(rows);
+            }
+        }
+        let of_effects =
+            of_effects.iter().filter(|(_, rows)| rows[joint].iter().any(|&x| x != 0.0));
+        columns.extend(of_effects.map(|(place, rows)| (*place, rows[joint].clone())));
+        let count = residual[joint].len();
+        let flat = columns.iter().flat_map(|(_, rows)| rows.iter().copied());
+        let matrix = DMatrix::from_iterator(count, columns.len(), flat);
+        let places = columns.iter().map(|(place, _)| *place).collect();
+        joints.push(JointSlopes { joint, places, matrix });
+    }
+    (net, joints)
+}
+
+/// Net voltage of a joint in a stretch, as rows, and the slopes that need no whole model.
+fn stretch_slopes(
+    evidence: &Evidence,
+    s: usize,
+    joint: usize,
+    point: &Point,
+    expected: &[Expected],
+) -> (Vec<f64>, Vec<Column>) {
+    let trial = Trial::of(&evidence.stretches[s], point);
+    let rows = |signal: &[f64]| evidence.weighted(s, joint, signal);
+    let regressor = trial.regressor_row(joint);
+    let net_v = trial.net(joint);
+    let net = rows(&at_samples(&net_v));
+    let mut columns = Vec::new();
+    for (place, e) in expected.iter().enumerate() {
+        match e.unknown {
+            Unknown::Base(k) if base_counts(joint, k) => {
+                let column: Vec<f64> = regressor.iter().map(|r| -r[k]).collect();
+                columns.push((place, rows(&column)));
+            }
+            Unknown::Friction { joint: of, parameter } if of == joint => {
+                let (moved, step) = friction_moved(point, joint, parameter);
+                let slope: Vec<f64> = trial
+                    .net_of(joint, &moved)
+                    .iter()
+                    .zip(&net_v)
+                    .map(|(after, before)| (after - before) / step)
+                    .collect();
+                columns.push((place, rows(&at_samples(&slope))));
+            }
+            Unknown::Lag(of) if of == joint => {
+                let slope: Vec<f64> = trial.command_slope(joint).iter().map(|u| -u).collect();
+                columns.push((place, rows(&slope)));
+            }
+            _ => {}
+        }
+    }
+    (net, columns)
+}
+
+/// Whether a base parameter is in a joint's row at all: joint 3 does not feel link 1 and 2,
+/// joint 2 not link 1 (eq. (5)).
+fn base_counts(joint: usize, k: usize) -> bool {
+    const FIRST_OF_LINK_2: usize = 1;
+    const FIRST_OF_LINK_3: usize = 8;
+    match joint {
+        0 => k < COUNT,
+        1 => k >= FIRST_OF_LINK_2,
+        _ => k >= FIRST_OF_LINK_3,
+    }
+}
+
+fn friction_moved(point: &Point, joint: usize, parameter: usize) -> (model::Robot<f64>, f64) {
+    let unknown = Unknown::Friction { joint, parameter };
+    let value = unknown.get(point);
+    let step = (2e-3 * value.abs()).max(1e-5 * point.robot.friction[joint].alpha0_v);
+    let mut moved = point.clone();
+    unknown.set(&mut moved, value + step);
+    (moved.robot, step)
+}
+
+/// Slope of all rows along a parameter of an effect.
+fn effect_slope(evidence: &Evidence, point: &Point, unknown: Unknown, residual: &Rows) -> Rows {
+    let Unknown::Effect { index, value } = unknown else { return Default::default() };
+    let effect = &point.effects[index];
+    let step = step_of(&effect.definition.parameters[value], effect.values[value]);
+    let mut moved = point.clone();
+    moved.effects[index].values[value] += step;
+    let joints = if effect.definition.couples_joints {
+        evidence.joints.clone()
+    } else {
+        vec![usize::from(effect.joint) - 1]
+    };
+    let mut slope = evidence.shortfall(&moved, &joints);
+    for (rows, before) in slope.iter_mut().zip(residual) {
+        rows.iter_mut().zip(before).for_each(|(row, before)| *row = (*row - before) / step);
+    }
+    slope
+}
+
+/// Step for a difference along a parameter of an effect, away from its nearer bound.
+pub fn step_of(parameter: &Parameter, value: f64) -> f64 {
+    let size = match parameter.name {
+        "phase_rad" => 1e-3,
+        _ => (5e-3 * value.abs()).max(1e-6 * (parameter.highest - parameter.lowest)),
+    };
+    if value + size > parameter.highest { -size } else { size }
+}

@@ -1,0 +1,153 @@
+//! The noise floor, from what the logs leave where nothing structured is.
+//!
+//! Noise of the amplifier is white over frequency, that of the encoder's steps grows with
+//! its fourth power once positions are differentiated twice. Both are read off the quietest
+//! quarter of short pieces of the residual, frequency by frequency: whatever comes and goes
+//! with the motion is not in it.
+
+use std::f64::consts::{PI, TAU};
+
+use realfft::RealFftPlanner;
+
+/// Power density of noise, a + b f^4 [V^2/Hz], one-sided.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Noise {
+    /// Its white part.
+    pub white: f64,
+    /// Its part that grows, per Hz^4.
+    pub growing: f64,
+}
+
+/// Length of a piece [s].
+const PIECE_S: f64 = 0.4;
+/// Lowest frequency that is looked at [Hz].
+const LOWEST_HZ: f64 = 7.0;
+/// Highest frequency, in parts of the sampling frequency.
+const HIGHEST: f64 = 0.2;
+
+impl Noise {
+    /// The noise in residuals, one per stretch, all of the same period; `None` where there
+    /// is too little to look at.
+    pub fn of(residuals: &[&[f64]], period_s: f64) -> Option<Self> {
+        let length = (PIECE_S / period_s).round() as usize;
+        let pieces: Vec<Vec<f64>> =
+            residuals.iter().flat_map(|residual| powers(residual, length, period_s)).collect();
+        if pieces.len() < 8 {
+            return None;
+        }
+        let step_hz = 1.0 / (length as f64 * period_s);
+        let first = (LOWEST_HZ / step_hz).ceil() as usize;
+        let last = (HIGHEST / (period_s * step_hz)) as usize;
+        let quiet: Vec<(f64, f64)> = (first..=last)
+            .map(|bin| (bin as f64 * step_hz, quiet_power(&pieces, bin)))
+            .collect();
+        Self::fitted(&quiet)
+    }
+
+    /// Power density at a frequency [V^2/Hz].
+    pub fn density(&self, frequency_hz: f64) -> f64 {
+        self.white + self.growing * frequency_hz.powi(4)
+    }
+
+    /// Where the two parts are equal [Hz].
+    pub fn corner_hz(&self) -> f64 {
+        (self.white / self.growing.max(1e-300)).powf(0.25)
+    }
+
+    /// What is left of it behind a filter, rms [V].
+    pub fn behind(&self, gain: impl Fn(f64) -> f64, period_s: f64) -> f64 {
+        const PARTS: usize = 400;
+        let step_hz = 0.5 / period_s / PARTS as f64;
+        let power = |k: usize| {
+            let frequency_hz = (k as f64 + 0.5) * step_hz;
+            self.density(frequency_hz) * gain(frequency_hz).powi(2) * step_hz
+        };
+        (0..PARTS).map(power).sum::<f64>().sqrt()
+    }
+
+    /// Least squares of the relative deviation, weights from the fit before.
+    fn fitted(quiet: &[(f64, f64)]) -> Option<Self> {
+        let mut noise = Self { white: quiet.iter().map(|q| q.1).sum::<f64>(), growing: 0.0 };
+        for _ in 0..8 {
+            let mut sums = [0.0; 5];
+            for &(frequency_hz, power) in quiet {
+                let w = noise.density(frequency_hz).max(1e-300).powi(-2);
+                let f4 = frequency_hz.powi(4);
+                let terms = [w, w * f4, w * f4 * f4, w * power, w * f4 * power];
+                sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
+            }
+            let [aa, ab, bb, ay, by] = sums;
+            let determinant = aa * bb - ab * ab;
+            noise.growing = ((aa * by - ab * ay) / determinant).max(0.0);
+            noise.white = (ay - ab * noise.growing) / aa;
+            if noise.white <= 0.0 {
+                noise = Self { white: 1e-3 * by / bb * LOWEST_HZ.powi(4), growing: by / bb };
+            }
+        }
+        (noise.white.is_finite() && noise.white > 0.0).then_some(noise)
+    }
+}
+
+/// Power densities of the pieces of a signal, half overlapping, Hann-windowed.
+fn powers(signal: &[f64], length: usize, period_s: f64) -> Vec<Vec<f64>> {
+    if length < 8 || signal.len() < length {
+        return Vec::new();
+    }
+    let transform = RealFftPlanner::<f64>::new().plan_fft_forward(length);
+    let window: Vec<f64> =
+        (0..length).map(|k| (PI * (k as f64 + 0.5) / length as f64).sin().powi(2)).collect();
+    let unit = 2.0 * period_s / window.iter().map(|w| w * w).sum::<f64>();
+    let piece = |start: usize| {
+        let samples = &signal[start..start + length];
+        let mean = samples.iter().sum::<f64>() / length as f64;
+        let mut input: Vec<f64> =
+            samples.iter().zip(&window).map(|(x, w)| (x - mean) * w).collect();
+        let mut output = transform.make_output_vec();
+        let done = transform.process(&mut input, &mut output);
+        done.map(|()| output.iter().map(|c| unit * c.norm_sqr()).collect()).unwrap_or_default()
+    };
+    (0..=signal.len() - length).step_by(length / 2).map(piece).collect()
+}
+
+/// Mean power of noise whose lowest quarter this is: powers of noise are exponentially
+/// distributed, a quarter of them lies below 0.288 of the mean.
+fn quiet_power(pieces: &[Vec<f64>], bin: usize) -> f64 {
+    let mut powers: Vec<f64> = pieces.iter().map(|piece| piece[bin]).collect();
+    let quarter = powers.len() / 4;
+    let (_, value, _) = powers.select_nth_unstable_by(quarter, f64::total_cmp);
+    *value / -(0.75f64).ln()
+}
+
+/// Density of what encoder steps become once differentiated twice, per Hz^4 and per
+/// (V s^2/rad)^2 of inertia.
+pub fn of_encoder(step_rad: f64, period_s: f64) -> f64 {
+    step_rad * step_rad / 12.0 * 2.0 * period_s * TAU.powi(4)
+}
+
+#[cfg(test)]
+mod tests {
+    use rand_distr::{Distribution, StandardNormal};
+    use rand_pcg::Pcg64Mcg;
+
+    use super::*;
+
+    #[test]
+    fn noise_is_found_beside_bursts_of_motion() {
+        let mut random = Pcg64Mcg::new(7);
+        let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
+        let angle: Vec<f64> = (0..20_002).map(|_| 2.8e-6 * normal()).collect();
+        let signal: Vec<f64> = (1..=20_000)
+            .map(|k| {
+                let acceleration = (angle[k + 1] + angle[k - 1] - 2.0 * angle[k]) * 1e6;
+                let burst = if k % 2000 < 600 { 0.1 * (0.05 * k as f64).sin() } else { 0.0 };
+                4e-3 * normal() + 0.1 * acceleration + burst
+            })
+            .collect();
+        let noise = Noise::of(&[&signal], 1e-3).unwrap();
+        let white = 2.0 * 1e-3 * 4e-3f64.powi(2);
+        let growing = 0.01 * of_encoder(2.8e-6 * 12f64.sqrt(), 1e-3);
+        assert!((noise.white / white - 1.0).abs() < 0.3, "{}", noise.white / white);
+        assert!((noise.growing / growing - 1.0).abs() < 0.2, "{}", noise.growing / growing);
+        assert!((noise.corner_hz() - 19.0).abs() < 3.0, "{}", noise.corner_hz());
+    }
+}

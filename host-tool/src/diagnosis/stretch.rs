@@ -1,0 +1,196 @@
+//! Unbroken motion with its commands, prepared once for all models that are tried.
+//!
+//! A command acts over the interval from its sample to the next. So everything that the
+//! motor feels belongs to intervals, and accelerations belong to samples: the second
+//! difference of sampled positions is exactly the mean of the accelerations in the two
+//! intervals about it, whatever the frequency.
+
+use super::even_clock::EvenClock;
+use super::subject::Subject;
+use crate::files::Role;
+use crate::identification::Trace;
+use crate::signal::{LowPass, derivative};
+
+/// Angles of the three joints and their derivatives.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Kinematics {
+    /// Angles [rad].
+    pub q_rad: [Vec<f64>; 3],
+    /// Velocities [rad/s].
+    pub qd_rad_per_s: [Vec<f64>; 3],
+    /// Accelerations [rad/s^2].
+    pub qdd_rad_per_s2: [Vec<f64>; 3],
+}
+
+impl Kinematics {
+    /// Angles, velocities, accelerations at an instant.
+    #[inline]
+    pub fn state(&self, k: usize) -> ([f64; 3], [f64; 3], [f64; 3]) {
+        let at = |signal: &[Vec<f64>; 3]| [signal[0][k], signal[1][k], signal[2][k]];
+        (at(&self.q_rad), at(&self.qd_rad_per_s), at(&self.qdd_rad_per_s2))
+    }
+}
+
+/// An unbroken stretch of a log.
+#[derive(Clone, Debug)]
+pub struct Stretch {
+    /// Index of the log in the data set.
+    pub log: usize,
+    /// What the log is for.
+    pub role: Role,
+    /// Time of the first sample since the log began [s].
+    pub start_s: f64,
+    /// Time from sample to sample [s].
+    pub period_s: f64,
+    /// Motion at the samples.
+    pub motion: Kinematics,
+    /// Command over the interval that begins at each sample [V].
+    pub command_v: [Vec<f64>; 3],
+    /// Whether the commands drive the joints at high frequencies.
+    pub brisk: bool,
+    /// First sample of each joint from which the bend of its friction is known.
+    pub settled: [usize; 3],
+}
+
+/// Shortest stretch that is used [s].
+const SHORTEST_S: f64 = 1.5;
+/// Gaps of fewer periods are filled, longer ones end a stretch.
+const LONGEST_GAP_PERIODS: f64 = 10.0;
+/// Highest cut-off of positions where they enter products and friction [Hz].
+const MOTION_CUTOFF_HZ: f64 = 200.0;
+
+impl Stretch {
+    /// The stretches of a log that holds all joints of the rig.
+    pub fn of(trace: &Trace, log: usize, subject: &Subject) -> Vec<Self> {
+        unbroken(&trace.time_s, trace.period_s)
+            .into_iter()
+            .map(|range| Self::of_range(trace, log, subject, range))
+            .collect()
+    }
+
+    fn of_range(
+        trace: &Trace,
+        log: usize,
+        subject: &Subject,
+        range: std::ops::Range<usize>,
+    ) -> Self {
+        let time_s = &trace.time_s[range.clone()];
+        let clock = EvenClock::over(time_s, trace.period_s);
+        let period_s = clock.period_s();
+        let mut stretch = Self {
+            log,
+            role: trace.role,
+            start_s: time_s[0] - trace.time_s[0],
+            period_s,
+            motion: Kinematics::default(),
+            command_v: Default::default(),
+            brisk: false,
+            settled: [0; 3],
+        };
+        for (&joint, &number) in subject.joints.iter().zip(&subject.numbers) {
+            let Some(columns) = trace.joint(number) else { continue };
+            let q = clock.smooth(&columns.q_rad[range.clone()]);
+            let command = clock.held_mean(&columns.command_v[range.clone()]);
+            stretch.brisk |= is_brisk(&command, period_s);
+            stretch.settled[joint] = settled(&q, subject, joint);
+            stretch.motion.set(joint, &q, period_s, subject.known.encoder_step_rad);
+            stretch.command_v[joint] = command;
+        }
+        stretch.fill_absent();
+        stretch
+    }
+
+    /// Joints that the rig does not have hang still.
+    fn fill_absent(&mut self) {
+        let count = self.command_v.iter().map(Vec::len).max().unwrap_or(0);
+        for joint in 0..3 {
+            if self.command_v[joint].is_empty() {
+                self.command_v[joint] = vec![0.0; count];
+                self.motion.q_rad[joint] = vec![Subject::resting_rad(joint); count];
+                self.motion.qd_rad_per_s[joint] = vec![0.0; count];
+                self.motion.qdd_rad_per_s2[joint] = vec![0.0; count];
+            }
+        }
+    }
+
+    /// How many samples there are.
+    pub fn len(&self) -> usize {
+        self.command_v[0].len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+impl Kinematics {
+    fn set(&mut self, joint: usize, q_rad: &[f64], period_s: f64, step_rad: f64) {
+        let cutoff_hz = motion_cutoff_hz(q_rad, period_s, step_rad);
+        let smooth = LowPass::new(cutoff_hz, period_s).zero_phase(q_rad);
+        self.qd_rad_per_s[joint] = derivative::first(&smooth, period_s);
+        self.qdd_rad_per_s2[joint] = second_difference(q_rad, period_s);
+        self.q_rad[joint] = smooth;
+    }
+}
+
+/// Cut-off that keeps what the encoder's steps add to the velocity to a hundredth of it.
+fn motion_cutoff_hz(q_rad: &[f64], period_s: f64, step_rad: f64) -> f64 {
+    const SHARE: f64 = 0.01;
+    const LOWEST_HZ: f64 = 8.0;
+    let highest_hz = MOTION_CUTOFF_HZ.min(0.2 / period_s);
+    let speed = crate::simulation::tracking::rms(&derivative::first(q_rad, period_s));
+    let noise_rad = step_rad / 12f64.sqrt();
+    // Noise of the velocity up to f: 2 pi noise sqrt(2 period / 3) f^(3/2).
+    let unit = std::f64::consts::TAU * noise_rad * (2.0 * period_s / 3.0).sqrt();
+    (SHARE * speed / unit).powf(2.0 / 3.0).clamp(LOWEST_HZ.min(highest_hz), highest_hz)
+}
+
+fn second_difference(q_rad: &[f64], period_s: f64) -> Vec<f64> {
+    let last = q_rad.len().saturating_sub(1);
+    let at = |k: usize| {
+        let k = k.clamp(1, last.max(2) - 1);
+        (q_rad[k + 1] + q_rad[k - 1] - 2.0 * q_rad[k]) / (period_s * period_s)
+    };
+    (0..q_rad.len()).map(at).collect()
+}
+
+/// Whether a twentieth of a command lies above 50 Hz.
+fn is_brisk(command_v: &[f64], period_s: f64) -> bool {
+    const ABOVE_HZ: f64 = 50.0;
+    const SHARE: f64 = 0.05;
+    if period_s * ABOVE_HZ > 0.2 {
+        return false;
+    }
+    let slow = LowPass::new(ABOVE_HZ, period_s).zero_phase(command_v);
+    let fast: Vec<f64> = command_v.iter().zip(&slow).map(|(u, s)| u - s).collect();
+    let rms = crate::simulation::tracking::rms;
+    rms(&fast) > SHARE * rms(command_v)
+}
+
+/// The first sample when a joint has come so far that its friction no longer remembers
+/// how it was bent: five times the largest bend. A joint that never does counts from 1 s.
+fn settled(q_rad: &[f64], subject: &Subject, joint: usize) -> usize {
+    let friction = &subject.robot.friction[joint];
+    let level_v = friction.alpha0_v + friction.alpha1_v.max(0.0);
+    let path_rad = 5.0 * level_v / friction.sigma0_v_per_rad;
+    let gone = |q: &f64| (q - q_rad[0]).abs() > path_rad;
+    q_rad.iter().position(gone).unwrap_or(0)
+}
+
+/// Ranges of samples without a long gap, none of them short.
+fn unbroken(time_s: &[f64], period_s: f64) -> Vec<std::ops::Range<usize>> {
+    let mut ranges = Vec::new();
+    let mut begin = 0;
+    for k in 1..=time_s.len() {
+        let ends = k == time_s.len()
+            || time_s[k] - time_s[k - 1] > LONGEST_GAP_PERIODS * period_s;
+        if ends {
+            if time_s[k - 1] - time_s[begin] >= SHORTEST_S {
+                ranges.push(begin..k);
+            }
+            begin = k;
+        }
+    }
+    ranges
+}

@@ -1,0 +1,157 @@
+//! The rig under diagnosis, as a robot of three joints.
+//!
+//! A rig of one joint becomes the third joint of an arm whose other joints are too heavy to
+//! move, hanging down: eq. (5) of that arm is eq. (11). So one path serves both.
+
+use std::f64::consts::FRAC_PI_2;
+
+use model::base::COUNT;
+use model::{BaseParameters, Friction, Geometry, Robot};
+
+use crate::effects::{Definition, EffectError};
+use crate::files::{FileError, RobotFile};
+use crate::identification::Campaign;
+use crate::identification::campaign::Known;
+
+/// The joint of the arm that stands for the only joint of a rig.
+const ONLY: usize = 2;
+/// Inertia of joints that do not move [kg m^2].
+const IMMOVABLE_KG_M2: f64 = 1e6;
+/// Where joints that are not there stand [rad]: hanging down.
+const HANGING_RAD: [f64; 3] = [0.0, -FRAC_PI_2, 0.0];
+
+/// What is diagnosed.
+#[derive(Clone, Debug)]
+pub struct Subject {
+    /// The model as given.
+    pub robot: Robot<f64>,
+    /// Effects that the model as given holds already.
+    pub known_effects: Vec<(&'static Definition, u8, Vec<f64>)>,
+    /// Joints of the rig, 0 to 2, as the arm counts them.
+    pub joints: Vec<usize>,
+    /// Number, 1 to 3, of each of these in files.
+    pub numbers: Vec<u8>,
+    /// Whether the rig has but one joint.
+    pub one_joint: bool,
+    /// What the manufacturer tells.
+    pub known: Known,
+}
+
+impl Subject {
+    /// The rig of a campaign.
+    ///
+    /// # Errors
+    /// The model lacks a parameter, or holds an effect that is none.
+    pub fn of(campaign: &Campaign) -> Result<Self, SubjectError> {
+        let file = &campaign.robot_file;
+        let one_joint = file.is_pendulum();
+        let robot = if one_joint { pendulum_as_robot(file)? } else { file.robot()? };
+        let numbers = campaign.known.joints.clone();
+        let joints = if one_joint { vec![ONLY] } else { vec![0, 1, 2] };
+        let mut subject = Self {
+            robot,
+            known_effects: Vec::new(),
+            joints,
+            numbers,
+            one_joint,
+            known: campaign.known.clone(),
+        };
+        for table in &file.effects {
+            let (definition, values) = table.definition_and_values()?;
+            let joint = subject.inner_joint(table.joint);
+            definition.with(joint, &values)?;
+            subject.known_effects.push((definition, joint, values));
+        }
+        Ok(subject)
+    }
+
+    /// The number in files of a joint as effects here count it (1 to 3, 0 for the whole robot).
+    pub fn outer_joint(&self, inner: u8) -> u8 {
+        if self.one_joint && inner > 0 { self.numbers[0] } else { inner }
+    }
+
+    /// A joint of files as effects here count it.
+    pub fn inner_joint(&self, outer: u8) -> u8 {
+        if self.one_joint && outer > 0 { ONLY as u8 + 1 } else { outer }
+    }
+
+    /// Where a joint stands that the rig does not have [rad].
+    pub fn resting_rad(joint: usize) -> f64 {
+        HANGING_RAD[joint]
+    }
+
+    /// Base parameters that the rig's motion can change.
+    pub fn free_base(&self) -> Vec<usize> {
+        if self.one_joint { vec![ZZ3R, MX3R] } else { (0..COUNT).collect() }
+    }
+}
+
+/// Places of J and of l/g among the base parameters.
+const ZZ3R: usize = 12;
+const MX3R: usize = 13;
+
+/// Why a rig cannot be diagnosed.
+#[derive(Debug, thiserror::Error)]
+pub enum SubjectError {
+    /// The model file lacks something.
+    #[error(transparent)]
+    File(Box<FileError>),
+    /// An `[[effect]]` of the model is none.
+    #[error("the model's [[effect]]: {0}")]
+    Effect(#[from] EffectError),
+}
+
+impl From<FileError> for SubjectError {
+    fn from(error: FileError) -> Self {
+        Self::File(Box::new(error))
+    }
+}
+
+fn pendulum_as_robot(file: &RobotFile) -> Result<Robot<f64>, FileError> {
+    let pendulum = file.pendulum()?;
+    let gravity_m_s2 = file.robot.gravity_m_s2.unwrap_or(9.81);
+    let mut base = [0.0; COUNT];
+    base[ZZ3R] = pendulum.inertia_kg_m2;
+    base[MX3R] = pendulum.gravity_torque_nm / gravity_m_s2;
+    let base = BaseParameters {
+        zz1r: IMMOVABLE_KG_M2,
+        zz2r: IMMOVABLE_KG_M2,
+        ..BaseParameters::from_array(base)
+    };
+    // Without a length, the mass is thought where a point mass would swing alike.
+    let pendulum_length_m = match base.mx3r {
+        moment if moment > 0.0 => pendulum.inertia_kg_m2 / moment,
+        _ => 0.5,
+    };
+    let geometry = Geometry {
+        gravity_m_s2,
+        d1_m: 0.0,
+        d2_m: 0.0,
+        a2_m: 0.0,
+        d3_m: 0.0,
+        a3_m: file.robot.a3_m.unwrap_or(pendulum_length_m),
+    };
+    let k_t = file.torque_constant(pendulum.joint)?;
+    let friction = one_joint_friction(file, pendulum.joint)?;
+    Ok(Robot {
+        geometry,
+        base,
+        torque_constant_nm_per_v: [k_t; 3],
+        friction: [friction; 3],
+    })
+}
+
+/// The joint's friction; bristles that bend by a milliradian where none are given.
+fn one_joint_friction(file: &RobotFile, joint: u8) -> Result<Friction<f64>, FileError> {
+    const BENT_RAD: f64 = 1e-3;
+    let table = file.friction_table(joint)?;
+    let level_v = table.alpha0_v.max(table.alpha0_v + table.alpha1_v).max(1e-6);
+    Ok(Friction {
+        alpha0_v: table.alpha0_v.max(1e-6),
+        alpha1_v: table.alpha1_v,
+        stribeck_velocity_rad_per_s: table.stribeck_velocity_rad_per_s,
+        alpha2_v_s_per_rad: table.alpha2_v_s_per_rad,
+        sigma0_v_per_rad: table.sigma0_v_per_rad.unwrap_or(level_v / BENT_RAD),
+        sigma1_v_s_per_rad: table.sigma1_v_s_per_rad.unwrap_or(0.0),
+    })
+}

@@ -1,0 +1,240 @@
+//! What the motor gave less what the motion needed: the one equation of the diagnosis.
+//!
+//! The effects are those of the simulator, met along the measured motion: what changes the
+//! command is applied to the recorded command, what adds torque or friction is added, what
+//! changes the encoder's reading is undone, and a link behind a spring moves as the spring
+//! drives it. Commands are recorded without noise, so nothing is inverted that would amplify
+//! noise.
+
+use std::borrow::Cow;
+use std::f64::consts::{PI, TAU};
+
+use model::friction::FrictionScale;
+use model::{FrictionState, Posture, Robot};
+
+use super::link_motion;
+use super::reading;
+use super::stretch::{Kinematics, Stretch};
+use crate::effects::{Definition, Effect, Moment};
+use crate::signal::derivative;
+
+/// An effect that is in a model under trial.
+#[derive(Clone, Debug)]
+pub struct Added {
+    /// What it is.
+    pub definition: &'static Definition,
+    /// Joint, 1 to 3; 0 for the whole robot.
+    pub joint: u8,
+    /// Its parameters, in the order of the definition.
+    pub values: Vec<f64>,
+}
+
+impl Added {
+    /// The effect, its values kept within their bounds; `None` if it acts on no such joint.
+    pub fn build(&self) -> Option<Box<dyn Effect>> {
+        self.definition.with(self.joint, &self.bounded()).ok()
+    }
+
+    /// Turns a negative amplitude into half a turn of phase, and keeps values in bounds.
+    pub fn normalise(&mut self) {
+        let place = |name: &str| self.definition.parameters.iter().position(|p| p.name == name);
+        if let Some(phase) = place("phase_rad") {
+            if self.values[0] < 0.0 {
+                self.values[0] = -self.values[0];
+                self.values[phase] += PI;
+            }
+            self.values[phase] -= TAU * (self.values[phase] / TAU).round();
+        }
+        self.values = self.bounded();
+    }
+
+    /// The values within their bounds.
+    pub fn bounded(&self) -> Vec<f64> {
+        let bounds = self.definition.parameters.iter();
+        bounds.zip(&self.values).map(|(p, v)| v.clamp(p.lowest, p.highest)).collect()
+    }
+}
+
+/// A model under trial.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// Rigid body and friction.
+    pub robot: Robot<f64>,
+    /// By how much each command comes later than the log says [s].
+    pub lag_s: [f64; 3],
+    /// Effects, in order.
+    pub effects: Vec<Added>,
+}
+
+impl Point {
+    /// The same with one more effect.
+    pub fn with(&self, effect: Added) -> Self {
+        let mut point = self.clone();
+        point.effects.push(effect);
+        point
+    }
+}
+
+/// A model under trial over one stretch: the motion as it sees it, and what is the same for
+/// all joints.
+pub struct Trial<'a> {
+    stretch: &'a Stretch,
+    point: &'a Point,
+    /// The robot with what effects change in it, motors of elastic joints included.
+    robot: Robot<f64>,
+    /// What moves with the links.
+    links: Robot<f64>,
+    /// Motion of the motors.
+    motor: Cow<'a, Kinematics>,
+    /// Motion of the links.
+    link: Cow<'a, Kinematics>,
+    /// Inertia that elastic joints' motors have of their own [kg m^2].
+    motor_inertia_kg_m2: [f64; 3],
+    /// Whether an effect needs to know the load.
+    feels_load: bool,
+}
+
+impl<'a> Trial<'a> {
+    /// Prepares a model for a stretch.
+    pub fn of(stretch: &'a Stretch, point: &'a Point) -> Self {
+        let effects = built(&point.effects);
+        let mut robot = point.robot;
+        effects.iter().for_each(|effect| effect.change_robot(&mut robot));
+        let motor = reading::corrected(&stretch.motion, &effects);
+        let mut links = robot;
+        let mut link = motor.clone();
+        let mut motor_inertia_kg_m2 = [0.0; 3];
+        for (joint, spring) in effects.iter().filter_map(|effect| effect.transmission()) {
+            links = spring.without_motor(joint, &links);
+            motor_inertia_kg_m2[joint] = spring.motor_inertia_kg_m2;
+            link = Cow::Owned(link_motion::behind(&spring, joint, &motor, &links, stretch.period_s));
+        }
+        let feels_load = effects.iter().any(|effect| effect.feels_load());
+        Self { stretch, point, robot, links, motor, link, motor_inertia_kg_m2, feels_load }
+    }
+
+    /// What the motor of a joint (0 to 2) gave less what was needed, at the samples [V].
+    pub fn shortfall(&self, joint: usize) -> Vec<f64> {
+        let given = at_samples(&self.net(joint));
+        let needed = self.needed(joint);
+        let lag_s = self.point.lag_s[joint];
+        let slope = self.command_slope(joint);
+        (0..given.len()).map(|k| given[k] - needed[k] - lag_s * slope[k]).collect()
+    }
+
+    /// Change of the command per second, at the samples [V/s].
+    pub fn command_slope(&self, joint: usize) -> Vec<f64> {
+        derivative::first(&at_samples(&self.stretch.command_v[joint]), self.stretch.period_s)
+    }
+
+    /// Voltage that the rigid body needs at the samples, eq. (5).
+    pub fn needed(&self, joint: usize) -> Vec<f64> {
+        let k_t = self.robot.torque_constant_nm_per_v[joint];
+        let at = |k: usize| {
+            let (q, qd, qdd) = self.link.state(k);
+            let posture = Posture::new(q[1], q[2]);
+            let torque =
+                posture.inverse_dynamics(&self.links.base, &self.links.geometry, &qd, &qdd)[joint];
+            let own = self.motor_inertia_kg_m2[joint] * self.motor.qdd_rad_per_s2[joint][k];
+            (torque + own) / k_t
+        };
+        (0..self.stretch.len()).map(at).collect()
+    }
+
+    /// A row of the regressor at the samples, in volts per unit of the base parameter.
+    pub fn regressor_row(&self, joint: usize) -> Vec<[f64; model::base::COUNT]> {
+        let k_t = self.robot.torque_constant_nm_per_v[joint];
+        let at = |k: usize| {
+            let (q, qd, qdd) = self.link.state(k);
+            let posture = Posture::new(q[1], q[2]);
+            let geometry = &self.links.geometry;
+            model::regressor::regressor(&posture, geometry, &qd, &qdd)[joint].map(|r| r / k_t)
+        };
+        (0..self.stretch.len()).map(at).collect()
+    }
+
+    /// Voltage left for the rigid body in the interval after each sample: the command as the
+    /// motor feels it, with what effects add, less friction [V].
+    pub fn net(&self, joint: usize) -> Vec<f64> {
+        self.net_of(joint, &self.robot)
+    }
+
+    /// [`Self::net`] with another robot's friction.
+    pub fn net_of(&self, joint: usize, robot: &Robot<f64>) -> Vec<f64> {
+        let stretch = self.stretch;
+        let mut effects = built(&self.point.effects);
+        effects.iter_mut().for_each(|effect| effect.set_step(stretch.period_s));
+        let friction = &robot.friction[joint];
+        let half_s = 0.5 * stretch.period_s;
+        let v = &self.motor.qd_rad_per_s[joint];
+        let mut bend = FrictionState::default();
+        let last = stretch.len() - 1;
+        let mut interval = |k: usize| {
+            let next = (k + 1).min(last);
+            let mut command_v = [0, 1, 2].map(|i| stretch.command_v[i][k]);
+            let mut scale = [FrictionScale::unchanged(); 3];
+            let mut torque_nm = [0.0; 3];
+            if !effects.is_empty() {
+                let moment = self.moment(k, next);
+                for effect in &mut effects {
+                    effect.change_command(&moment, &mut command_v);
+                    effect.change_friction(&moment, &mut scale);
+                }
+                for effect in &effects {
+                    effect.add_voltage(&moment, &mut command_v);
+                    effect.add_torque(&moment, &self.robot, &mut torque_nm);
+                }
+            }
+            let (early, late) = (0.75 * v[k] + 0.25 * v[next], 0.25 * v[k] + 0.75 * v[next]);
+            let friction_v = 0.5
+                * (bend.step_scaled(friction, scale[joint], early, half_s)
+                    + bend.step_scaled(friction, scale[joint], late, half_s));
+            command_v[joint] - friction_v
+                + torque_nm[joint] / robot.torque_constant_nm_per_v[joint]
+        };
+        (0..stretch.len()).map(&mut interval).collect()
+    }
+
+    /// The middle of an interval, as effects see it.
+    fn moment(&self, k: usize, next: usize) -> Moment {
+        let middle = |signal: &[Vec<f64>; 3]| [0, 1, 2].map(|i| 0.5 * (signal[i][k] + signal[i][next]));
+        let q_rad = middle(&self.motor.q_rad);
+        let qd_rad_per_s = middle(&self.motor.qd_rad_per_s);
+        let load_nm = match self.feels_load {
+            true => load(&self.robot, &q_rad, &qd_rad_per_s),
+            false => [0.0; 3],
+        };
+        Moment {
+            time_s: self.stretch.start_s + (k as f64 + 0.5) * self.stretch.period_s,
+            q_rad,
+            qd_rad_per_s,
+            load_nm,
+        }
+    }
+
+    /// Load c + h on a joint at the samples [Nm].
+    pub fn load_nm(&self, joint: usize) -> Vec<f64> {
+        let at = |k: usize| {
+            let (q, qd, _) = self.motor.state(k);
+            load(&self.robot, &q, &qd)[joint]
+        };
+        (0..self.stretch.len()).map(at).collect()
+    }
+}
+
+fn load(robot: &Robot<f64>, q_rad: &[f64; 3], qd_rad_per_s: &[f64; 3]) -> [f64; 3] {
+    let posture = Posture::new(q_rad[1], q_rad[2]);
+    let coriolis = posture.coriolis(&robot.base, &robot.geometry, qd_rad_per_s);
+    let gravity = posture.gravity(&robot.base, &robot.geometry);
+    [0, 1, 2].map(|i| coriolis[i] + gravity[i])
+}
+
+fn built(effects: &[Added]) -> Vec<Box<dyn Effect>> {
+    effects.iter().filter_map(Added::build).collect()
+}
+
+/// What acts over the two intervals about each sample, on average.
+pub fn at_samples(intervals: &[f64]) -> Vec<f64> {
+    let at = |k: usize| 0.5 * (intervals[k.saturating_sub(1)] + intervals[k]);
+    (0..intervals.len()).map(at).collect()
+}

@@ -1,0 +1,53 @@
+//! Where the search for an effect's parameters begins.
+
+use std::f64::consts::TAU;
+
+/// How the parameters of an effect are searched for.
+#[derive(Clone, Copy, Debug)]
+pub enum Search {
+    /// From these values, one list per start; none of them is zero where the parameter's
+    /// size is not known, because steps are taken in parts of it.
+    From(fn(&Typical) -> Vec<Vec<f64>>),
+    /// An amplitude, a harmonic per turn and a phase: every harmonic is tried.
+    Harmonics(Carrier),
+}
+
+/// What a harmonic of the angle multiplies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Carrier {
+    /// Nothing: a voltage of its own.
+    Unity,
+    /// The command.
+    Command,
+    /// The level of friction, against the motion.
+    Friction,
+}
+
+/// What is typical of the joint whose effect is searched for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Typical {
+    /// Largest command [V].
+    pub command_v: f64,
+    /// Coulomb friction [V].
+    pub friction_v: f64,
+    /// Load c + h, rms [Nm].
+    pub load_nm: f64,
+    /// Highest speed [rad/s].
+    pub speed_rad_per_s: f64,
+    /// Mean angle [rad].
+    pub position_rad: f64,
+    /// Inertia that the motor feels [kg m^2].
+    pub inertia_kg_m2: f64,
+}
+
+impl Typical {
+    /// Stiffness, damping and motor inertia of a lightly damped spring, by its resonance
+    /// with the motor held and the motor's part of the joint's inertia.
+    pub fn spring(&self, resonance_hz: f64, motor_part: f64) -> [f64; 3] {
+        const DAMPING_RATIO: f64 = 0.05;
+        let link = (1.0 - motor_part) * self.inertia_kg_m2;
+        let frequency = TAU * resonance_hz;
+        let damping = 2.0 * DAMPING_RATIO * frequency * link;
+        [link * frequency * frequency, damping, motor_part * self.inertia_kg_m2]
+    }
+}
