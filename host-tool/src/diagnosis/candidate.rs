@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::evidence::{Evidence, Rows};
-use super::linearisation::{Linearisation, Score, step_of};
+use super::linearisation::{Linearisation, Score, Which, step_of};
 use super::voltage::Added;
 
 /// An effect with its best values so far, and how well the model does with it.
@@ -20,29 +20,39 @@ const SMALL_STEP: f64 = 1e-3;
 
 impl Candidate {
     /// A candidate with the values as they are.
-    pub fn of(linear: &Linearisation, evidence: &Evidence, mut effect: Added) -> (Self, Rows) {
+    pub fn of(
+        linear: &Linearisation,
+        evidence: &Evidence,
+        mut effect: Added,
+        which: Which,
+    ) -> (Self, Rows) {
         effect.normalise();
-        let change = linear.change_by(evidence, &effect);
+        let change = linear.change_by(evidence, &effect, which);
         let score = linear.score_of(&change);
         (Self { effect, score }, change)
     }
 
     /// Searches from the candidate's values: Levenberg-Marquardt, everything open in the
     /// model eliminated by its slopes.
-    pub fn refined(self, linear: &Linearisation, evidence: &Evidence, most_steps: usize) -> Self {
-        let mut change = linear.change_by(evidence, &self.effect);
-        let mut best = self;
+    pub fn refined(
+        self,
+        linear: &Linearisation,
+        evidence: &Evidence,
+        most_steps: usize,
+        which: Which,
+    ) -> Self {
+        let (mut best, mut change) = Self::of(linear, evidence, self.effect, which);
         let mut damping = 1e-3;
         for _ in 0..most_steps {
             let free = best.free_values();
             let slopes: Vec<Rows> =
-                free.iter().map(|&value| best.slope(linear, evidence, &change, value)).collect();
+                free.iter().map(|&v| best.slope(linear, evidence, &change, v, which)).collect();
             let (gradient, curvature) = linear.along(&change, &slopes);
             let before = best.score.train;
             let found = (0..4).find_map(|_| {
                 let values = best.stepped(&free, &gradient, &curvature, damping);
                 let trial = Added { values, ..best.effect.clone() };
-                let (next, next_change) = Self::of(linear, evidence, trial);
+                let (next, next_change) = Self::of(linear, evidence, trial, which);
                 if next.score.train < best.score.train {
                     damping *= 0.1;
                     return Some((next, next_change));
@@ -72,11 +82,12 @@ impl Candidate {
         evidence: &Evidence,
         change: &Rows,
         value: usize,
+        which: Which,
     ) -> Rows {
         let mut moved = self.effect.clone();
         let step = step_of(&moved.definition.parameters[value], moved.values[value]);
         moved.values[value] += step;
-        let mut slope = linear.change_by(evidence, &moved);
+        let mut slope = linear.change_by(evidence, &moved, which);
         for (rows, before) in slope.iter_mut().zip(change) {
             rows.iter_mut().zip(before).for_each(|(row, before)| *row = (*row - before) / step);
         }

@@ -65,17 +65,6 @@ impl Evidence {
         [0, 1, 2].map(|joint| pieces.iter().flat_map(|piece| &piece[joint]).copied().collect())
     }
 
-    /// Rows of a joint's net voltage under a model: all that changes with effects that
-    /// neither change the motion nor the rigid body.
-    pub fn net_rows(&self, point: &Point, joint: usize) -> Rows {
-        let mut rows: Rows = Default::default();
-        for s in 0..self.stretches.len() {
-            let net = Trial::of(&self.stretches[s], point).net(joint);
-            rows[joint].extend(self.weighted(s, joint, &super::voltage::at_samples(&net)));
-        }
-        rows
-    }
-
     /// A signal of a stretch as rows in units of the noise; zero before the joint's
     /// friction is settled.
     pub fn weighted(&self, s: usize, joint: usize, signal: &[f64]) -> Vec<f64> {

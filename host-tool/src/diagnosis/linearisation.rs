@@ -6,9 +6,10 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use rayon::prelude::*;
 
 use super::evidence::{Evidence, Rows};
+use super::link_motion::Felt;
 use super::unknowns::{Expected, Unknown};
-use super::voltage::{Point, Trial, at_samples};
-use crate::effects::Parameter;
+use super::voltage::{Added, Point, Trial, at_samples};
+use crate::effects::{Parameter, Touches};
 
 /// A model with its residuals and their slopes.
 pub struct Linearisation {
@@ -20,13 +21,26 @@ pub struct Linearisation {
     pub residual: Rows,
     /// Squares of train rows and of the expectations' misses.
     pub objective: f64,
-    /// Rows of each joint's net voltage, for effects that change nothing else.
-    net: Rows,
+    /// What the model's equation consists of, stretch by stretch, joint by joint.
+    parts: Vec<[Parts; 3]>,
+    /// What joints feel of the rest of the arm, stretch by stretch.
+    felt: Vec<[Vec<Felt>; 3]>,
     joints: Vec<JointSlopes>,
     /// Half the gradient of the objective.
     gradient: DVector<f64>,
     normal: Cholesky<f64, Dyn>,
     train: [usize; 3],
+}
+
+/// The equation of a joint over a stretch, on the log's clock [V].
+#[derive(Default)]
+struct Parts {
+    /// What drives the joint, by intervals.
+    drive: Vec<f64>,
+    /// Friction, by intervals.
+    friction: Vec<f64>,
+    /// What the rigid body needs, by samples.
+    needed: Vec<f64>,
 }
 
 /// Slopes of one joint's rows.
@@ -60,12 +74,21 @@ impl Linearisation {
     pub fn of(evidence: &Evidence, point: Point, expected: Vec<Expected>) -> Option<Self> {
         let residual = evidence.shortfall(&point, &evidence.joints);
         let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
-        let (net, joints) = slopes(evidence, &point, &expected, &residual);
+        let (parts, joints) = slopes(evidence, &point, &expected, &residual);
         let objective = objective(&residual, &train, &point, &expected);
         let (normal, gradient) = normal_equations(&joints, &residual, &train, &point, &expected);
         let normal = Cholesky::new(normal)?;
         objective.is_finite().then_some(())?;
-        Some(Self { point, expected, residual, objective, net, joints, gradient, normal, train })
+        let felt = evidence.stretches.par_iter().map(|stretch| {
+            let trial = Trial::of(stretch, &point);
+            let of = |joint| match evidence.joints.contains(&joint) {
+                true => trial.felt(joint),
+                false => Vec::new(),
+            };
+            [0, 1, 2].map(of)
+        });
+        let felt = felt.collect();
+        Some(Self { point, expected, residual, objective, parts, felt, joints, gradient, normal, train })
     }
 
     /// The change of what is open that fits best, by the slopes.
@@ -164,21 +187,29 @@ impl Linearisation {
         (half_gradient, curvature)
     }
 
-    /// Change of rows by one more effect.
-    pub fn change_by(&self, evidence: &Evidence, effect: &super::voltage::Added) -> Rows {
-        let joint = usize::from(effect.joint).wrapping_sub(1);
-        let couples = effect.definition.couples_joints;
-        let point = self.point.with(effect.clone());
-        let (with, without) = if couples {
-            (evidence.shortfall(&point, &evidence.joints), &self.residual)
-        } else {
-            (evidence.net_rows(&point, joint), &self.net)
+    /// Change of rows by one more effect; `all_joints` or just that of its own joint.
+    pub fn change_by(&self, evidence: &Evidence, effect: &Added, which: Which) -> Rows {
+        let own = usize::from(effect.joint).wrapping_sub(1);
+        let joints = match effect.definition.couples_joints && (effect.joint == 0 || which.joints) {
+            true => evidence.joints.clone(),
+            false => vec![own],
         };
-        let mut change = with;
-        for (rows, before) in change.iter_mut().zip(without) {
-            rows.iter_mut().zip(before).for_each(|(row, before)| *row -= before);
+        let point = self.point.with(effect.clone());
+        let mut touches = effect.definition.touches;
+        // What is in the model already may feel a body or a motion that changes.
+        touches.drive |= touches.body && !self.point.effects.is_empty();
+        touches.friction |= touches.body && !self.point.effects.is_empty();
+        let mut rows: Rows = Default::default();
+        let stretches = if which.held_out { evidence.stretches.len() } else { evidence.train_stretches() };
+        for s in 0..stretches {
+            let felt = (!touches.drive).then_some(&self.felt[s]);
+            let trial = Trial::with_felt(&evidence.stretches[s], &point, felt);
+            for &joint in &joints {
+                let change = self.parts[s][joint].change_to(&trial, joint, touches);
+                rows[joint].extend(evidence.weighted(s, joint, &change));
+            }
         }
-        change
+        rows
     }
 
     /// Rows of a joint that belong to train logs.
@@ -191,6 +222,55 @@ impl Linearisation {
         let mut unit = DVector::zeros(self.expected.len());
         unit[place] = 1.0;
         self.normal.solve(&unit)[place].max(0.0).sqrt()
+    }
+}
+
+/// Which rows of a change are wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Which {
+    /// Those of joints that the effect does not act on, too.
+    pub joints: bool,
+    /// Those held out, too.
+    pub held_out: bool,
+}
+
+impl Which {
+    /// All rows.
+    pub const ALL: Self = Self { joints: true, held_out: true };
+    /// Train rows.
+    pub const TRAIN: Self = Self { joints: true, held_out: false };
+    /// Train rows of the effect's own joint.
+    pub const OWN: Self = Self { joints: false, held_out: false };
+}
+
+impl Parts {
+    fn of(trial: &Trial, joint: usize) -> Self {
+        Self {
+            drive: trial.drive(joint),
+            friction: trial.friction(joint, trial.robot()),
+            needed: trial.needed(joint),
+        }
+    }
+
+    /// Change of the shortfall at the samples when a trial takes these parts' place.
+    fn change_to(&self, trial: &Trial, joint: usize, touches: Touches) -> Vec<f64> {
+        let mut net = vec![0.0; self.drive.len()];
+        let mut add = |after: Vec<f64>, before: &[f64], sign: f64| {
+            let both = after.iter().zip(before);
+            net.iter_mut().zip(both).for_each(|(net, (a, b))| *net += sign * (a - b));
+        };
+        if touches.drive {
+            add(trial.drive(joint), &self.drive, 1.0);
+        }
+        if touches.friction {
+            add(trial.friction(joint, trial.robot()), &self.friction, -1.0);
+        }
+        let mut change = at_samples(&net);
+        if touches.body {
+            let both = trial.needed(joint).into_iter().zip(&self.needed);
+            change.iter_mut().zip(both).for_each(|(change, (a, b))| *change -= a - b);
+        }
+        change
     }
 }
 
@@ -244,31 +324,32 @@ fn normal_equations(
 /// A column of rows of one joint, with its place among what is open.
 type Column = (usize, Vec<f64>);
 
-/// Net voltages as rows, and the slopes of every joint.
+/// The parts of the equation, and the slopes of every joint.
 fn slopes(
     evidence: &Evidence,
     point: &Point,
     expected: &[Expected],
     residual: &Rows,
-) -> (Rows, Vec<JointSlopes>) {
+) -> (Vec<[Parts; 3]>, Vec<JointSlopes>) {
     let of_effects: Vec<(usize, Rows)> = (0..expected.len())
         .into_par_iter()
         .filter(|&place| matches!(expected[place].unknown, Unknown::Effect { .. }))
         .map(|place| (place, effect_slope(evidence, point, expected[place].unknown, residual)))
         .collect();
-    let mut net: Rows = Default::default();
+    let mut parts: Vec<[Parts; 3]> =
+        evidence.stretches.iter().map(|_| Default::default()).collect();
     let mut joints = Vec::new();
     for &joint in &evidence.joints {
-        let pieces: Vec<(Vec<f64>, Vec<Column>)> = (0..evidence.stretches.len())
+        let pieces: Vec<(Parts, Vec<Column>)> = (0..evidence.stretches.len())
             .into_par_iter()
             .map(|s| stretch_slopes(evidence, s, joint, point, expected))
             .collect();
-        net[joint] = pieces.iter().flat_map(|piece| &piece.0).copied().collect();
         let mut columns: Vec<Column> =
             pieces[0].1.iter().map(|(place, _)| (*place, Vec::new())).collect();
-        for (_, stretch_columns) in &pieces {
+        for (s, (own, stretch_columns)) in pieces.into_iter().enumerate() {
+            parts[s][joint] = own;
             for (column, (_, rows)) in columns.iter_mut().zip(stretch_columns) {
-                column.1.extend_from_slice(rows);
+                column.1.extend(rows);
             }
         }
         let of_effects =
@@ -280,22 +361,21 @@ fn slopes(
         let places = columns.iter().map(|(place, _)| *place).collect();
         joints.push(JointSlopes { joint, places, matrix });
     }
-    (net, joints)
+    (parts, joints)
 }
 
-/// Net voltage of a joint in a stretch, as rows, and the slopes that need no whole model.
+/// A joint's equation in a stretch, and the slopes that need no whole model.
 fn stretch_slopes(
     evidence: &Evidence,
     s: usize,
     joint: usize,
     point: &Point,
     expected: &[Expected],
-) -> (Vec<f64>, Vec<Column>) {
+) -> (Parts, Vec<Column>) {
     let trial = Trial::of(&evidence.stretches[s], point);
     let rows = |signal: &[f64]| evidence.weighted(s, joint, signal);
     let regressor = trial.regressor_row(joint);
-    let net_v = trial.net(joint);
-    let net = rows(&at_samples(&net_v));
+    let parts = Parts::of(&trial, joint);
     let mut columns = Vec::new();
     for (place, e) in expected.iter().enumerate() {
         match e.unknown {
@@ -306,10 +386,10 @@ fn stretch_slopes(
             Unknown::Friction { joint: of, parameter } if of == joint => {
                 let (moved, step) = friction_moved(point, joint, parameter);
                 let slope: Vec<f64> = trial
-                    .net_of(joint, &moved)
+                    .friction(joint, &moved)
                     .iter()
-                    .zip(&net_v)
-                    .map(|(after, before)| (after - before) / step)
+                    .zip(&parts.friction)
+                    .map(|(after, before)| (before - after) / step)
                     .collect();
                 columns.push((place, rows(&at_samples(&slope))));
             }
@@ -320,7 +400,7 @@ fn stretch_slopes(
             _ => {}
         }
     }
-    (net, columns)
+    (parts, columns)
 }
 
 /// Whether a base parameter is in a joint's row at all: joint 3 does not feel link 1 and 2,

@@ -9,17 +9,17 @@ use crate::simulation::transmission::Transmission;
 const STEPS: usize = 8;
 
 /// The motion with that of one link integrated: its motor drives it through the spring, the
-/// other joints move as measured. Taken as samples of acceleration, velocity and angle.
+/// other joints move as measured. `felt` is what a stiff joint would feel.
 pub fn behind(
     spring: &Transmission,
     joint: usize,
     motor: &Kinematics,
-    links: &Robot<f64>,
+    felt: &[Felt],
     period_s: f64,
 ) -> Kinematics {
     let mut motion = motor.clone();
     let count = motor.q_rad[joint].len();
-    let felt: Vec<Felt> = (0..count).map(|k| Felt::at(joint, motor, links, k)).collect();
+    let felt: Vec<Felt> = felt.iter().map(|felt| felt.without(spring)).collect();
     let mut link = Link { q_rad: motor.q_rad[joint][0], qd_rad_per_s: 0.0 };
     link.q_rad -= spring.hold(felt[0].bias_nm);
     for k in 0..count {
@@ -48,24 +48,34 @@ fn smoothed_acceleration(signal: &mut [f64]) {
     }
 }
 
-/// What the link feels of the rest of the arm.
+/// What a joint feels of the rest of the arm at a sample.
 #[derive(Clone, Copy, Debug)]
-struct Felt {
+pub struct Felt {
     inertia_kg_m2: f64,
     /// Torque that it needs without acceleration of its own.
     bias_nm: f64,
 }
 
 impl Felt {
-    fn at(joint: usize, motor: &Kinematics, links: &Robot<f64>, k: usize) -> Self {
+    /// At every sample of a motion.
+    pub fn along(joint: usize, motor: &Kinematics, robot: &Robot<f64>) -> Vec<Self> {
+        (0..motor.q_rad[joint].len()).map(|k| Self::at(joint, motor, robot, k)).collect()
+    }
+
+    fn at(joint: usize, motor: &Kinematics, robot: &Robot<f64>, k: usize) -> Self {
         let (q, qd, mut qdd) = motor.state(k);
         qdd[joint] = 0.0;
         let posture = Posture::new(q[1], q[2]);
-        let (base, geometry) = (&links.base, &links.geometry);
+        let (base, geometry) = (&robot.base, &robot.geometry);
         Self {
             inertia_kg_m2: posture.mass_matrix(base, geometry)[joint][joint],
             bias_nm: posture.inverse_dynamics(base, geometry, &qd, &qdd)[joint],
         }
+    }
+
+    /// Without the motor's inertia, which enters nothing but the joint's own.
+    fn without(&self, spring: &Transmission) -> Self {
+        Self { inertia_kg_m2: self.inertia_kg_m2 - spring.motor_inertia_kg_m2, ..*self }
     }
 
     fn towards(&self, other: &Self, x: f64) -> Self {

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::candidate::Candidate;
 use super::evidence::Evidence;
 use super::harmonics;
-use super::linearisation::Linearisation;
+use super::linearisation::{Linearisation, Which};
 use super::subject::Subject;
 use super::voltage::{Added, Trial};
 use crate::effects::{CATALOGUE, Definition, Search, Typical};
@@ -13,36 +13,41 @@ use crate::simulation::tracking::rms;
 
 /// Harmonics that are followed up of those that look best.
 const HARMONICS: usize = 3;
-/// Steps of a first, rough search and of a thorough one.
-const ROUGH_STEPS: usize = 2;
-const THOROUGH_STEPS: usize = 6;
-/// Starts of one effect that are searched thoroughly.
+/// Most steps of a search.
+const MOST_STEPS: usize = 6;
+/// Starts of one effect that are searched from.
 const BEST_STARTS: usize = 2;
-/// Effects that gain less than this part of the best one's gain are not searched thoroughly.
-const WORTH_IT: f64 = 0.3;
+/// Effects that promise less than this part of the best one's promise are not searched.
+const WORTH_IT: f64 = 0.08;
+/// Nor are those that promise less than this part of what is left.
+const WORTH_A_LOOK: f64 = 0.001;
 
-/// The best of every effect on every joint, the best first.
+/// The best of every effect on every joint that is worth a search, the best first.
 pub fn candidates(
     linear: &Linearisation,
     evidence: &Evidence,
     subject: &Subject,
 ) -> Vec<Candidate> {
-    let places = places(subject);
-    let rough: Vec<Vec<Candidate>> = places
+    let starts: Vec<Vec<Start>> = places(subject)
         .par_iter()
-        .map(|&(definition, joint)| rough(linear, evidence, subject, definition, joint))
+        .map(|&(definition, joint)| starts(linear, evidence, subject, definition, joint))
         .collect();
-    let best_gain = rough
-        .iter()
-        .flatten()
-        .map(|candidate| linear.objective - candidate.score.train)
-        .fold(0.0, f64::max);
-    let mut found: Vec<Candidate> = rough
+    let promised = starts.iter().flatten().map(|start| start.gain).fold(0.0, f64::max);
+    let least = (WORTH_IT * promised).max(WORTH_A_LOOK * linear.objective);
+    let mut found: Vec<Candidate> = starts
         .into_par_iter()
-        .filter_map(|starts| thorough(linear, evidence, starts, WORTH_IT * best_gain))
+        .filter_map(|starts| searched(linear, evidence, starts, least))
         .collect();
     found.sort_by(|a, b| a.score.total().total_cmp(&b.score.total()));
     found
+}
+
+/// Where a search may begin, and what it promises.
+#[derive(Clone, Debug)]
+struct Start {
+    effect: Added,
+    /// What the change of rows would gain if it were scaled as suits best.
+    gain: f64,
 }
 
 /// Effects and the joints that they can act on.
@@ -57,14 +62,14 @@ fn places(subject: &Subject) -> Vec<(&'static Definition, u8)> {
     CATALOGUE.into_iter().flat_map(of).collect()
 }
 
-/// All starts of an effect after a few steps, the best first.
-fn rough(
+/// The most promising starts of an effect, the best first.
+fn starts(
     linear: &Linearisation,
     evidence: &Evidence,
     subject: &Subject,
     definition: &'static Definition,
     joint: u8,
-) -> Vec<Candidate> {
+) -> Vec<Start> {
     let values = match definition.search {
         Search::From(starts) => starts(&typical(linear, evidence, subject, joint)),
         Search::Harmonics(carrier) => {
@@ -75,33 +80,38 @@ fn rough(
                 .collect()
         }
     };
-    let mut starts: Vec<Candidate> = values
+    let mut starts: Vec<Start> = values
         .into_iter()
-        .map(|values| Candidate::of(linear, evidence, Added { definition, joint, values }).0)
-        .map(|candidate| candidate.refined(linear, evidence, 1))
+        .map(|values| Added { definition, joint, values })
+        .map(|effect| Start { gain: promise(linear, evidence, &effect), effect })
         .collect();
-    starts.sort_by(|a, b| a.score.train.total_cmp(&b.score.train));
+    starts.sort_by(|a, b| b.gain.total_cmp(&a.gain));
     starts.truncate(BEST_STARTS);
     starts
-        .into_iter()
-        .map(|candidate| candidate.refined(linear, evidence, ROUGH_STEPS - 1))
-        .collect()
 }
 
-/// The best of an effect's starts, searched to the end where it is worth it.
-fn thorough(
+fn promise(linear: &Linearisation, evidence: &Evidence, effect: &Added) -> f64 {
+    let change = linear.change_by(evidence, effect, Which::OWN);
+    let (gradient, curvature) = linear.along(&Default::default(), &[change]);
+    gradient[0] * gradient[0] / curvature[(0, 0)].max(1e-12)
+}
+
+/// The best that an effect's starts lead to; none where they promise too little.
+fn searched(
     linear: &Linearisation,
     evidence: &Evidence,
-    starts: Vec<Candidate>,
-    least_gain: f64,
+    starts: Vec<Start>,
+    least: f64,
 ) -> Option<Candidate> {
     starts
         .into_iter()
-        .map(|start| match linear.objective - start.score.train > least_gain {
-            true => start.refined(linear, evidence, THOROUGH_STEPS),
-            false => start,
+        .filter(|start| start.gain > least)
+        .map(|start| {
+            let begun = Candidate::of(linear, evidence, start.effect, Which::TRAIN).0;
+            begun.refined(linear, evidence, MOST_STEPS, Which::TRAIN)
         })
         .min_by(|a, b| a.score.train.total_cmp(&b.score.train))
+        .map(|best| Candidate::of(linear, evidence, best.effect, Which::ALL).0)
 }
 
 /// What is typical of a joint (1 to 3, or 0 for the whole robot) in these logs.

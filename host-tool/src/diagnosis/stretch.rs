@@ -56,8 +56,11 @@ pub struct Stretch {
 const SHORTEST_S: f64 = 1.5;
 /// Gaps of fewer periods are filled, longer ones end a stretch.
 const LONGEST_GAP_PERIODS: f64 = 10.0;
-/// Highest cut-off of positions where they enter products and friction [Hz].
-const MOTION_CUTOFF_HZ: f64 = 200.0;
+/// Highest cut-off of positions where they enter products and friction [Hz]. What encoder
+/// steps add to the velocity blurs friction around reversals; what a filter takes away is
+/// missed where noise drives the joints.
+const CALM_CUTOFF_HZ: f64 = 90.0;
+const BRISK_CUTOFF_HZ: f64 = 200.0;
 
 impl Stretch {
     /// The stretches of a log that holds all joints of the rig.
@@ -87,14 +90,21 @@ impl Stretch {
             brisk: false,
             settled: [0; 3],
         };
+        let mut angles: [Vec<f64>; 3] = Default::default();
         for (&joint, &number) in subject.joints.iter().zip(&subject.numbers) {
             let Some(columns) = trace.joint(number) else { continue };
             let q = clock.smooth(&columns.q_rad[range.clone()]);
             let command = clock.held_mean(&columns.command_v[range.clone()]);
             stretch.brisk |= is_brisk(&command, period_s);
             stretch.settled[joint] = settled(&q, subject, joint);
-            stretch.motion.set(joint, &q, period_s, subject.known.encoder_step_rad);
+            angles[joint] = q;
             stretch.command_v[joint] = command;
+        }
+        let highest_hz = if stretch.brisk { BRISK_CUTOFF_HZ } else { CALM_CUTOFF_HZ };
+        for &joint in subject.joints.iter().filter(|&&joint| !angles[joint].is_empty()) {
+            let step_rad = subject.known.encoder_step_rad;
+            let cutoff_hz = motion_cutoff_hz(&angles[joint], period_s, step_rad, highest_hz);
+            stretch.motion.set(joint, &angles[joint], period_s, cutoff_hz);
         }
         stretch.fill_absent();
         stretch
@@ -125,8 +135,7 @@ impl Stretch {
 }
 
 impl Kinematics {
-    fn set(&mut self, joint: usize, q_rad: &[f64], period_s: f64, step_rad: f64) {
-        let cutoff_hz = motion_cutoff_hz(q_rad, period_s, step_rad);
+    fn set(&mut self, joint: usize, q_rad: &[f64], period_s: f64, cutoff_hz: f64) {
         let smooth = LowPass::new(cutoff_hz, period_s).zero_phase(q_rad);
         self.qd_rad_per_s[joint] = derivative::first(&smooth, period_s);
         self.qdd_rad_per_s2[joint] = second_difference(q_rad, period_s);
@@ -135,10 +144,10 @@ impl Kinematics {
 }
 
 /// Cut-off that keeps what the encoder's steps add to the velocity to a hundredth of it.
-fn motion_cutoff_hz(q_rad: &[f64], period_s: f64, step_rad: f64) -> f64 {
+fn motion_cutoff_hz(q_rad: &[f64], period_s: f64, step_rad: f64, highest_hz: f64) -> f64 {
     const SHARE: f64 = 0.01;
     const LOWEST_HZ: f64 = 8.0;
-    let highest_hz = MOTION_CUTOFF_HZ.min(0.2 / period_s);
+    let highest_hz = highest_hz.min(0.2 / period_s);
     let speed = crate::simulation::tracking::rms(&derivative::first(q_rad, period_s));
     let noise_rad = step_rad / 12f64.sqrt();
     // Noise of the velocity up to f: 2 pi noise sqrt(2 period / 3) f^(3/2).

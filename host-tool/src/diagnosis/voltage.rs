@@ -12,7 +12,7 @@ use std::f64::consts::{PI, TAU};
 use model::friction::FrictionScale;
 use model::{FrictionState, Posture, Robot};
 
-use super::link_motion;
+use super::link_motion::{self, Felt};
 use super::reading;
 use super::stretch::{Kinematics, Stretch};
 use crate::effects::{Definition, Effect, Moment};
@@ -97,6 +97,15 @@ pub struct Trial<'a> {
 impl<'a> Trial<'a> {
     /// Prepares a model for a stretch.
     pub fn of(stretch: &'a Stretch, point: &'a Point) -> Self {
+        Self::with_felt(stretch, point, None)
+    }
+
+    /// The same where it is known what each joint feels of the rest of the arm.
+    pub fn with_felt(
+        stretch: &'a Stretch,
+        point: &'a Point,
+        felt: Option<&[Vec<Felt>; 3]>,
+    ) -> Self {
         let effects = built(&point.effects);
         let mut robot = point.robot;
         effects.iter().for_each(|effect| effect.change_robot(&mut robot));
@@ -107,10 +116,25 @@ impl<'a> Trial<'a> {
         for (joint, spring) in effects.iter().filter_map(|effect| effect.transmission()) {
             links = spring.without_motor(joint, &links);
             motor_inertia_kg_m2[joint] = spring.motor_inertia_kg_m2;
-            link = Cow::Owned(link_motion::behind(&spring, joint, &motor, &links, stretch.period_s));
+            let felt = match felt {
+                Some(felt) => Cow::Borrowed(&felt[joint]),
+                None => Cow::Owned(Felt::along(joint, &motor, &robot)),
+            };
+            let period_s = stretch.period_s;
+            link = Cow::Owned(link_motion::behind(&spring, joint, &motor, &felt, period_s));
         }
         let feels_load = effects.iter().any(|effect| effect.feels_load());
         Self { stretch, point, robot, links, motor, link, motor_inertia_kg_m2, feels_load }
+    }
+
+    /// What each joint of the rig feels of the rest of the arm.
+    pub fn felt(&self, joint: usize) -> Vec<Felt> {
+        Felt::along(joint, &self.motor, &self.robot)
+    }
+
+    /// The robot with what effects change in it.
+    pub fn robot(&self) -> &Robot<f64> {
+        &self.robot
     }
 
     /// What the motor of a joint (0 to 2) gave less what was needed, at the samples [V].
@@ -153,50 +177,63 @@ impl<'a> Trial<'a> {
         (0..self.stretch.len()).map(at).collect()
     }
 
-    /// Voltage left for the rigid body in the interval after each sample: the command as the
-    /// motor feels it, with what effects add, less friction [V].
+    /// Voltage left for the rigid body in the interval after each sample: what drives the
+    /// joint less friction [V].
     pub fn net(&self, joint: usize) -> Vec<f64> {
-        self.net_of(joint, &self.robot)
+        let mut net = self.drive(joint);
+        let friction = self.friction(joint, &self.robot);
+        net.iter_mut().zip(&friction).for_each(|(drive, friction)| *drive -= friction);
+        net
     }
 
-    /// [`Self::net`] with another robot's friction.
-    pub fn net_of(&self, joint: usize, robot: &Robot<f64>) -> Vec<f64> {
-        let stretch = self.stretch;
+    /// The command as the motor feels it in the interval after each sample, with the
+    /// voltages and torques that effects add [V].
+    pub fn drive(&self, joint: usize) -> Vec<f64> {
         let mut effects = built(&self.point.effects);
-        effects.iter_mut().for_each(|effect| effect.set_step(stretch.period_s));
-        let friction = &robot.friction[joint];
-        let half_s = 0.5 * stretch.period_s;
-        let v = &self.motor.qd_rad_per_s[joint];
-        let mut bend = FrictionState::default();
-        let last = stretch.len() - 1;
+        if effects.is_empty() {
+            return self.stretch.command_v[joint].clone();
+        }
+        effects.iter_mut().for_each(|effect| effect.set_step(self.stretch.period_s));
+        let k_t = self.robot.torque_constant_nm_per_v[joint];
         let mut interval = |k: usize| {
-            let next = (k + 1).min(last);
-            let mut command_v = [0, 1, 2].map(|i| stretch.command_v[i][k]);
-            let mut scale = [FrictionScale::unchanged(); 3];
+            let moment = self.moment(k);
+            let mut command_v = [0, 1, 2].map(|i| self.stretch.command_v[i][k]);
             let mut torque_nm = [0.0; 3];
-            if !effects.is_empty() {
-                let moment = self.moment(k, next);
-                for effect in &mut effects {
-                    effect.change_command(&moment, &mut command_v);
-                    effect.change_friction(&moment, &mut scale);
-                }
-                for effect in &effects {
-                    effect.add_voltage(&moment, &mut command_v);
-                    effect.add_torque(&moment, &self.robot, &mut torque_nm);
-                }
+            effects.iter_mut().for_each(|e| e.change_command(&moment, &mut command_v));
+            for effect in &effects {
+                effect.add_voltage(&moment, &mut command_v);
+                effect.add_torque(&moment, &self.robot, &mut torque_nm);
             }
-            let (early, late) = (0.75 * v[k] + 0.25 * v[next], 0.25 * v[k] + 0.75 * v[next]);
-            let friction_v = 0.5
-                * (bend.step_scaled(friction, scale[joint], early, half_s)
-                    + bend.step_scaled(friction, scale[joint], late, half_s));
-            command_v[joint] - friction_v
-                + torque_nm[joint] / robot.torque_constant_nm_per_v[joint]
+            command_v[joint] + torque_nm[joint] / k_t
         };
-        (0..stretch.len()).map(&mut interval).collect()
+        (0..self.stretch.len()).map(&mut interval).collect()
+    }
+
+    /// Friction of a robot's joint in the interval after each sample [V].
+    pub fn friction(&self, joint: usize, robot: &Robot<f64>) -> Vec<f64> {
+        let effects = built(&self.point.effects);
+        let friction = &robot.friction[joint];
+        let half_s = 0.5 * self.stretch.period_s;
+        let v = &self.motor.qd_rad_per_s[joint];
+        let last = v.len() - 1;
+        let mut bend = FrictionState::default();
+        let mut interval = |k: usize| {
+            let mut scale = [FrictionScale::unchanged(); 3];
+            if !effects.is_empty() {
+                let moment = self.moment(k);
+                effects.iter().for_each(|e| e.change_friction(&moment, &mut scale));
+            }
+            let (here, next) = (v[k], v[(k + 1).min(last)]);
+            let (early, late) = (0.75 * here + 0.25 * next, 0.25 * here + 0.75 * next);
+            0.5 * (bend.step_scaled(friction, scale[joint], early, half_s)
+                + bend.step_scaled(friction, scale[joint], late, half_s))
+        };
+        (0..v.len()).map(&mut interval).collect()
     }
 
     /// The middle of an interval, as effects see it.
-    fn moment(&self, k: usize, next: usize) -> Moment {
+    fn moment(&self, k: usize) -> Moment {
+        let next = (k + 1).min(self.stretch.len() - 1);
         let middle = |signal: &[Vec<f64>; 3]| [0, 1, 2].map(|i| 0.5 * (signal[i][k] + signal[i][next]));
         let q_rad = middle(&self.motor.q_rad);
         let qd_rad_per_s = middle(&self.motor.qd_rad_per_s);

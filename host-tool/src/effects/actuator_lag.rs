@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search};
+use super::{Definition, Effect, Moment, Parameter, Search, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "actuator_lag",
@@ -11,6 +11,7 @@ pub(super) const DEFINITION: Definition = Definition {
     whole_robot: false,
     parameters: &[Parameter::new("time_constant_s", 1e-5, 0.1)],
     couples_joints: false,
+    touches: Touches::DRIVE,
     search: Search::From(|_| vec![vec![5e-4], vec![2e-3], vec![6e-3], vec![0.02]]),
     build: |joint, values| {
         Box::new(ActuatorLag {

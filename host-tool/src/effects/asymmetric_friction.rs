@@ -2,7 +2,7 @@
 
 use model::friction::FrictionScale;
 
-use super::{Definition, Effect, Moment, Parameter, Search};
+use super::{Definition, Effect, Moment, Parameter, Search, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "asymmetric_friction",
@@ -11,6 +11,7 @@ pub(super) const DEFINITION: Definition = Definition {
     whole_robot: false,
     parameters: &[Parameter::new("relative_asymmetry", -0.95, 0.95)],
     couples_joints: false,
+    touches: Touches::FRICTION,
     search: Search::From(|_| vec![vec![0.1]]),
     build: |joint, values| {
         Box::new(AsymmetricFriction {

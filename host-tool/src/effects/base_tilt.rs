@@ -3,7 +3,7 @@
 use model::vector::Vector3;
 use model::{BaseParameters, Posture, Robot};
 
-use super::{Definition, Effect, Moment, Parameter, Search};
+use super::{Definition, Effect, Moment, Parameter, Search, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "base_tilt",
@@ -17,6 +17,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Parameter::optional("hidden_moment_side_kg_m", -10.0, 10.0),
     ],
     couples_joints: true,
+    touches: Touches::DRIVE,
     search: Search::From(|_| vec![vec![0.02, 0.02, 0.1, 0.1]]),
     build: |_, values| {
         Box::new(BaseTilt {

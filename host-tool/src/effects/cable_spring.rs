@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search};
+use super::{Definition, Effect, Moment, Parameter, Search, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "cable_spring",
@@ -14,6 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Parameter::new("rest_rad", -100.0, 100.0),
     ],
     couples_joints: false,
+    touches: Touches::DRIVE,
     search: Search::From(|typical| vec![vec![0.1 * typical.friction_v, typical.position_rad]]),
     build: |joint, values| {
         Box::new(CableSpring {

@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Carrier, Definition, Effect, Moment, Parameter, Search};
+use super::{Carrier, Definition, Effect, Moment, Parameter, Search, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "cogging",
@@ -15,6 +15,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Parameter::new("phase_rad", -6.3, 6.3),
     ],
     couples_joints: false,
+    touches: Touches::DRIVE,
     search: Search::Harmonics(Carrier::Unity),
     build: |joint, values| {
         Box::new(Cogging {

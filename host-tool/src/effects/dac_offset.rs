@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search};
+use super::{Definition, Effect, Moment, Parameter, Search, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "dac_offset",
@@ -11,6 +11,7 @@ pub(super) const DEFINITION: Definition = Definition {
     whole_robot: false,
     parameters: &[Parameter::new("offset_V", -5.0, 5.0)],
     couples_joints: false,
+    touches: Touches::DRIVE,
     search: Search::From(|typical| vec![vec![0.1 * typical.friction_v]]),
     build: |joint, values| {
         Box::new(DacOffset { joint: usize::from(joint) - 1, offset_v: values[0] })

@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search};
+use super::{Definition, Effect, Moment, Parameter, Search, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "dead_zone",
@@ -11,6 +11,7 @@ pub(super) const DEFINITION: Definition = Definition {
     whole_robot: false,
     parameters: &[Parameter::new("half_width_V", 0.0, 5.0)],
     couples_joints: false,
+    touches: Touches::DRIVE,
     search: Search::From(|typical| [0.1, 0.4].map(|part| vec![part * typical.friction_v]).to_vec()),
     build: |joint, values| {
         Box::new(DeadZone { joint: usize::from(joint) - 1, half_width_v: values[0] })

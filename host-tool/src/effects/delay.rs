@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search};
+use super::{Definition, Effect, Moment, Parameter, Search, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "delay",
@@ -13,6 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     whole_robot: false,
     parameters: &[Parameter::new("delay_s", 0.0, 0.1)],
     couples_joints: false,
+    touches: Touches::DRIVE,
     search: Search::From(|_| vec![vec![8e-4], vec![2.5e-3], vec![6e-3], vec![0.02]]),
     build: |joint, values| {
         Box::new(Delay {

@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Parameter, Search};
+use super::{Definition, Effect, Parameter, Search, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "encoder_eccentricity",
@@ -14,6 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Parameter::new("phase_rad", -6.3, 6.3),
     ],
     couples_joints: true,
+    touches: Touches::READING,
     search: Search::From(|_| [0.0, 1.57, 3.14, -1.57].map(|phase_rad| vec![2e-3, phase_rad]).to_vec()),
     build: |joint, values| {
         Box::new(EncoderEccentricity {

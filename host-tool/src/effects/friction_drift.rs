@@ -2,7 +2,7 @@
 
 use model::friction::FrictionScale;
 
-use super::{Definition, Effect, Moment, Parameter, Search};
+use super::{Definition, Effect, Moment, Parameter, Search, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "friction_drift",
@@ -14,6 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Parameter::new("time_constant_s", 0.1, 10000.0),
     ],
     couples_joints: false,
+    touches: Touches::FRICTION,
     search: Search::From(|_| [1.0, 5.0, 30.0].map(|time_s| vec![0.2, time_s]).to_vec()),
     build: |joint, values| {
         Box::new(FrictionDrift {

@@ -1,6 +1,6 @@
 //! A joint that gives way.
 
-use super::{Definition, Effect, Parameter, Search, Typical};
+use super::{Definition, Effect, Parameter, Search, Touches, Typical};
 use crate::simulation::transmission::Transmission;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -14,6 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Parameter::new("motor_inertia_kg_m2", 1e-5, 10.0),
     ],
     couples_joints: true,
+    touches: Touches::BODY,
     search: Search::From(starts),
     build: |joint, values| {
         let transmission = Transmission {

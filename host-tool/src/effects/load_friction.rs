@@ -2,7 +2,7 @@
 
 use model::friction::FrictionScale;
 
-use super::{Definition, Effect, Moment, Parameter, Search};
+use super::{Definition, Effect, Moment, Parameter, Search, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "load_friction",
@@ -11,6 +11,7 @@ pub(super) const DEFINITION: Definition = Definition {
     whole_robot: false,
     parameters: &[Parameter::new("coefficient_V_per_Nm", 0.0, 1.0)],
     couples_joints: false,
+    touches: Touches::FRICTION,
     search: Search::From(|typical| vec![vec![0.1 * typical.friction_v / typical.load_nm]]),
     build: |joint, values| {
         Box::new(LoadFriction { joint: usize::from(joint) - 1, coefficient_v_per_nm: values[0] })

@@ -30,7 +30,7 @@ mod torque_constant;
 mod torque_ripple;
 
 pub use parse::EffectError;
-pub use search::{Carrier, Search, Typical};
+pub use search::{Carrier, Search, Touches, Typical};
 
 use std::fmt::Debug;
 
@@ -79,6 +79,8 @@ pub struct Definition {
     pub parameters: &'static [Parameter],
     /// Whether it shows in the commands of other joints as well.
     pub couples_joints: bool,
+    /// What it changes in the equation of the diagnosis.
+    pub touches: Touches,
     /// Where a search for its parameters begins.
     pub search: Search,
     /// The effect with these values, one per parameter, on a joint (1 to 3, or 0).

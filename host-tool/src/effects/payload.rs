@@ -3,7 +3,7 @@
 use model::links::{Link, base_parameters};
 use model::{BaseParameters, Robot};
 
-use super::{Definition, Effect, Parameter, Search};
+use super::{Definition, Effect, Parameter, Search, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "payload",
@@ -12,6 +12,7 @@ pub(super) const DEFINITION: Definition = Definition {
     whole_robot: true,
     parameters: &[Parameter::new("mass_kg", 0.0, 50.0)],
     couples_joints: true,
+    touches: Touches::BODY,
     search: Search::From(|_| vec![vec![0.1]]),
     build: |_, values| Box::new(Payload { mass_kg: values[0] }),
 };

@@ -2,7 +2,7 @@
 
 use model::friction::FrictionScale;
 
-use super::{Carrier, Definition, Effect, Moment, Parameter, Search};
+use super::{Carrier, Definition, Effect, Moment, Parameter, Search, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "position_friction",
@@ -15,6 +15,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Parameter::new("phase_rad", -6.3, 6.3),
     ],
     couples_joints: false,
+    touches: Touches::FRICTION,
     search: Search::Harmonics(Carrier::Friction),
     build: |joint, values| {
         Box::new(PositionFriction {

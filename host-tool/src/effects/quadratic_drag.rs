@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search};
+use super::{Definition, Effect, Moment, Parameter, Search, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "quadratic_drag",
@@ -11,6 +11,7 @@ pub(super) const DEFINITION: Definition = Definition {
     whole_robot: false,
     parameters: &[Parameter::new("coefficient_V_s2_per_rad2", 0.0, 1.0)],
     couples_joints: false,
+    touches: Touches::DRIVE,
     search: Search::From(|typical| vec![vec![0.1 * typical.friction_v / typical.speed_rad_per_s.powi(2)]]),
     build: |joint, values| {
         Box::new(QuadraticDrag {

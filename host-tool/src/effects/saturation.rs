@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search};
+use super::{Definition, Effect, Moment, Parameter, Search, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "saturation",
@@ -11,6 +11,7 @@ pub(super) const DEFINITION: Definition = Definition {
     whole_robot: false,
     parameters: &[Parameter::new("limit_V", 0.01, 100.0)],
     couples_joints: false,
+    touches: Touches::DRIVE,
     search: Search::From(|typical| [0.93, 0.8, 0.65, 0.5].map(|part| vec![part * typical.command_v]).to_vec()),
     build: |joint, values| {
         Box::new(Saturation { joint: usize::from(joint) - 1, limit_v: values[0] })

@@ -3,7 +3,7 @@
 use model::vector::Vector3;
 use model::{Posture, Robot};
 
-use super::{Definition, Effect, Moment, Parameter, Search};
+use super::{Definition, Effect, Moment, Parameter, Search, Touches};
 
 const COMPONENT: Parameter = Parameter::new("force_N", -200.0, 200.0);
 
@@ -14,6 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     whole_robot: true,
     parameters: &[COMPONENT, COMPONENT, COMPONENT],
     couples_joints: true,
+    touches: Touches::DRIVE,
     search: Search::From(|_| vec![vec![1.0, 1.0, 1.0]]),
     build: |_, values| Box::new(TipForce { force_n: [values[0], values[1], values[2]] }),
 };

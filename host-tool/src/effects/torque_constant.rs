@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search};
+use super::{Definition, Effect, Moment, Parameter, Search, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "torque_constant",
@@ -11,6 +11,7 @@ pub(super) const DEFINITION: Definition = Definition {
     whole_robot: false,
     parameters: &[Parameter::new("relative_error", -0.5, 0.5)],
     couples_joints: false,
+    touches: Touches::DRIVE,
     search: Search::From(|_| vec![vec![0.05]]),
     build: |joint, values| {
         Box::new(TorqueConstant { joint: usize::from(joint) - 1, relative_error: values[0] })

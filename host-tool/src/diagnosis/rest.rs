@@ -1,0 +1,72 @@
+//! How far what a model leaves is above the noise.
+
+use super::evidence::Evidence;
+use super::linearisation::Linearisation;
+use super::unknowns::Unknown;
+
+/// What a model leaves, against the noise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rest {
+    /// Root mean square over that of noise, by joint of the rig and stretch.
+    pub ratios: Vec<Vec<f64>>,
+    /// Squares above what the method itself may leave, in units of noise, all rows.
+    pub excess: f64,
+    /// Squares of all rows, train and held out, in units of noise.
+    pub rows: f64,
+    /// Squares by which retuned parameters miss what is known of them, in deviations.
+    pub misses: f64,
+}
+
+/// What the method itself leaves of robots without effect: friction around reversals, where
+/// velocity is hardest to know, reaches 1.5 times the noise on one joint of one log.
+const OWN_RATIO: f64 = 1.5;
+/// Squared misses of parameters that ask for a cause; some thirty parameters that are known
+/// to their deviation make thirty.
+pub const MISSES: f64 = 60.0;
+
+impl Rest {
+    /// What a model leaves once retuned.
+    pub fn of(evidence: &Evidence, linear: &Linearisation) -> Self {
+        let (mut ratios, mut excess, mut all) = (Vec::new(), 0.0, 0.0);
+        for &joint in &evidence.joints {
+            let mut of_joint = Vec::new();
+            for range in evidence.ranges(joint) {
+                let rows = &linear.residual[joint][range];
+                let used = rows.iter().filter(|row| **row != 0.0).count().max(1) as f64;
+                let squares: f64 = rows.iter().map(|row| row * row).sum();
+                of_joint.push((squares / used).sqrt());
+                excess += (squares - OWN_RATIO * OWN_RATIO * used).max(0.0);
+                all += squares;
+            }
+            ratios.push(of_joint);
+        }
+        Self { ratios, excess, rows: all, misses: misses(linear) }
+    }
+
+    /// Whether nothing is left that asks for a cause.
+    pub fn is_clean(&self) -> bool {
+        self.excess == 0.0 && self.misses < MISSES
+    }
+
+    /// The largest ratio to the noise.
+    pub fn worst(&self) -> f64 {
+        self.ratios.iter().flatten().copied().fold(0.0, f64::max)
+    }
+}
+
+/// Squares of the misses of those parameters that logs like these determine.
+fn misses(linear: &Linearisation) -> f64 {
+    const ALPHA0: usize = 0;
+    const ALPHA2: usize = 3;
+    let counts = |unknown: Unknown| match unknown {
+        Unknown::Base(_) | Unknown::Lag(_) => true,
+        Unknown::Friction { parameter, .. } => parameter == ALPHA0 || parameter == ALPHA2,
+        Unknown::Effect { .. } => false,
+    };
+    linear
+        .expected
+        .iter()
+        .filter(|e| counts(e.unknown))
+        .map(|e| ((e.unknown.get(&linear.point) - e.mean) / e.deviation).powi(2))
+        .sum()
+}

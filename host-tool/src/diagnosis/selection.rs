@@ -1,0 +1,132 @@
+//! Which effects belong into the model: one after the other, each the best of all, as long
+//! as each takes a good part of what is left.
+
+use rayon::prelude::*;
+
+use super::candidate::Candidate;
+use super::evidence::Evidence;
+use super::fit::fit;
+use super::linearisation::Linearisation;
+use super::rest::{MISSES, Rest};
+use super::search::candidates;
+use super::subject::Subject;
+
+/// The model after each step, and what competed.
+pub struct Selection {
+    /// The refitted model, then with one effect more each.
+    pub steps: Vec<Step>,
+    /// Candidates that lost, in the round in which they were best, the best first.
+    pub rivals: Vec<Rivalry>,
+}
+
+/// A model and what it leaves.
+pub struct Step {
+    /// The model.
+    pub linear: Linearisation,
+    /// What it leaves.
+    pub rest: Rest,
+}
+
+/// A candidate that lost against an effect that was taken.
+#[derive(Clone, Debug)]
+pub struct Rivalry {
+    /// Index of the effect among those taken; their count where none was taken.
+    pub round: usize,
+    /// The candidate, retuned with everything else.
+    pub candidate: Candidate,
+    /// What the model leaves with it.
+    pub rest: Rest,
+}
+
+/// Most effects in a model.
+const MOST_EFFECTS: usize = 3;
+/// Candidates that are retuned with everything else before one is taken.
+const FINALISTS: usize = 5;
+/// A finalist has gained at least this part of the best candidate's gain.
+const FINALIST_GAIN: f64 = 0.4;
+/// Steps of a fit of a finalist.
+const FINALIST_STEPS: usize = 3;
+/// Part of the excess that an effect must take away.
+const LEAST_PART: f64 = 0.2;
+
+impl Step {
+    /// A model with what it leaves.
+    pub fn of(evidence: &Evidence, linear: Linearisation) -> Self {
+        let rest = Rest::of(evidence, &linear);
+        Self { linear, rest }
+    }
+
+    /// Score of the model, rows held out with it.
+    pub fn total(&self) -> f64 {
+        self.linear.objective + self.linear.score().holdout
+    }
+}
+
+/// Adds effects to a refitted model; `progress` hears what is tried.
+pub fn select(
+    evidence: &Evidence,
+    subject: &Subject,
+    refitted: Linearisation,
+    progress: &dyn Fn(&str),
+) -> Selection {
+    let mut selection =
+        Selection { steps: vec![Step::of(evidence, refitted)], rivals: Vec::new() };
+    for round in 0..MOST_EFFECTS {
+        progress(&format!("trying every effect on every joint, round {}", round + 1));
+        let now = &selection.steps[round];
+        if now.rest.is_clean() {
+            break;
+        }
+        let mut finalists = finalists(evidence, subject, &now.linear);
+        let taken = match finalists.is_empty() {
+            true => None,
+            false => Some(finalists.remove(0)).filter(|best| pays(&now.rest, &best.1.rest)),
+        };
+        let lost = finalists.into_iter().map(|(candidate, step)| Rivalry {
+            round,
+            candidate,
+            rest: step.rest,
+        });
+        selection.rivals.extend(lost);
+        match taken {
+            Some((_, step)) => selection.steps.push(step),
+            None => break,
+        }
+    }
+    selection
+}
+
+/// The best candidates, retuned with everything else, the best first.
+fn finalists(
+    evidence: &Evidence,
+    subject: &Subject,
+    now: &Linearisation,
+) -> Vec<(Candidate, Step)> {
+    let before = now.score().total();
+    let mut best = candidates(now, evidence, subject);
+    let gain = |candidate: &Candidate| before - candidate.score.total();
+    let largest = best.first().map(gain).unwrap_or(0.0);
+    best.retain(|candidate| gain(candidate) > (FINALIST_GAIN * largest).max(0.0));
+    best.truncate(FINALISTS);
+    let mut finalists: Vec<(Candidate, Step)> = best
+        .into_par_iter()
+        .filter_map(|mut candidate| {
+            let start = now.point.with(candidate.effect.clone());
+            let step = Step::of(evidence, fit(evidence, subject, start, FINALIST_STEPS)?);
+            candidate.effect = step.linear.point.effects.last()?.clone();
+            Some((candidate, step))
+        })
+        .collect();
+    finalists.sort_by(|a, b| a.1.total().total_cmp(&b.1.total()));
+    finalists
+}
+
+/// Whether an effect takes enough away.
+fn pays(before: &Rest, after: &Rest) -> bool {
+    let by_rows = before.excess > 0.0
+        && after.excess < (1.0 - LEAST_PART) * before.excess
+        && after.rows < before.rows;
+    let by_misses = before.misses - after.misses > MISSES.max(0.5 * before.misses)
+        && after.rows < 1.01 * before.rows;
+    by_rows || by_misses
+}
