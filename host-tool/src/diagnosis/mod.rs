@@ -1,9 +1,14 @@
 //! Where a real robot differs from its model, what causes it, and how much of the gap goes
 //! away when the cause is added.
 
+pub mod places;
+pub mod quantity;
 mod result;
+pub mod sentence;
 
+pub use places::places;
 pub use result::*;
+pub use sentence::sentence;
 
 use crate::identification::{Campaign, StepError};
 use crate::progress::Steps;

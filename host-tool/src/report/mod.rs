@@ -1,6 +1,7 @@
 //! Pages with pictures, each a single file.
 
 pub mod chart;
+pub mod diagnosis_page;
 pub mod identification_page;
 pub mod identification_summary;
 pub mod one_joint_page;
