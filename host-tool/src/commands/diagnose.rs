@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::{Failure, create_directory};
-use crate::diagnosis::sentence::{effect_words, parameter_words};
 use crate::diagnosis::{self, Cause, Diagnosis, Settings, sentence};
 use crate::files::replace::replace_file;
 use crate::files::{Dataset, Problem, RobotFile};
 use crate::identification::Campaign;
 use crate::progress::Steps;
 use crate::report::diagnosis_page::diagnosis_page;
+use crate::report::diagnosis_page::tables::{CAUSES, cause_rows};
 
 /// Arguments of `rrr diagnose`.
 #[derive(Debug, Args)]
@@ -96,24 +96,14 @@ pub fn in_words(diagnosis: &Diagnosis) -> String {
     text
 }
 
-const HEADER: [&str; 5] = ["cause", "joint", "confidence", "shrinkage", "parameters"];
-
 fn table(causes: &[Cause]) -> String {
-    let line = |cells: [&str; 5]| {
-        let [cause, joint, confidence, shrinkage, parameters] = cells;
-        format!("  {cause:22} {joint:>5} {confidence:>11} {shrinkage:>18}  {parameters}\n")
+    let line = |cells: &[&str]| match cells {
+        [cause, joint, confidence, shrinkage, parameters] => {
+            format!("  {cause:22} {joint:>5} {confidence:>11} {shrinkage:>18}  {parameters}\n")
+        }
+        cells => cells.join("  "),
     };
-    let mut text = format!("\n{}", line(HEADER));
-    for cause in causes {
-        let joint = if cause.joint == 0 { "all".into() } else { cause.joint.to_string() };
-        let [low, high] = cause.shrinkage_interval.map(|value| 100.0 * value);
-        text += &line([
-            &effect_words(&cause.effect),
-            &joint,
-            &format!("{:.0} %", 100.0 * cause.confidence),
-            &format!("{:.0} % ({low:.0} to {high:.0})", 100.0 * cause.shrinkage),
-            &parameter_words(&cause.effect, &cause.parameters, true),
-        ]);
-    }
-    text
+    let rows = cause_rows(causes);
+    let lines = rows.iter().map(|row| line(&row.iter().map(String::as_str).collect::<Vec<_>>()));
+    format!("\n{}{}", line(&CAUSES), lines.collect::<String>())
 }

@@ -5,6 +5,8 @@ pub mod places;
 pub mod quantity;
 mod result;
 pub mod sentence;
+#[cfg(test)]
+pub(crate) mod synthetic;
 
 pub use places::places;
 pub use result::*;

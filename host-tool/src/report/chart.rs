@@ -33,6 +33,8 @@ pub enum Stroke {
     Dashed,
     /// Dots.
     Dots,
+    /// A pale area within a closed outline.
+    Area,
 }
 
 /// A named set of points.
@@ -75,6 +77,10 @@ pub struct Chart {
     pub y_axis: Axis,
     /// What is drawn, first at the bottom.
     pub series: Vec<Series>,
+    /// Lowest and highest x, where the data are not to choose.
+    pub x_range: Option<(f64, f64)>,
+    /// Lowest and highest y, where the data are not to choose.
+    pub y_range: Option<(f64, f64)>,
     /// Width and height [px]; 0 takes the standard 760 x 300.
     pub size_px: (u32, u32),
 }
@@ -122,6 +128,16 @@ impl Chart {
     /// With these scales.
     pub fn axes(self, x_axis: Axis, y_axis: Axis) -> Self {
         Self { x_axis, y_axis, ..self }
+    }
+
+    /// With x from the lowest to the highest.
+    pub fn x_from_to(self, lowest: f64, highest: f64) -> Self {
+        Self { x_range: Some((lowest, highest)), ..self }
+    }
+
+    /// With y from the lowest to the highest, so that charts compare.
+    pub fn y_from_to(self, lowest: f64, highest: f64) -> Self {
+        Self { y_range: Some((lowest, highest)), ..self }
     }
 
     /// With this size [px].
@@ -196,7 +212,9 @@ impl Chart {
             .y_label_formatter(&|value| short(*value))
             .draw()?;
         for series in &self.series {
-            let points = thin(&self.drawable(series), POINTS_ACROSS);
+            let all = self.drawable(series);
+            let points =
+                if series.stroke == Stroke::Area { all } else { thin(&all, POINTS_ACROSS) };
             let colour = PALETTE[series.colour % PALETTE.len()];
             let drawn = match series.stroke {
                 Stroke::Line => {
@@ -209,6 +227,10 @@ impl Chart {
                 Stroke::Dashed => {
                     let style = colour.stroke_width(2);
                     chart.draw_series(DashedLineSeries::new(points, 6, 4, style))?
+                }
+                Stroke::Area => {
+                    let pale = colour.mix(0.18).filled();
+                    chart.draw_series(std::iter::once(Polygon::new(points, pale)))?
                 }
                 Stroke::Dots => {
                     chart.draw_series(points.iter().map(|&p| Circle::new(p, 2, colour.filled())))?
@@ -256,7 +278,8 @@ impl Chart {
             Axis::Linear => high + 0.09 * named * (high - low),
             Axis::Logarithmic => high * (high / low).powf(0.09 * named),
         };
-        Some((padded(x, self.x_axis, 0.0), (low, high)))
+        let x = self.x_range.unwrap_or_else(|| padded(x, self.x_axis, 0.0));
+        Some((x, self.y_range.unwrap_or((low, high))))
     }
 }
 
@@ -277,7 +300,7 @@ fn padded((low, high): (f64, f64), axis: Axis, share: f64) -> (f64, f64) {
 }
 
 /// A number for an axis: no more digits than the eye wants.
-fn short(value: f64) -> String {
+pub(super) fn short(value: f64) -> String {
     let size = value.abs();
     if size < 1e-12 {
         "0".into()

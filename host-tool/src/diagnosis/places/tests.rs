@@ -2,72 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use rand_distr::{Distribution, StandardNormal};
-use rand_pcg::Pcg64Mcg;
-
 use super::places;
-use crate::diagnosis::{Axis, JointResiduals, LogResiduals, Place};
-use crate::files::Role;
-
-const FLOOR_V: f64 = 4e-3;
-const PERIOD_S: f64 = 2.5e-3;
-
-/// What a joint does at an instant.
-#[derive(Clone, Copy)]
-struct At {
-    t: f64,
-    q: f64,
-    qd: f64,
-    qdd: f64,
-    load: f64,
-    u: f64,
-}
-
-/// Three logs of 24 s on a Fourier motion each, with a residual on joint 3 and noise on all.
-fn logs(residual_v: impl Fn(&At) -> f64) -> Vec<LogResiduals> {
-    let mut random = Pcg64Mcg::new(7);
-    let mut noise = || -> f64 {
-        let deviate: f64 = StandardNormal.sample(&mut random);
-        FLOOR_V * deviate
-    };
-    let log = |number: usize| {
-        let time_s: Vec<f64> = (0..9600).map(|k| k as f64 * PERIOD_S).collect();
-        let joints = (1..=3u8).map(|joint| {
-            let mut columns =
-                JointResiduals { joint, noise_floor_v: FLOOR_V, ..JointResiduals::default() };
-            for &t in &time_s {
-                let at = motion(t, number as f64 + 0.3 * f64::from(joint));
-                let hidden_v = if joint == 3 { residual_v(&at) } else { 0.0 };
-                columns.position_rad.push(at.q);
-                columns.velocity_rad_per_s.push(at.qd);
-                columns.acceleration_rad_per_s2.push(at.qdd);
-                columns.load_nm.push(at.load);
-                columns.command_v.push(at.u);
-                columns.refitted_v.push(hidden_v + noise());
-            }
-            columns
-        });
-        let joints = joints.collect();
-        LogResiduals { file: format!("{number}.csv"), role: Role::Train, time_s, joints }
-    };
-    (0..3).map(log).collect()
-}
-
-/// Four sines about a slow turn.
-fn motion(t: f64, seed: f64) -> At {
-    let mut at = At { t, q: 0.0, qd: 0.0, qdd: 0.0, load: 0.0, u: 0.0 };
-    for k in 1..=4 {
-        let k = f64::from(k);
-        let (w, a) = (TAU * 0.13 * k, 1.4 / k);
-        let phase = w * t + 2.1 * seed * k + k * k;
-        at.q += a * phase.sin();
-        at.qd += a * w * phase.cos();
-        at.qdd -= a * w * w * phase.sin();
-    }
-    at.load = 1.9 * (at.q + 0.4).cos();
-    at.u = 0.3 * at.qd.signum() + 0.1 * at.qd + 0.05 * at.qdd + at.load / 3.0;
-    at
-}
+use crate::diagnosis::synthetic::{At, logs};
+use crate::diagnosis::{Axis, Place};
 
 fn first(residual_v: impl Fn(&At) -> f64) -> Place {
     let places = places(&logs(residual_v));

@@ -1,0 +1,87 @@
+//! What is left over the axis that it varies with most: means with their spread.
+
+use std::f64::consts::TAU;
+
+use super::stages::Stages;
+use crate::diagnosis::places::Samples;
+use crate::diagnosis::sentence::axis_words;
+use crate::diagnosis::{Axis, Diagnosis, Place};
+use crate::report::{Chart, Series, Stroke};
+
+const HALF: (u32, u32) = (535, 290);
+const BINS: usize = 72;
+const LEAST_IN_BIN: usize = 8;
+const MOST_CHARTS: usize = 4;
+
+/// A chart per place that has an axis to draw over, the largest first.
+pub(super) fn charts(diagnosis: &Diagnosis, stages: &Stages) -> Vec<Chart> {
+    let drawn = diagnosis.report.places.iter().filter_map(|place| {
+        let (before, after) = stages.joints.iter().find(|(b, _)| b.joint == place.joint)?;
+        // Where nothing is named, the places are those of the refitted model.
+        if diagnosis.report.causes.is_empty() {
+            chart(place, &[(after, stages.names.1, 1)])
+        } else {
+            chart(place, &[(before, stages.names.0, 1), (after, stages.names.1, 0)])
+        }
+    });
+    drawn.take(MOST_CHARTS).collect()
+}
+
+fn chart(place: &Place, residuals: &[(&Samples, &str, usize)]) -> Option<Chart> {
+    let title = format!("Joint {}: {}", place.joint, place.detail);
+    let mut chart = Chart::new(title, label(place.axis)?, "residual [mV]").sized(HALF.0, HALF.1);
+    for (samples, name, colour) in residuals {
+        let means = binned(variable(samples, place.axis)?, &samples.residual_v);
+        let upper = means.iter().map(|m| (m.0, m.1 + m.2));
+        let lower = means.iter().rev().map(|m| (m.0, m.1 - m.2));
+        let middle = means.iter().map(|m| (m.0, m.1)).collect();
+        chart = chart
+            .with(Series::line("", *colour, upper.chain(lower).collect()).stroke(Stroke::Area))
+            .with(Series::line(format!("{name}, mean and spread"), *colour, middle));
+    }
+    Some(chart)
+}
+
+fn label(axis: Axis) -> Option<String> {
+    let unit = match axis {
+        Axis::Position => "rad, within a turn",
+        Axis::Velocity => "rad/s",
+        Axis::Acceleration => "rad/s^2",
+        Axis::Command => "V",
+        Axis::Load => "Nm",
+        Axis::Time => "s since the log began",
+        Axis::Frequency | Axis::Offset => return None,
+    };
+    Some(format!("{} [{unit}]", axis_words(axis)))
+}
+
+fn variable(samples: &Samples, axis: Axis) -> Option<Vec<f64>> {
+    Some(match axis {
+        Axis::Position => samples.position_rad.iter().map(|q| q.rem_euclid(TAU)).collect(),
+        Axis::Velocity => samples.velocity_rad_per_s.clone(),
+        Axis::Acceleration => samples.acceleration_rad_per_s2.clone(),
+        Axis::Command => samples.command_v.clone(),
+        Axis::Load => samples.load_nm.clone(),
+        Axis::Time => samples.time_s.clone(),
+        Axis::Frequency | Axis::Offset => return None,
+    })
+}
+
+/// Middle of each bin, and mean and standard deviation of the residual in it [mV].
+fn binned(variable: Vec<f64>, residual_v: &[f64]) -> Vec<(f64, f64, f64)> {
+    let low = variable.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = variable.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let width = (high - low).max(f64::MIN_POSITIVE) / BINS as f64;
+    let mut sums = [(0usize, 0.0, 0.0); BINS];
+    for (x, r) in variable.iter().zip(residual_v) {
+        let (count, sum, squares) = &mut sums[(((x - low) / width) as usize).min(BINS - 1)];
+        (*count, *sum, *squares) = (*count + 1, *sum + 1e3 * r, *squares + 1e6 * r * r);
+    }
+    let full = sums.iter().enumerate().filter(|(_, (count, ..))| *count >= LEAST_IN_BIN);
+    full.map(|(bin, &(count, sum, squares))| {
+        let mean = sum / count as f64;
+        let deviation = (squares / count as f64 - mean * mean).max(0.0).sqrt();
+        (low + width * (bin as f64 + 0.5), mean, deviation)
+    })
+    .collect()
+}
