@@ -150,12 +150,16 @@ fn unexplained(diagnosis: &Diagnosis) -> String {
     text
 }
 
-/// "it varies with position: order 8 per revolution".
+/// "it varies with position: order 8 per revolution", or what the detail says by itself.
 fn varies(place: &Place) -> String {
     let detail = &place.detail;
-    match place.axis {
-        Axis::Offset => format!("it is {detail}"),
-        axis => format!("it varies with {}: {detail}", axis_words(axis)),
+    let begins = |words: &[&str]| words.iter().any(|word| detail.starts_with(word));
+    if begins(&["varies", "grows", "falls"]) {
+        format!("it {detail}")
+    } else if begins(&["proportional", "even", "odd", "constant"]) {
+        format!("it is {detail}")
+    } else {
+        format!("it varies with {}: {detail}", axis_words(place.axis))
     }
 }
 

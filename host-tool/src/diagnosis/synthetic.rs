@@ -64,8 +64,8 @@ fn motion(t: f64, seed: f64) -> At {
     let mut at = At { t, q: 0.0, qd: 0.0, qdd: 0.0, load: 0.0, u: 0.0 };
     for k in 1..=4 {
         let k = f64::from(k);
-        let (w, a) = (TAU * 0.13 * k, 1.4 / k);
-        let phase = w * t + 2.1 * seed * k + k * k;
+        let (w, a) = (TAU * 0.091 * k, 1.9 / k);
+        let phase = w * t + 2.1 * seed * k * k + k * k;
         at.q += a * phase.sin();
         at.qd += a * w * phase.cos();
         at.qdd -= a * w * w * phase.sin();

@@ -100,6 +100,13 @@ const INK: RGBColor = RGBColor(40, 44, 52);
 const GRID: RGBColor = RGBColor(226, 229, 233);
 const POINTS_ACROSS: usize = 900;
 
+/// Height of a name in the legend.
+const LEGEND_ROW_PX: f64 = 20.0;
+/// Height of what is about the names.
+const LEGEND_EDGE_PX: f64 = 16.0;
+/// Height of title and labels together.
+const AROUND_PX: f64 = 80.0;
+
 type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type DrawResult<'a> =
     Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
@@ -195,7 +202,7 @@ impl Chart {
         Y::CoordDescType: ValueFormatter<f64>,
     {
         let mut chart = ChartBuilder::on(canvas)
-            .caption(&self.title, ("sans-serif", 17).into_font().color(&INK))
+            .caption(&self.title, ("sans-serif", self.title_px()).into_font().color(&INK))
             .margin(10)
             .x_label_area_size(38)
             .y_label_area_size(62)
@@ -254,6 +261,14 @@ impl Chart {
         Ok(())
     }
 
+    /// Letters so small that the title fits.
+    fn title_px(&self) -> f64 {
+        const LARGEST: f64 = 17.0;
+        const SMALLEST: f64 = 11.0;
+        let width = if self.size_px.0 == 0 { 760.0 } else { f64::from(self.size_px.0) };
+        (1.75 * width / self.title.chars().count().max(1) as f64).clamp(SMALLEST, LARGEST)
+    }
+
     /// The points that the scales can show.
     fn drawable(&self, series: &Series) -> Vec<(f64, f64)> {
         let fits =
@@ -274,9 +289,13 @@ impl Chart {
         let (low, high) = padded(y, self.y_axis, 0.06);
         // Room for the legend above the data.
         let named = self.series.iter().filter(|series| !series.name.is_empty()).count() as f64;
+        let height = if self.size_px.1 == 0 { 300.0 } else { f64::from(self.size_px.1) };
+        let legend_px = if named > 0.0 { LEGEND_ROW_PX * named + LEGEND_EDGE_PX } else { 0.0 };
+        let part = (legend_px / (height - AROUND_PX).max(100.0)).min(0.5);
+        let room = part / (1.0 - part);
         let high = match self.y_axis {
-            Axis::Linear => high + 0.09 * named * (high - low),
-            Axis::Logarithmic => high * (high / low).powf(0.09 * named),
+            Axis::Linear => high + room * (high - low),
+            Axis::Logarithmic => high * (high / low).powf(room),
         };
         let x = self.x_range.unwrap_or_else(|| padded(x, self.x_axis, 0.0));
         Some((x, self.y_range.unwrap_or((low, high))))

@@ -33,6 +33,8 @@ const LEFT: f64 = 58.0;
 const RIGHT: f64 = 78.0;
 const TOP: f64 = 32.0;
 const BOTTOM: f64 = 42.0;
+/// What shows where there are no data.
+const NO_DATA: &str = "#e8eaed";
 /// Colours to either side of white.
 const SHADES: i32 = 12;
 
@@ -41,7 +43,7 @@ impl HeatMap {
     pub fn to_svg(&self) -> String {
         let (width, height) = (WIDTH - LEFT - RIGHT, HEIGHT - TOP - BOTTOM);
         let mut body = text(LEFT + width / 2.0, 18.0, 15, Anchor::Middle, &self.title);
-        body += &rectangle(LEFT, TOP, width, height, "#f4f4f4");
+        body += &rectangle(LEFT, TOP, width, height, NO_DATA);
         body += &self.patches(width, height);
         for x in ticks(self.x_range.0, self.x_range.1, 8.0) {
             let at = LEFT + width * part(x, self.x_range);

@@ -17,7 +17,7 @@ pub enum Carrier {
 }
 
 /// All carriers.
-pub const CARRIERS: [Carrier; 3] = [Carrier::Constant, Carrier::Direction, Carrier::Command];
+const CARRIERS: [Carrier; 3] = [Carrier::Constant, Carrier::Direction, Carrier::Command];
 
 const BINS: usize = 1024;
 

@@ -27,7 +27,7 @@ mod velocity;
 
 use rayon::prelude::*;
 
-pub use angle::{CARRIERS, Carrier};
+pub use angle::Carrier;
 pub use samples::Samples;
 pub use spectrum::{Spectrum, spectrum};
 

@@ -6,8 +6,8 @@ use super::stages::Stages;
 use crate::diagnosis::places::Samples;
 use crate::report::HeatMap;
 
-const COLUMNS: usize = 96;
-const ROWS: usize = 32;
+const COLUMNS: usize = 80;
+const ROWS: usize = 26;
 
 /// Two maps per joint, on one scale.
 pub(super) fn maps(stages: &Stages) -> Vec<String> {

@@ -32,15 +32,29 @@ fn chart(place: &Place, residuals: &[(&Samples, &str, usize)]) -> Option<Chart> 
     let mut chart = Chart::new(title, label(place.axis)?, "residual [mV]").sized(HALF.0, HALF.1);
     for (samples, name, colour) in residuals {
         let means = binned(variable(samples, place.axis)?, &samples.residual_v);
-        let upper = means.iter().map(|m| (m.0, m.1 + m.2));
-        let lower = means.iter().rev().map(|m| (m.0, m.1 - m.2));
-        let middle = means.iter().map(|m| (m.0, m.1)).collect();
-        chart = chart
-            .with(Series::line("", *colour, upper.chain(lower).collect()).stroke(Stroke::Area))
-            .with(Series::line(format!("{name}, mean and spread"), *colour, middle));
+        let pieces = means.chunk_by(|a, b| b.0 == a.0 + 1);
+        for (index, piece) in pieces.enumerate() {
+            let named = if index == 0 { format!("{name}: mean, spread") } else { String::new() };
+            let [area, line] = outline(piece, named, *colour);
+            chart = chart.with(area).with(line);
+        }
     }
     Some(chart)
 }
+
+/// Mean and spread over bins without a gap between them.
+fn outline(piece: &[Bin], name: String, colour: usize) -> [Series; 2] {
+    let upper = piece.iter().map(|&(_, x, mean, spread)| (x, mean + spread));
+    let lower = piece.iter().rev().map(|&(_, x, mean, spread)| (x, mean - spread));
+    let middle = piece.iter().map(|&(_, x, mean, _)| (x, mean)).collect();
+    [
+        Series::line("", colour, upper.chain(lower).collect()).stroke(Stroke::Area),
+        Series::line(name, colour, middle),
+    ]
+}
+
+/// Number and middle of a bin, mean and standard deviation in it.
+type Bin = (usize, f64, f64, f64);
 
 fn label(axis: Axis) -> Option<String> {
     let unit = match axis {
@@ -57,7 +71,7 @@ fn label(axis: Axis) -> Option<String> {
 
 fn variable(samples: &Samples, axis: Axis) -> Option<Vec<f64>> {
     Some(match axis {
-        Axis::Position => samples.position_rad.iter().map(|q| q.rem_euclid(TAU)).collect(),
+        Axis::Position => within_a_turn(&samples.position_rad),
         Axis::Velocity => samples.velocity_rad_per_s.clone(),
         Axis::Acceleration => samples.acceleration_rad_per_s2.clone(),
         Axis::Command => samples.command_v.clone(),
@@ -67,8 +81,16 @@ fn variable(samples: &Samples, axis: Axis) -> Option<Vec<f64>> {
     })
 }
 
-/// Middle of each bin, and mean and standard deviation of the residual in it [mV].
-fn binned(variable: Vec<f64>, residual_v: &[f64]) -> Vec<(f64, f64, f64)> {
+/// Angles as they are where they stay within a turn, else what is left of whole turns.
+fn within_a_turn(position_rad: &[f64]) -> Vec<f64> {
+    let low = position_rad.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = position_rad.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let turns = high - low > TAU;
+    position_rad.iter().map(|q| if turns { q.rem_euclid(TAU) } else { *q }).collect()
+}
+
+/// The bins that hold enough, of the residual in mV.
+fn binned(variable: Vec<f64>, residual_v: &[f64]) -> Vec<Bin> {
     let low = variable.iter().copied().fold(f64::INFINITY, f64::min);
     let high = variable.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let width = (high - low).max(f64::MIN_POSITIVE) / BINS as f64;
@@ -81,7 +103,7 @@ fn binned(variable: Vec<f64>, residual_v: &[f64]) -> Vec<(f64, f64, f64)> {
     full.map(|(bin, &(count, sum, squares))| {
         let mean = sum / count as f64;
         let deviation = (squares / count as f64 - mean * mean).max(0.0).sqrt();
-        (low + width * (bin as f64 + 0.5), mean, deviation)
+        (bin, low + width * (bin as f64 + 0.5), mean, deviation)
     })
     .collect()
 }

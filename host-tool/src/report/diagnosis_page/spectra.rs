@@ -14,13 +14,16 @@ const FLOOR: usize = 3;
 /// Two charts per joint: orders, frequencies.
 pub(super) fn charts(stages: &Stages) -> Vec<Chart> {
     let pair = |(before, after): &(Samples, Samples)| {
-        [order_chart(before, after, stages.names), frequency_chart(before, after, stages.names)]
+        let carrier = best_carrier(if stages.named { before } else { after });
+        [
+            order_chart(before, after, carrier, stages.names),
+            frequency_chart(before, after, stages.names),
+        ]
     };
     stages.joints.iter().flat_map(pair).collect()
 }
 
-fn order_chart(before: &Samples, after: &Samples, names: (&str, &str)) -> Chart {
-    let carrier = best_carrier(before);
+fn order_chart(before: &Samples, after: &Samples, carrier: Carrier, names: (&str, &str)) -> Chart {
     let manner = match carrier {
         Carrier::Constant => "",
         Carrier::Direction => ", times the direction",
@@ -31,7 +34,7 @@ fn order_chart(before: &Samples, after: &Samples, names: (&str, &str)) -> Chart 
     let highest = first.iter().chain(&second).map(|p| p.0).fold(10.0, f64::max);
     let lowest = lowest_order(before);
     let x_label = if lowest > 1 {
-        format!("order per turn [1], from {lowest}: the joint moved less")
+        format!("order per turn [1]; below {lowest} the range is too small")
     } else {
         "order per turn [1]".into()
     };

@@ -7,6 +7,8 @@ use crate::diagnosis::{Diagnosis, JointResiduals};
 pub(super) struct Stages {
     /// What the two are.
     pub names: (&'static str, &'static str),
+    /// Whether effects are named.
+    pub named: bool,
     /// The two of each joint, over all logs.
     pub joints: Vec<(Samples, Samples)>,
 }
@@ -22,8 +24,12 @@ impl Stages {
         let before = Samples::of_joints(&diagnosis.logs, |joint| before(joint, named));
         let after = Samples::of_joints(&diagnosis.logs, |joint| after(joint, named));
         let all: Vec<_> = before.into_iter().zip(after).filter(|(b, _)| !b.is_empty()).collect();
-        let joints = matters(diagnosis, &all);
-        Self { names, joints: all.into_iter().filter(|(b, _)| joints.contains(&b.joint)).collect() }
+        let joints = matters(diagnosis, named, &all);
+        Self {
+            names,
+            named,
+            joints: all.into_iter().filter(|(b, _)| joints.contains(&b.joint)).collect(),
+        }
     }
 }
 
@@ -37,12 +43,15 @@ pub(super) fn after(joint: &JointResiduals, named: bool) -> &Vec<f64> {
     if named { &joint.with_effects_v } else { &joint.refitted_v }
 }
 
-/// The joints of the causes, and those with much of the gap; all where there is no gap.
-fn matters(diagnosis: &Diagnosis, all: &[(Samples, Samples)]) -> Vec<u8> {
-    let most = all.iter().map(|(before, _)| before.excess_v2()).fold(0.0, f64::max);
-    let causes = &diagnosis.report.causes;
-    let blamed = |joint: u8| causes.iter().any(|cause| cause.joint == joint);
-    let of_gap = |samples: &Samples| samples.excess_v2() >= MATTERS * most;
-    let wanted = all.iter().filter(|(before, _)| blamed(before.joint) || of_gap(before));
+/// The joints of the causes, and those where the refitted model leaves much; all where none
+/// leaves more than noise.
+fn matters(diagnosis: &Diagnosis, named: bool, all: &[(Samples, Samples)]) -> Vec<u8> {
+    let excess_v2 = |pair: &(Samples, Samples)| {
+        let refitted = if named { &pair.0 } else { &pair.1 };
+        refitted.excess_v2()
+    };
+    let most = all.iter().map(excess_v2).fold(0.0, f64::max);
+    let blamed = |joint: u8| diagnosis.report.causes.iter().any(|cause| cause.joint == joint);
+    let wanted = all.iter().filter(|&p| blamed(p.0.joint) || excess_v2(p) >= MATTERS * most);
     wanted.map(|(before, _)| before.joint).collect()
 }

@@ -12,8 +12,11 @@ const BEFORE: &str = "#d55e00";
 const AFTER: &str = "#0072b2";
 const NOISE: &str = "#9a9a9a";
 
-/// A row of bars per level, a column per joint.
-pub(super) fn waterfall(diagnosis: &Diagnosis) -> BarTable {
+/// A row of bars per level, a column per joint; `None` without levels.
+pub(super) fn waterfall(diagnosis: &Diagnosis) -> Option<BarTable> {
+    if diagnosis.waterfall.is_empty() {
+        return None;
+    }
     let millivolts = |values: &[f64]| values.iter().map(|v| 1e3 * v).collect::<Vec<f64>>();
     let rows = diagnosis.waterfall.iter().enumerate().map(|(index, level)| BarRow {
         name: level.name.clone(),
@@ -25,10 +28,10 @@ pub(super) fn waterfall(diagnosis: &Diagnosis) -> BarTable {
         },
     });
     let columns = joint_numbers(diagnosis).into_iter().map(|joint| format!("joint {joint}"));
-    BarTable {
+    Some(BarTable {
         columns: columns.collect(),
         rows: rows.collect(),
         marks: millivolts(&diagnosis.report.gap.noise_floor_v),
         unit: "mV".into(),
-    }
+    })
 }
