@@ -11,8 +11,9 @@ use common::directory;
 
 /// Asserts status 2 and that the message holds these words.
 fn assert_refused(directory: &Path, arguments: &[&str], words: &[&str]) {
-    let assert = Command::cargo_bin("rrr").unwrap().current_dir(directory).arg("diagnose");
-    let assert = assert.args(arguments).assert().code(2).stdout("");
+    let mut rrr = Command::cargo_bin("rrr").unwrap();
+    let run = rrr.current_dir(directory).arg("diagnose").args(arguments);
+    let assert = run.assert().code(2).stdout("");
     let text = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
     assert!(text.starts_with("error: ") && text.contains("\nhint: "), "{text}");
     for word in words {

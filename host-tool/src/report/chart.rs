@@ -266,7 +266,7 @@ impl Chart {
         const LARGEST: f64 = 17.0;
         const SMALLEST: f64 = 11.0;
         let width = if self.size_px.0 == 0 { 760.0 } else { f64::from(self.size_px.0) };
-        (1.75 * width / self.title.chars().count().max(1) as f64).clamp(SMALLEST, LARGEST)
+        (1.95 * width / self.title.chars().count().max(1) as f64).clamp(SMALLEST, LARGEST)
     }
 
     /// The points that the scales can show.
