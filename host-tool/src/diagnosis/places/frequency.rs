@@ -117,7 +117,8 @@ fn band(left: &Spectrum, motion: &Spectrum, floor: f64, others: f64) -> Option<P
     } else {
         format!("{} to {} Hz", number(low_hz), number(high_hz))
     };
-    Some(Part { energy_v2: energy, words })
+    // Noise that is not white must not count as more than there is.
+    Some(Part { energy_v2: energy.min(whole), words })
 }
 
 /// The run whose sum above a level is largest (Kadane), from and to before.

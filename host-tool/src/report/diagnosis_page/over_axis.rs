@@ -3,7 +3,8 @@
 use std::f64::consts::TAU;
 
 use super::stages::Stages;
-use crate::diagnosis::places::Samples;
+use crate::diagnosis::places::orders::best_carrier;
+use crate::diagnosis::places::{Carrier, Samples};
 use crate::diagnosis::sentence::axis_words;
 use crate::diagnosis::{Axis, Diagnosis, Place};
 use crate::report::{Chart, Series, Stroke};
@@ -29,9 +30,17 @@ pub(super) fn charts(diagnosis: &Diagnosis, stages: &Stages) -> Vec<Chart> {
 
 fn chart(place: &Place, residuals: &[(&Samples, &str, usize)]) -> Option<Chart> {
     let title = format!("Joint {}: {}", place.joint, place.detail);
-    let mut chart = Chart::new(title, label(place.axis)?, "residual [mV]").sized(HALF.0, HALF.1);
+    let carrier = carrier(place, residuals.first()?.0);
+    let y_label = match carrier {
+        Carrier::Constant => "residual [mV]",
+        Carrier::Direction => "residual times direction [mV]",
+        Carrier::Command => "residual times command by its rms [mV]",
+    };
+    let mut chart = Chart::new(title, label(place.axis)?, y_label).sized(HALF.0, HALF.1);
     for (samples, name, colour) in residuals {
-        let means = binned(variable(samples, place.axis)?, &samples.residual_v);
+        let carried: Vec<f64> =
+            carrier.values(samples).iter().zip(&samples.residual_v).map(|(c, r)| c * r).collect();
+        let means = binned(variable(samples, place.axis)?, &carried);
         let pieces = means.chunk_by(|a, b| b.0 == a.0 + 1);
         for (index, piece) in pieces.enumerate() {
             let named = if index == 0 { format!("{name}: mean, spread") } else { String::new() };
@@ -55,6 +64,15 @@ fn outline(piece: &[Bin], name: String, colour: usize) -> [Series; 2] {
 
 /// Number and middle of a bin, mean and standard deviation in it.
 type Bin = (usize, f64, f64, f64);
+
+/// What the residual is multiplied by, so that what changes sign with it does not average out.
+fn carrier(place: &Place, samples: &Samples) -> Carrier {
+    match place.axis {
+        Axis::Position => best_carrier(samples),
+        Axis::Load | Axis::Time if place.detail.contains("friction") => Carrier::Direction,
+        _ => Carrier::Constant,
+    }
+}
 
 fn label(axis: Axis) -> Option<String> {
     let unit = match axis {
