@@ -12,6 +12,7 @@ use crate::files::FileError;
 
 pub mod demo;
 pub mod design_excitation;
+pub mod diagnose;
 pub mod identify;
 pub mod inverse_dynamics;
 pub mod simulate;
@@ -37,6 +38,8 @@ pub enum Command {
     Simulate(simulate::Arguments),
     /// Judge a model on the logs held out: the command and the motion that it reconstructs.
     Validate(validate::Arguments),
+    /// Find what causes the gap between a real robot and its model.
+    Diagnose(diagnose::Arguments),
     /// Design the motion that identifies the base parameters best.
     DesignExcitation(design_excitation::Arguments),
     /// Record, identify and control a simulated robot with the firmware in QEMU.
@@ -54,6 +57,7 @@ impl Command {
             Self::InverseDynamics(arguments) => inverse_dynamics::run(&arguments),
             Self::Validate(arguments) => validate::run(&arguments),
             Self::Simulate(arguments) => simulate::run(&arguments),
+            Self::Diagnose(arguments) => diagnose::run(&arguments),
             Self::DesignExcitation(arguments) => design_excitation::run(&arguments),
             Self::Demo(arguments) => demo::run(&arguments),
         }

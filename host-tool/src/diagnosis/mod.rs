@@ -9,19 +9,26 @@ pub mod harmonics;
 pub mod linearisation;
 mod link_motion;
 pub mod noise;
+pub mod places;
 pub mod preparation;
+pub mod quantity;
 mod reading;
 pub mod rest;
 mod result;
 pub mod row_filter;
 pub mod search;
 pub mod selection;
+pub mod sentence;
 pub mod stretch;
 pub mod subject;
+#[cfg(test)]
+pub(crate) mod synthetic;
 pub mod unknowns;
 pub mod voltage;
 
+pub use places::places;
 pub use result::*;
+pub use sentence::sentence;
 
 use crate::identification::{Campaign, StepError};
 use crate::progress::Steps;

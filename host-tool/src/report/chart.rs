@@ -33,6 +33,8 @@ pub enum Stroke {
     Dashed,
     /// Dots.
     Dots,
+    /// A pale area within a closed outline.
+    Area,
 }
 
 /// A named set of points.
@@ -75,6 +77,10 @@ pub struct Chart {
     pub y_axis: Axis,
     /// What is drawn, first at the bottom.
     pub series: Vec<Series>,
+    /// Lowest and highest x, where the data are not to choose.
+    pub x_range: Option<(f64, f64)>,
+    /// Lowest and highest y, where the data are not to choose.
+    pub y_range: Option<(f64, f64)>,
     /// Width and height [px]; 0 takes the standard 760 x 300.
     pub size_px: (u32, u32),
 }
@@ -93,6 +99,13 @@ const PALETTE: [RGBColor; 7] = [
 const INK: RGBColor = RGBColor(40, 44, 52);
 const GRID: RGBColor = RGBColor(226, 229, 233);
 const POINTS_ACROSS: usize = 900;
+
+/// Height of a name in the legend.
+const LEGEND_ROW_PX: f64 = 20.0;
+/// Height of what is about the names.
+const LEGEND_EDGE_PX: f64 = 16.0;
+/// Height of title and labels together.
+const AROUND_PX: f64 = 80.0;
 
 type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type DrawResult<'a> =
@@ -122,6 +135,16 @@ impl Chart {
     /// With these scales.
     pub fn axes(self, x_axis: Axis, y_axis: Axis) -> Self {
         Self { x_axis, y_axis, ..self }
+    }
+
+    /// With x from the lowest to the highest.
+    pub fn x_from_to(self, lowest: f64, highest: f64) -> Self {
+        Self { x_range: Some((lowest, highest)), ..self }
+    }
+
+    /// With y from the lowest to the highest, so that charts compare.
+    pub fn y_from_to(self, lowest: f64, highest: f64) -> Self {
+        Self { y_range: Some((lowest, highest)), ..self }
     }
 
     /// With this size [px].
@@ -179,7 +202,7 @@ impl Chart {
         Y::CoordDescType: ValueFormatter<f64>,
     {
         let mut chart = ChartBuilder::on(canvas)
-            .caption(&self.title, ("sans-serif", 17).into_font().color(&INK))
+            .caption(&self.title, ("sans-serif", self.title_px()).into_font().color(&INK))
             .margin(10)
             .x_label_area_size(38)
             .y_label_area_size(62)
@@ -196,7 +219,9 @@ impl Chart {
             .y_label_formatter(&|value| short(*value))
             .draw()?;
         for series in &self.series {
-            let points = thin(&self.drawable(series), POINTS_ACROSS);
+            let all = self.drawable(series);
+            let points =
+                if series.stroke == Stroke::Area { all } else { thin(&all, POINTS_ACROSS) };
             let colour = PALETTE[series.colour % PALETTE.len()];
             let drawn = match series.stroke {
                 Stroke::Line => {
@@ -209,6 +234,10 @@ impl Chart {
                 Stroke::Dashed => {
                     let style = colour.stroke_width(2);
                     chart.draw_series(DashedLineSeries::new(points, 6, 4, style))?
+                }
+                Stroke::Area => {
+                    let pale = colour.mix(0.18).filled();
+                    chart.draw_series(std::iter::once(Polygon::new(points, pale)))?
                 }
                 Stroke::Dots => {
                     chart.draw_series(points.iter().map(|&p| Circle::new(p, 2, colour.filled())))?
@@ -232,6 +261,14 @@ impl Chart {
         Ok(())
     }
 
+    /// Letters so small that the title fits.
+    fn title_px(&self) -> f64 {
+        const LARGEST: f64 = 17.0;
+        const SMALLEST: f64 = 11.0;
+        let width = if self.size_px.0 == 0 { 760.0 } else { f64::from(self.size_px.0) };
+        (1.95 * width / self.title.chars().count().max(1) as f64).clamp(SMALLEST, LARGEST)
+    }
+
     /// The points that the scales can show.
     fn drawable(&self, series: &Series) -> Vec<(f64, f64)> {
         let fits =
@@ -252,11 +289,16 @@ impl Chart {
         let (low, high) = padded(y, self.y_axis, 0.06);
         // Room for the legend above the data.
         let named = self.series.iter().filter(|series| !series.name.is_empty()).count() as f64;
+        let height = if self.size_px.1 == 0 { 300.0 } else { f64::from(self.size_px.1) };
+        let legend_px = if named > 0.0 { LEGEND_ROW_PX * named + LEGEND_EDGE_PX } else { 0.0 };
+        let part = (legend_px / (height - AROUND_PX).max(100.0)).min(0.5);
+        let room = part / (1.0 - part);
         let high = match self.y_axis {
-            Axis::Linear => high + 0.09 * named * (high - low),
-            Axis::Logarithmic => high * (high / low).powf(0.09 * named),
+            Axis::Linear => high + room * (high - low),
+            Axis::Logarithmic => high * (high / low).powf(room),
         };
-        Some((padded(x, self.x_axis, 0.0), (low, high)))
+        let x = self.x_range.unwrap_or_else(|| padded(x, self.x_axis, 0.0));
+        Some((x, self.y_range.unwrap_or((low, high))))
     }
 }
 
@@ -277,7 +319,7 @@ fn padded((low, high): (f64, f64), axis: Axis, share: f64) -> (f64, f64) {
 }
 
 /// A number for an axis: no more digits than the eye wants.
-fn short(value: f64) -> String {
+pub(super) fn short(value: f64) -> String {
     let size = value.abs();
     if size < 1e-12 {
         "0".into()

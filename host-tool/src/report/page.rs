@@ -20,6 +20,7 @@ margin:2rem auto;padding:0 1rem}h1{font-size:1.6rem;margin-bottom:.2rem}h2{font-
 margin-top:2rem;border-bottom:1px solid #e2e5e9}table{border-collapse:collapse;margin:.6rem 0}\
 td,th{padding:.2rem .8rem;text-align:right;border-bottom:1px solid #e2e5e9}\
 td:first-child,th:first-child{text-align:left}.lead{font-size:1.15rem}\
+.words td,.words th{text-align:left;vertical-align:top}\
 .charts{display:flex;flex-wrap:wrap;gap:.6rem}svg{max-width:100%;height:auto}";
 
 impl Page {
@@ -44,16 +45,42 @@ impl Page {
     /// Charts side by side where there is room.
     pub fn charts(&mut self, charts: &[Chart]) -> &mut Self {
         let drawn: Vec<String> = charts.iter().map(Chart::to_svg).collect();
+        self.pictures(&drawn)
+    }
+
+    /// SVG elements side by side where there is room.
+    pub fn pictures(&mut self, drawn: &[String]) -> &mut Self {
         let _ = writeln!(self.body, "<div class=\"charts\">{}</div>", drawn.join("\n"));
+        self
+    }
+
+    /// A list of sentences.
+    pub fn list(&mut self, sentences: &[String]) -> &mut Self {
+        let items: String =
+            sentences.iter().map(|text| format!("<li>{}</li>", escape(text))).collect();
+        let _ = writeln!(self.body, "<ul>{items}</ul>");
         self
     }
 
     /// A table; numbers stand to the right.
     pub fn table(&mut self, header: &[&str], rows: &[Vec<String>]) -> &mut Self {
+        self.table_of_class("", header, rows)
+    }
+
+    /// A table of words, which stand to the left.
+    pub fn words(&mut self, header: &[&str], rows: &[Vec<String>]) -> &mut Self {
+        self.table_of_class(" class=\"words\"", header, rows)
+    }
+
+    fn table_of_class(&mut self, class: &str, header: &[&str], rows: &[Vec<String>]) -> &mut Self {
         let cells = |tag: &str, cells: &mut dyn Iterator<Item = &str>| -> String {
             cells.map(|cell| format!("<{tag}>{}</{tag}>", escape(cell))).collect()
         };
-        let _ = writeln!(self.body, "<table><tr>{}</tr>", cells("th", &mut header.iter().copied()));
+        let _ = writeln!(
+            self.body,
+            "<table{class}><tr>{}</tr>",
+            cells("th", &mut header.iter().copied())
+        );
         for row in rows {
             let row = cells("td", &mut row.iter().map(String::as_str));
             let _ = writeln!(self.body, "<tr>{row}</tr>");
@@ -82,7 +109,7 @@ impl Page {
     }
 }
 
-fn escape(text: &str) -> String {
+pub(super) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 

@@ -1,0 +1,109 @@
+//! `rrr diagnose`: what causes the gap between a real robot and its model.
+
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::{Failure, create_directory};
+use crate::diagnosis::{self, Cause, Diagnosis, Settings, sentence};
+use crate::files::replace::replace_file;
+use crate::files::{Dataset, Problem, RobotFile};
+use crate::identification::Campaign;
+use crate::progress::Steps;
+use crate::report::diagnosis_page::diagnosis_page;
+use crate::report::diagnosis_page::tables::{CAUSES, cause_rows};
+
+/// Arguments of `rrr diagnose`.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// The data set: a directory with dataset.toml and its logs.
+    #[arg(value_name = "DATASET")]
+    pub dataset: PathBuf,
+    /// The model whose gap is to be explained.
+    #[arg(long, value_name = "MODEL.toml")]
+    pub model: PathBuf,
+    /// Directory for report.json, report.html and model.toml, the model with the effects added.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// Files that cannot be used or written, or logs that do not fit the model's robot.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    refuse_to_replace(&arguments.model, &arguments.out.join(MODEL))?;
+    let model = RobotFile::read(&arguments.model)?;
+    let dataset = Dataset::read(&arguments.dataset)?;
+    let steps = Steps::new();
+    steps.at("reading the logs");
+    let campaign = Campaign::read(&dataset, model)?;
+    let diagnosis = diagnosis::diagnose(&campaign, &Settings::default(), &steps)?;
+    steps.at("drawing the pictures");
+    write(&diagnosis, &arguments.out)?;
+    steps.finish();
+    print!("{}", in_words(&diagnosis));
+    println!("\nPictures: {}", arguments.out.join(PAGE).display());
+    Ok(())
+}
+
+const REPORT: &str = "report.json";
+const PAGE: &str = "report.html";
+const MODEL: &str = "model.toml";
+
+/// The amended model must not take the place of the one that is judged.
+fn refuse_to_replace(model: &Path, amended: &Path) -> Result<(), Failure> {
+    let same = match (model.canonicalize(), amended.canonicalize()) {
+        (Ok(model), Ok(amended)) => model == amended,
+        _ => false,
+    };
+    if same {
+        let message = format!("{}: the amended model would replace it", model.display());
+        return Err(Failure::new(message, "give another --out"));
+    }
+    Ok(())
+}
+
+/// Writes report.json, report.html and model.toml into a directory, which is made.
+///
+/// All three are drawn up before the first is written; each is written whole or not at all.
+///
+/// # Errors
+/// The directory cannot be made, or a file not be written.
+pub fn write(diagnosis: &Diagnosis, directory: &Path) -> Result<(), Failure> {
+    let path = directory.join(REPORT);
+    let report = serde_json::to_string_pretty(&diagnosis.report)
+        .map_err(|error| Failure::new(format!("{}: {error}", path.display()), ""))?;
+    let page = diagnosis_page(diagnosis);
+    create_directory(directory)?;
+    diagnosis.model.write(directory.join(MODEL))?;
+    page.write(&directory.join(PAGE))?;
+    replace_file(&path, |file| writeln!(file, "{report}").map_err(Problem::Unwritable))?;
+    Ok(())
+}
+
+/// The sentence, the table of causes and the remarks, as they go to the terminal.
+pub fn in_words(diagnosis: &Diagnosis) -> String {
+    let report = &diagnosis.report;
+    let mut text = format!("{}\n", sentence(diagnosis));
+    if !report.causes.is_empty() {
+        text += &table(&report.causes);
+    }
+    for remark in &report.remarks {
+        text += &format!("  note: {remark}\n");
+    }
+    text
+}
+
+fn table(causes: &[Cause]) -> String {
+    let line = |cells: &[&str]| match cells {
+        [cause, joint, confidence, shrinkage, parameters] => {
+            format!("  {cause:22} {joint:>5} {confidence:>11} {shrinkage:>18}  {parameters}\n")
+        }
+        cells => cells.join("  "),
+    };
+    let rows = cause_rows(causes);
+    let lines = rows.iter().map(|row| line(&row.iter().map(String::as_str).collect::<Vec<_>>()));
+    format!("\n{}{}", line(&CAUSES), lines.collect::<String>())
+}

@@ -1,0 +1,124 @@
+//! Where the gap lies, without any hypothesis of its cause.
+//!
+//! For each joint and axis, a function of that axis alone is fitted to the residuals of the
+//! refitted model. What it takes off stretches of the logs that it was not fitted to, in parts
+//! of what all joints leave above the noise floor, is its share. The axis that explains most
+//! comes first, the next one explains what the first has left, and so on: shares of a joint do
+//! not overlap.
+
+mod acceleration;
+mod angle;
+mod command;
+mod curve;
+mod fit;
+mod frequency;
+mod load;
+mod nodes;
+mod offset;
+pub mod orders;
+mod position;
+mod samples;
+mod shape;
+mod spectrum;
+#[cfg(test)]
+mod tests;
+mod time;
+mod velocity;
+
+use rayon::prelude::*;
+
+pub use angle::Carrier;
+pub use samples::Samples;
+pub use spectrum::{Spectrum, spectrum};
+
+use super::{Axis, LogResiduals, Place};
+
+/// What a function of one axis explains on one joint.
+#[derive(Clone, Debug)]
+struct Found {
+    axis: Axis,
+    /// What it takes off the sum of squares [V^2].
+    energy_v2: f64,
+    detail: String,
+    /// The function at every sample [V].
+    fitted_v: Vec<f64>,
+}
+
+/// Shares below this are not worth a word.
+const LEAST_SHARE: f64 = 0.02;
+
+/// Where the gap of the refitted model lies, largest share first; shares under 2 % are left out.
+///
+/// Empty where no joint leaves more than its noise floor.
+pub fn places(logs: &[LogResiduals]) -> Vec<Place> {
+    let samples: Vec<Samples> = Samples::of_joints(logs, |joint| &joint.refitted_v);
+    let whole_v2: f64 = samples.iter().map(Samples::excess_v2).sum();
+    if whole_v2 <= 0.0 {
+        return Vec::new();
+    }
+    let of_joint = |samples: &Samples| -> Vec<Place> {
+        let limit_v2 = samples.excess_v2();
+        let place = |found: Found| Place {
+            joint: samples.joint,
+            axis: found.axis,
+            share: (found.energy_v2.min(limit_v2) / whole_v2).clamp(0.0, 1.0),
+            detail: found.detail,
+        };
+        found(samples).into_iter().map(place).collect()
+    };
+    let mut places: Vec<Place> = samples.par_iter().flat_map(of_joint).collect();
+    places.retain(|place| place.share >= LEAST_SHARE);
+    places.sort_by(|a, b| b.share.total_cmp(&a.share));
+    places
+}
+
+/// What the axes explain of one joint's residual one after the other, the strongest first;
+/// frequencies come last, for they are looked for in what the other axes leave.
+fn found(samples: &Samples) -> Vec<Found> {
+    let whole_v2 = samples.excess_v2();
+    let mut all: Vec<Found> = Vec::new();
+    if whole_v2 <= 0.0 || samples.len() < LEAST_SAMPLES {
+        return all;
+    }
+    let mut left = samples.clone();
+    while all.len() < MOST_PASSES && left.excess_v2() > 0.0 {
+        let strongest = strongest(&left);
+        let Some(next) = strongest.filter(|f| f.energy_v2 > LEAST_SHARE * whole_v2) else { break };
+        left.residual_v.iter_mut().zip(&next.fitted_v).for_each(|(left, f)| *left -= f);
+        all.push(next);
+    }
+    let explained_v2: f64 = all.iter().map(|found| found.energy_v2).sum();
+    all.extend(frequency::find(&left, explained_v2 / whole_v2));
+    merged(all)
+}
+
+/// The axis that explains most.
+fn strongest(samples: &Samples) -> Option<Found> {
+    type Find = fn(&Samples) -> Option<Found>;
+    const ALL: [Find; 7] = [
+        offset::find,
+        position::find,
+        velocity::find,
+        acceleration::find,
+        command::find,
+        load::find,
+        time::find,
+    ];
+    let found = ALL.par_iter().filter_map(|find| find(samples));
+    found.max_by(|a, b| a.energy_v2.total_cmp(&b.energy_v2))
+}
+
+/// One entry per axis; what is found later on the same axis adds to its share.
+fn merged(all: Vec<Found>) -> Vec<Found> {
+    let mut merged: Vec<Found> = Vec::new();
+    for found in all {
+        match merged.iter_mut().find(|other| other.axis == found.axis) {
+            Some(other) => other.energy_v2 += found.energy_v2,
+            None => merged.push(found),
+        }
+    }
+    merged
+}
+
+const LEAST_SAMPLES: usize = 100;
+const MOST_PASSES: usize = 5;

@@ -1,0 +1,115 @@
+//! Bars in rows and columns, each with its number.
+
+use super::svg::{Anchor, GRID, picture, rectangle, text, vertical};
+
+/// A row: a name and a bar per column.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BarRow {
+    /// What the row is.
+    pub name: String,
+    /// Lengths, one per column; those not finite are left out.
+    pub values: Vec<f64>,
+    /// The bars' colour, as SVG writes it.
+    pub colour: &'static str,
+}
+
+/// A table whose cells are bars, all on one scale.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BarTable {
+    /// The columns' names.
+    pub columns: Vec<String>,
+    /// The rows, first on top.
+    pub rows: Vec<BarRow>,
+    /// A value per column that a broken line marks.
+    pub marks: Vec<f64>,
+    /// What the numbers are in.
+    pub unit: String,
+}
+
+const WIDTH: f64 = 1080.0;
+const NAMES: f64 = 250.0;
+const ROW: f64 = 26.0;
+const TOP: f64 = 34.0;
+/// Room for the number after a bar.
+const NUMBER: f64 = 78.0;
+
+impl BarTable {
+    /// The table as an SVG element.
+    pub fn to_svg(&self) -> String {
+        let height = TOP + ROW * self.rows.len() as f64 + 8.0;
+        let mut body = String::new();
+        for (index, name) in self.columns.iter().enumerate() {
+            let x = self.left(index);
+            body += &text(x, 20.0, 14, Anchor::Start, name);
+            body += &vertical(x, TOP - 4.0, height - 6.0, GRID, false);
+        }
+        for (index, row) in self.rows.iter().enumerate() {
+            body += &self.row(row, TOP + ROW * index as f64);
+        }
+        for (index, &mark) in self.marks.iter().enumerate() {
+            let x = self.left(index) + self.length(mark);
+            body += &vertical(x, TOP - 4.0, height - 6.0, "#6e6e6e", true);
+        }
+        picture(WIDTH, height, &body)
+    }
+
+    fn row(&self, row: &BarRow, y: f64) -> String {
+        let mut body = text(NAMES - 12.0, y + 16.0, 13, Anchor::End, &shortened(&row.name));
+        for (index, &value) in row.values.iter().enumerate().filter(|(_, v)| v.is_finite()) {
+            let (x, length) = (self.left(index), self.length(value));
+            let number = format!("{} {}", digits(value), self.unit);
+            body += &rectangle(x, y + 3.0, length.max(1.0), ROW - 8.0, row.colour);
+            body += &text(x + length + 6.0, y + 16.0, 12, Anchor::Start, &number);
+        }
+        body
+    }
+
+    fn left(&self, column: usize) -> f64 {
+        NAMES + self.column_width() * column as f64
+    }
+
+    fn column_width(&self) -> f64 {
+        (WIDTH - NAMES) / self.columns.len().max(1) as f64
+    }
+
+    fn length(&self, value: f64) -> f64 {
+        let values = self.rows.iter().flat_map(|row| row.values.iter().copied());
+        let most = values.filter(|v| v.is_finite()).fold(f64::MIN_POSITIVE, f64::max);
+        (value / most).clamp(0.0, 1.0) * (self.column_width() - NUMBER).max(10.0)
+    }
+}
+
+/// Names that are too long for their column end in dots.
+fn shortened(name: &str) -> String {
+    const MOST: usize = 34;
+    if name.chars().count() <= MOST {
+        return name.to_owned();
+    }
+    name.chars().take(MOST - 1).chain(['…']).collect()
+}
+
+fn digits(value: f64) -> String {
+    if value < 10.0 {
+        format!("{value:.2}")
+    } else if value < 100.0 {
+        format!("{value:.1}")
+    } else {
+        format!("{value:.0}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_longest_bar_fits_and_a_bad_number_is_left_out() {
+        let row = BarRow { name: "a<b".into(), values: vec![4.0, f64::NAN], colour: "#000" };
+        let columns = vec!["joint 1".into(), "joint 2".into()];
+        let table = BarTable { columns, rows: vec![row], ..BarTable::default() };
+        let svg = table.to_svg();
+        assert_eq!(svg.matches("<rect").count(), 1);
+        assert!(svg.contains("a&lt;b") && !svg.contains("NaN"));
+        assert!(table.left(0) + table.length(4.0) < table.left(1));
+    }
+}
