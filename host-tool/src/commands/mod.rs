@@ -10,6 +10,7 @@ use clap::{Parser, Subcommand};
 use crate::board::BoardError;
 use crate::files::FileError;
 
+pub mod blind_trial;
 pub mod demo;
 pub mod design_excitation;
 pub mod identify;
@@ -39,6 +40,8 @@ pub enum Command {
     Validate(validate::Arguments),
     /// Design the motion that identifies the base parameters best.
     DesignExcitation(design_excitation::Arguments),
+    /// Judge the diagnosis on robots whose hidden effects it is not told.
+    BlindTrial(blind_trial::Arguments),
     /// Record, identify and control a simulated robot with the firmware in QEMU.
     Demo(demo::Arguments),
 }
@@ -55,6 +58,7 @@ impl Command {
             Self::Validate(arguments) => validate::run(&arguments),
             Self::Simulate(arguments) => simulate::run(&arguments),
             Self::DesignExcitation(arguments) => design_excitation::run(&arguments),
+            Self::BlindTrial(arguments) => blind_trial::run(&arguments),
             Self::Demo(arguments) => demo::run(&arguments),
         }
     }

@@ -1,0 +1,28 @@
+//! How well the diagnosis does on robots whose truth it cannot know.
+//!
+//! | module | what it holds |
+//! | --- | --- |
+//! | [`draw`] | draws [`Case`]s: [`robots`], [`plans`], causes with [`sizes`] that [`matters`] |
+//! | [`foreign`] | effects that the catalogue does not have |
+//! | [`logs`] | the directory of a case, all that the diagnosis sees |
+//! | [`seal`] | the truth, whose hash is told before and whose text after |
+
+pub mod case;
+pub mod cause;
+mod dice;
+pub mod draw;
+pub mod error;
+pub mod foreign;
+pub mod logs;
+pub mod matters;
+pub mod plans;
+pub mod robots;
+pub mod seal;
+pub mod sizes;
+
+pub use case::{Case, Kind};
+pub use cause::TrueCause;
+pub use dice::Dice;
+pub use draw::{DrawSettings, draw};
+pub use error::TrialError;
+pub use seal::Seal;
