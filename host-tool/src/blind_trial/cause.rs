@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::foreign;
-use crate::diagnosis::Value;
+use crate::diagnosis::{Cause, Value};
 use crate::effects::{Definition, Effect, EffectError};
 
 /// A true cause, of the catalogue or foreign to it.
@@ -60,6 +60,11 @@ impl TrueCause {
             return Ok((definition.build)(usize::from(self.joint.max(1)) - 1, &self.values));
         }
         Definition::by_name(&self.effect).ok_or_else(unknown)?.with(self.joint, &self.values)
+    }
+
+    /// Whether a cause that was named is this one: effect and joint.
+    pub fn is(&self, named: &Cause) -> bool {
+        self.effect == named.effect && self.joint == named.joint
     }
 
     /// "cogging of joint 3", or "payload".

@@ -2,7 +2,6 @@
 
 use std::collections::hash_map::RandomState;
 use std::hash::{BuildHasher, Hasher};
-use std::io::Write;
 use std::path::Path;
 
 use serde::Serialize;
@@ -13,8 +12,8 @@ use super::cause::TrueCause;
 use super::error::TrialError;
 use super::matters::Visibility;
 use super::plans::Motions;
+use super::results::write;
 use crate::files::Problem;
-use crate::files::replace::replace_file;
 
 /// What is sealed.
 #[derive(Serialize)]
@@ -116,10 +115,6 @@ impl Seal {
 pub fn write_truth(case: &Case, directory: &Path) -> Result<(), TrialError> {
     let text = serde_json::to_string_pretty(&CaseTruth::of(case)).unwrap_or_default() + "\n";
     write(&directory.join("truth.json"), &text)
-}
-
-fn write(path: &Path, text: &str) -> Result<(), TrialError> {
-    Ok(replace_file(path, |out| out.write_all(text.as_bytes()).map_err(Problem::Unwritable))?)
 }
 
 fn sha256(bytes: &[u8]) -> String {

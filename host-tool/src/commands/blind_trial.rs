@@ -6,8 +6,12 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use clap::Args;
 
 use super::{Failure, create_directory};
-use crate::blind_trial::{Case, DrawSettings, Kind, Seal, TrialError, draw, logs, seal};
-use crate::progress::Progress;
+use crate::blind_trial::{
+    Case, DrawSettings, Kind, Outcome, Results, RunSettings, Seal, TrialError, diagnose_case, draw,
+    logs, seal, table,
+};
+use crate::diagnosis::{self, diagnose};
+use crate::progress::{Progress, Steps};
 
 /// Arguments of `rrr blind-trial`.
 #[derive(Debug, Args)]
@@ -39,6 +43,10 @@ pub struct Arguments {
     /// Leave the logs of each case where they are.
     #[arg(long)]
     pub keep_logs: bool,
+    /// Diagnose each robot without its hidden effects as well, to know how much of the gap
+    /// could be closed; takes twice as long.
+    #[arg(long)]
+    pub ceiling: bool,
     /// Draw and record the cases and tell the truth, without a diagnosis.
     #[arg(long)]
     pub draw_only: bool,
@@ -58,6 +66,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.draw_only {
         return arguments.write_all(&cases, &seal);
     }
+    let outcomes = arguments.diagnose_all(&cases)?;
+    seal.open(&arguments.out)?;
+    println!("SHA-256 of the truth, opened: {}\n", seal.hash());
+    let results = Results::new(settings.seed, settings.first, seal.hash(), outcomes);
+    results.write(&arguments.out)?;
+    println!("{}", table::short(&results));
+    println!("Cases: {}", arguments.out.join("blind-trial.md").display());
     Ok(())
 }
 
@@ -76,6 +91,27 @@ impl Arguments {
             duration_scale: self.duration_scale,
             noise_v: self.noise_mv.map(|noise_mv| 1e-3 * noise_mv),
         })
+    }
+
+    /// Diagnoses the cases one after the other, for a diagnosis uses all cores, and tells
+    /// each answer as it comes.
+    fn diagnose_all(&self, cases: &[Case]) -> Result<Vec<Outcome>, Failure> {
+        let settings =
+            RunSettings { out: self.out.clone(), keep_logs: self.keep_logs, ceiling: self.ceiling };
+        let mut outcomes = Vec::with_capacity(cases.len());
+        for (done, case) in (1..).zip(cases) {
+            let steps = Steps::new();
+            steps.at(&format!("case {} ({done} of {})", case.number, cases.len()));
+            let outcome = diagnose_case(case, &settings, &|campaign| {
+                let diagnosis = diagnose(campaign, &diagnosis::Settings::default(), &steps);
+                diagnosis.map(|found| found.report).map_err(|error| error.to_string())
+            })?;
+            steps.finish();
+            let answer = table::answer(&outcome.answer);
+            println!("case {:03}: {answer}, {:.0} s", case.number, outcome.seconds);
+            outcomes.push(outcome);
+        }
+        Ok(outcomes)
     }
 
     /// Writes the logs of all cases with their truth.
