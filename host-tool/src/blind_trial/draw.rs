@@ -2,15 +2,15 @@
 
 use rayon::prelude::*;
 
+use super::Dice;
 use super::case::{Case, Kind};
 use super::cause::TrueCause;
 use super::error::TrialError;
 use super::matters::{Residuals, Visibility, is_stable, peak_command_v};
 use super::plans::Motions;
+use super::pool::{Choice, Pool};
 use super::robots::{Workshop, given_model};
 use super::sizes::Site;
-use super::{Dice, foreign};
-use crate::effects::{CATALOGUE, Definition};
 
 /// What is drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,7 +37,7 @@ const NOISE_V: (f64, f64) = (0.003, 0.006);
 const MOTION_TRIES: u32 = 20;
 /// Draws of effects and joints, and of sizes for each.
 const CAUSE_TRIES: u32 = 12;
-const SIZE_TRIES: u32 = 8;
+const SIZE_TRIES: u32 = 16;
 
 /// Draws all cases, on as many threads as there are cores; `progress` hears of each.
 ///
@@ -56,71 +56,6 @@ pub fn draw(
         case
     };
     numbers.into_par_iter().map(draw_one).collect()
-}
-
-/// The effects to choose from.
-#[derive(Debug)]
-struct Pool {
-    catalogue: Vec<&'static Definition>,
-    foreign: Vec<&'static foreign::Definition>,
-    kinds: Vec<(Kind, f64)>,
-}
-
-impl Pool {
-    fn of(settings: &DrawSettings) -> Result<Self, TrialError> {
-        let known = |name: &&String| {
-            Definition::by_name(name).is_none() && foreign::by_name(name).is_none()
-        };
-        if let Some(name) = settings.only.iter().find(known) {
-            return Err(TrialError::UnknownEffect(name.clone()));
-        }
-        let wanted =
-            |name: &str| settings.only.is_empty() || settings.only.iter().any(|n| n == name);
-        let mut pool = Self {
-            catalogue: CATALOGUE.into_iter().filter(|d| wanted(d.name)).collect(),
-            foreign: foreign::ALL.into_iter().filter(|d| wanted(d.name)).collect(),
-            kinds: Vec::new(),
-        };
-        pool.kinds = pool.kinds(settings);
-        pool.fill_up();
-        Ok(pool)
-    }
-
-    /// Kinds that the settings ask for; where effects are named, those that have some.
-    fn kinds(&self, settings: &DrawSettings) -> Vec<(Kind, f64)> {
-        if let Some(kind) = settings.kind {
-            return vec![(kind, 1.0)];
-        }
-        let possible = |kind: Kind| match kind {
-            _ if settings.only.is_empty() => true,
-            Kind::None | Kind::Pair => false,
-            Kind::Single => !self.catalogue.is_empty(),
-            Kind::Foreign => !self.foreign.is_empty(),
-        };
-        Kind::ALL.into_iter().filter(|(kind, _)| possible(*kind)).collect()
-    }
-
-    /// A kind that was asked for although none of the effects named has it takes any.
-    fn fill_up(&mut self) {
-        if self.catalogue.is_empty() {
-            self.catalogue = CATALOGUE.to_vec();
-        }
-        if self.foreign.is_empty() {
-            self.foreign = foreign::ALL.to_vec();
-        }
-    }
-
-    fn kind(&self, dice: &mut Dice) -> Kind {
-        let whole: f64 = self.kinds.iter().map(|(_, share)| share).sum();
-        let mut mark = dice.unit() * whole;
-        for (kind, share) in &self.kinds {
-            mark -= share;
-            if mark <= 0.0 {
-                return *kind;
-            }
-        }
-        self.kinds.last().map_or(Kind::None, |(kind, _)| *kind)
-    }
 }
 
 /// A case in the making.
@@ -181,7 +116,7 @@ impl<'a> Draw<'a> {
     /// A cause that matters; another one than that given.
     fn cause(&mut self, other: Option<&TrueCause>) -> Result<TrueCause, TrialError> {
         for _ in 0..CAUSE_TRIES {
-            let (effect, joint) = self.choice(other);
+            let (effect, joint) = self.pool.choice(self.bare.kind, other, &mut self.dice);
             for _ in 0..SIZE_TRIES {
                 let cause = self.sized(&effect, joint);
                 if self.visibility(&cause)?.is_some_and(|visibility| visibility.matters()) {
@@ -190,22 +125,6 @@ impl<'a> Draw<'a> {
             }
         }
         Err(nothing(self.bare.number, CAUSE_TRIES * SIZE_TRIES, "effects"))
-    }
-
-    /// An effect and its joint, evenly among those that the kind has.
-    fn choice(&mut self, other: Option<&TrueCause>) -> (Choice, u8) {
-        let joint = self.dice.joint();
-        if self.bare.kind == Kind::Foreign {
-            let definition: &'static _ = *self.dice.pick(&self.pool.foreign);
-            return (Choice::Foreign(definition), joint);
-        }
-        let different = |d: &&&'static Definition| other.is_none_or(|o| may_join(d, joint, o));
-        let mut choices: Vec<_> = self.pool.catalogue.iter().filter(different).copied().collect();
-        if choices.is_empty() {
-            choices = CATALOGUE.iter().filter(different).copied().collect();
-        }
-        let definition = *self.dice.pick(&choices);
-        (Choice::Catalogue(definition), if definition.whole_robot { 0 } else { joint })
     }
 
     fn sized(&mut self, choice: &Choice, joint: u8) -> TrueCause {
@@ -231,28 +150,6 @@ impl<'a> Draw<'a> {
         }
         Ok(Some(Residuals::of(&case, &recorded)?.beyond(&self.without)))
     }
-}
-
-/// An effect as a kind.
-enum Choice {
-    Catalogue(&'static Definition),
-    Foreign(&'static foreign::Definition),
-}
-
-/// Whether an effect is a pair with another: a different one, and not the same thing under
-/// another name on the same joint.
-fn may_join(definition: &Definition, joint: u8, other: &TrueCause) -> bool {
-    const SAME: [[&str; 2]; 4] = [
-        ["actuator_lag", "delay"],
-        ["joint_elasticity", "backlash"],
-        ["payload", "tip_force"],
-        ["position_friction", "load_friction"],
-    ];
-    let same_place = definition.whole_robot || joint == other.joint;
-    let alike = |[a, b]: [&str; 2]| {
-        (definition.name == a && other.effect == b) || (definition.name == b && other.effect == a)
-    };
-    definition.name != other.effect && !(same_place && SAME.into_iter().any(alike))
 }
 
 fn bare_case(

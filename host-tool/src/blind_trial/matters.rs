@@ -12,7 +12,7 @@ use serde::Serialize;
 use super::case::{Case, Recorded};
 use super::error::TrialError;
 use super::plans::{is_excitation, is_train};
-use crate::files::RobotFile;
+use crate::files::{JointLog, RobotFile};
 use crate::identification::base_parameters::rows::{RowSettings, Rows};
 use crate::identification::campaign::Known;
 use crate::identification::motion::Instant;
@@ -147,23 +147,25 @@ fn rms(values: &DVector<f64>) -> f64 {
 }
 
 /// Whether the arm follows all its references: no joint is further than 0.3 rad from its
-/// own, and commands are seldom at their limit.
+/// own, and commands are seldom at their limit. Where a motor saturates, joints fall behind
+/// for a while and catch up again: 0.8 rad, and commands may be what they must.
 pub fn is_stable(case: &Case, recorded: &[Recorded]) -> bool {
-    const FURTHEST_RAD: f64 = 0.3;
-    const AT_LIMIT: f64 = 0.03;
-    let rig = case.rig();
-    let limit_v = 0.999 * rig.command_limit_v;
-    let counts = f64::from(rig.encoder_counts_per_turn);
+    let saturates = case.causes.iter().any(|cause| cause.effect == "saturation");
+    let furthest_rad = if saturates { 0.8 } else { 0.3 };
+    let most_at_limit = if saturates { 1.0 } else { 0.03 };
+    let limit_v = 0.999 * case.rig().command_limit_v;
+    let counts = f64::from(case.rig().encoder_counts_per_turn);
     recorded.iter().flat_map(|recorded| &recorded.log.joints).all(|joint| {
         let at_limit = joint.command_v.iter().filter(|u| u.abs() >= limit_v).count();
-        let reference = joint.reference_rad.as_deref().unwrap_or_default();
-        let follows = joint
-            .position_rad(counts)
-            .iter()
-            .zip(reference)
-            .all(|(q, reference)| (q - reference).abs() < FURTHEST_RAD);
-        follows && (at_limit as f64) < AT_LIMIT * joint.command_v.len() as f64
+        furthest_rad > largest_error_rad(joint, counts)
+            && at_limit as f64 <= most_at_limit * joint.command_v.len() as f64
     })
+}
+
+fn largest_error_rad(joint: &JointLog, counts: f64) -> f64 {
+    let reference = joint.reference_rad.as_deref().unwrap_or_default();
+    let position = joint.position_rad(counts);
+    position.iter().zip(reference).map(|(q, r)| (q - r).abs()).fold(0.0, f64::max)
 }
 
 /// The largest command of each joint in the excitation to train on [V].

@@ -20,6 +20,7 @@ pub mod logs;
 pub mod matters;
 pub mod outcome;
 pub mod plans;
+mod pool;
 pub mod results;
 pub mod robots;
 pub mod score;

@@ -71,9 +71,7 @@ pub fn diagnose_case(
     diagnose: Diagnose,
 ) -> Result<Outcome, TrialError> {
     let directory = logs::directory(&settings.out, case.number);
-    let began = Instant::now();
-    let (answer, seconds) = answer_in(case, &directory, settings.keep_logs, diagnose)
-        .map(|answer| (answer, began.elapsed().as_secs_f64()))?;
+    let (answer, seconds) = answer_in(case, &directory, settings.keep_logs, diagnose)?;
     Ok(Outcome {
         case: case.number,
         kind: case.kind,
@@ -85,19 +83,22 @@ pub fn diagnose_case(
     })
 }
 
+/// The answer, and how long it took [s].
 fn answer_in(
     case: &Case,
     directory: &Path,
     keep_logs: bool,
     diagnose: Diagnose,
-) -> Result<Answer, TrialError> {
+) -> Result<(Answer, f64), TrialError> {
     logs::write(case, directory)?;
     let campaign = logs::read(directory)?;
+    let began = Instant::now();
     let answer = answer(&campaign, diagnose);
+    let seconds = began.elapsed().as_secs_f64();
     if !keep_logs {
         logs::remove(directory)?;
     }
-    Ok(answer)
+    Ok((answer, seconds))
 }
 
 /// A diagnosis that panics has failed, and the trial goes on.
@@ -126,7 +127,8 @@ fn ceiling_v(
     let mut directory = logs::directory(&settings.out, case.number).into_os_string();
     directory.push("-without");
     let twin = case.with_causes(Vec::new());
-    Ok(refitted(&answer_in(&twin, Path::new(&directory), false, diagnose)?))
+    let (answer, _) = answer_in(&twin, Path::new(&directory), false, diagnose)?;
+    Ok(refitted(&answer))
 }
 
 impl Answer {
@@ -177,16 +179,6 @@ impl Outcome {
             Kind::Single | Kind::Pair => {
                 self.found() == self.truth.len() && self.answer.named().len() == self.truth.len()
             }
-        }
-    }
-
-    /// The truth in words.
-    pub fn truth_words(&self) -> String {
-        let words: Vec<String> = self.truth.iter().map(TrueCause::words).collect();
-        match self.kind {
-            Kind::None => "none".into(),
-            Kind::Foreign => format!("foreign: {}", words.join(", ")),
-            _ => words.join(", "),
         }
     }
 }

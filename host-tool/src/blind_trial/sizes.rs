@@ -38,9 +38,9 @@ impl Site<'_> {
             "friction_drift" => vec![dice.signed_log_uniform(0.15, 0.6), dice.uniform(2.0, 10.0)],
             "cable_spring" => vec![dice.log_uniform(0.05, 0.5), rest_rad(index, dice)],
             "dac_offset" => vec![dice.signed_log_uniform(0.03, 0.2)],
-            "saturation" => vec![dice.uniform(0.4, 0.8) * self.peak_command_v[index]],
+            "saturation" => vec![dice.uniform(0.4, 0.95) * self.peak_command_v[index]],
             "dead_zone" => vec![dice.log_uniform(0.05, 0.3)],
-            "encoder_eccentricity" => vec![dice.log_uniform(1e-3, 1e-2), dice.phase_rad()],
+            "encoder_eccentricity" => vec![dice.log_uniform(3e-3, 1.5e-2), dice.phase_rad()],
             "quadratic_drag" => vec![dice.log_uniform(0.003, 0.05)],
             // An effect that is new in the catalogue, small against its bounds.
             _ => {
