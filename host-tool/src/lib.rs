@@ -8,12 +8,14 @@
 //! | [`simulation`] | the simulated robot, and experiments recorded with it |
 //! | [`identification`] | the paper's procedure, step by step |
 //! | [`diagnosis`] | what causes the gap between model and robot |
+//! | [`blind_trial`] | how well it does on robots whose truth it is not told |
 //! | [`excitation_design`] | the motion that identifies best, section 4.2 |
 //! | [`signal`], [`estimation`] | the numerical tools that it uses |
 //! | [`report`] | pages with pictures |
 //! | [`commands`] | one file per subcommand of `rrr` |
 #![forbid(unsafe_code)]
 
+pub mod blind_trial;
 pub mod board;
 pub mod commands;
 pub mod diagnosis;

@@ -10,6 +10,7 @@ use clap::{Parser, Subcommand};
 use crate::board::BoardError;
 use crate::files::FileError;
 
+pub mod blind_trial;
 pub mod demo;
 pub mod design_excitation;
 pub mod diagnose;
@@ -42,6 +43,8 @@ pub enum Command {
     Diagnose(diagnose::Arguments),
     /// Design the motion that identifies the base parameters best.
     DesignExcitation(design_excitation::Arguments),
+    /// Judge the diagnosis on robots whose hidden effects it is not told.
+    BlindTrial(blind_trial::Arguments),
     /// Record, identify and control a simulated robot with the firmware in QEMU.
     Demo(demo::Arguments),
 }
@@ -59,6 +62,7 @@ impl Command {
             Self::Simulate(arguments) => simulate::run(&arguments),
             Self::Diagnose(arguments) => diagnose::run(&arguments),
             Self::DesignExcitation(arguments) => design_excitation::run(&arguments),
+            Self::BlindTrial(arguments) => blind_trial::run(&arguments),
             Self::Demo(arguments) => demo::run(&arguments),
         }
     }

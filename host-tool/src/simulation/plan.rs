@@ -215,7 +215,7 @@ fn fourier(index: usize, variant: u32, period_s: f32, peak_rad_per_s: f32) -> Mo
 }
 
 /// The largest velocity of a series over its period [rad/s].
-fn peak_velocity(series: &FourierSeries) -> f32 {
+pub fn peak_velocity(series: &FourierSeries) -> f32 {
     let frequency = 2.0 * PI / series.period_s;
     let velocity = |phase: f32| -> f32 {
         let terms = series.sine_rad.iter().zip(&series.cosine_rad).zip(1..);

@@ -1,0 +1,180 @@
+//! Draws cases: robots, motions, and causes that show and leave the arm stable.
+
+use rayon::prelude::*;
+
+use super::Dice;
+use super::case::{Case, Kind};
+use super::cause::TrueCause;
+use super::error::TrialError;
+use super::matters::{Residuals, Visibility, is_stable, peak_command_v};
+use super::plans::Motions;
+use super::pool::{Choice, Pool};
+use super::robots::{Workshop, given_model};
+use super::sizes::Site;
+
+/// What is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawSettings {
+    /// Same seed, same cases.
+    pub seed: u32,
+    /// Number of the first case.
+    pub first: u32,
+    /// How many cases.
+    pub cases: u32,
+    /// Only cases of this kind.
+    pub kind: Option<Kind>,
+    /// Only these effects, by name; all where it is empty.
+    pub only: Vec<String>,
+    /// All durations of the recipe times this.
+    pub duration_scale: f64,
+    /// Amplifier noise [V rms]; drawn where it is not given.
+    pub noise_v: Option<f64>,
+}
+
+/// Amplifier noise that is drawn [V rms].
+const NOISE_V: (f64, f64) = (0.003, 0.006);
+/// Draws of motions that the arm must follow.
+const MOTION_TRIES: u32 = 20;
+/// Draws of effects and joints, and of sizes for each.
+const CAUSE_TRIES: u32 = 12;
+const SIZE_TRIES: u32 = 16;
+
+/// Draws all cases, on as many threads as there are cores; `progress` hears of each.
+///
+/// # Errors
+/// An unknown name among `only`, or a case for which nothing fit was drawn.
+pub fn draw(
+    settings: &DrawSettings,
+    progress: &(dyn Fn() + Sync),
+) -> Result<Vec<Case>, TrialError> {
+    let pool = Pool::of(settings)?;
+    let workshop = Workshop::new();
+    let numbers: Vec<u32> = (settings.first..settings.first + settings.cases).collect();
+    let draw_one = |number: u32| {
+        let case = Draw::of(settings, &pool, &workshop, number)?.case();
+        progress();
+        case
+    };
+    numbers.into_par_iter().map(draw_one).collect()
+}
+
+/// A case in the making.
+struct Draw<'a> {
+    pool: &'a Pool,
+    dice: Dice,
+    /// The case without its causes.
+    bare: Case,
+    without: Residuals,
+    peak_command_v: [f64; 3],
+}
+
+impl<'a> Draw<'a> {
+    fn of(
+        settings: &DrawSettings,
+        pool: &'a Pool,
+        workshop: &Workshop,
+        number: u32,
+    ) -> Result<Self, TrialError> {
+        let mut dice = Dice::new(settings.seed, number);
+        let kind = pool.kind(&mut dice);
+        for _ in 0..MOTION_TRIES {
+            let bare = bare_case(settings, workshop, number, kind, &mut dice);
+            let recorded = bare.record()?;
+            if is_stable(&bare, &recorded) {
+                let without = Residuals::of(&bare, &recorded)?;
+                let peak_command_v = peak_command_v(&recorded);
+                return Ok(Self { pool, dice, bare, without, peak_command_v });
+            }
+        }
+        Err(nothing(number, MOTION_TRIES, "robot and motions"))
+    }
+
+    fn case(mut self) -> Result<Case, TrialError> {
+        let causes = match self.bare.kind {
+            Kind::None => return Ok(self.bare),
+            Kind::Pair => self.pair()?,
+            _ => vec![self.cause(None)?],
+        };
+        let recorded = self.bare.with_causes(causes.clone()).record()?;
+        let visibility = Residuals::of(&self.bare, &recorded)?.beyond(&self.without);
+        Ok(Case { causes, visibility: Some(visibility), ..self.bare })
+    }
+
+    /// Two causes, each of which matters alone, and stable together.
+    fn pair(&mut self) -> Result<Vec<TrueCause>, TrialError> {
+        for _ in 0..CAUSE_TRIES {
+            let first = self.cause(None)?;
+            let second = self.cause(Some(&first))?;
+            let case = self.bare.with_causes(vec![first, second]);
+            if is_stable(&case, &case.record()?) {
+                return Ok(case.causes);
+            }
+        }
+        Err(nothing(self.bare.number, CAUSE_TRIES, "pairs"))
+    }
+
+    /// A cause that matters; another one than that given.
+    fn cause(&mut self, other: Option<&TrueCause>) -> Result<TrueCause, TrialError> {
+        for _ in 0..CAUSE_TRIES {
+            let (effect, joint) = self.pool.choice(self.bare.kind, other, &mut self.dice);
+            for _ in 0..SIZE_TRIES {
+                let cause = self.sized(&effect, joint);
+                if self.visibility(&cause)?.is_some_and(|visibility| visibility.matters()) {
+                    return Ok(cause);
+                }
+            }
+        }
+        Err(nothing(self.bare.number, CAUSE_TRIES * SIZE_TRIES, "effects"))
+    }
+
+    fn sized(&mut self, choice: &Choice, joint: u8) -> TrueCause {
+        let site = Site { robot: &self.bare.robot, peak_command_v: self.peak_command_v };
+        match choice {
+            Choice::Catalogue(definition) => {
+                let values = site.values(definition, joint, &mut self.dice);
+                TrueCause::of_catalogue(definition, joint, values)
+            }
+            Choice::Foreign(definition) => {
+                let values = (definition.draw)(usize::from(joint) - 1, &mut self.dice);
+                TrueCause::of_foreign(definition, joint, values)
+            }
+        }
+    }
+
+    /// How much a cause shows; `None` where the arm does not stay stable with it.
+    fn visibility(&self, cause: &TrueCause) -> Result<Option<Visibility>, TrialError> {
+        let case = self.bare.with_causes(vec![cause.clone()]);
+        let recorded = case.record()?;
+        if !is_stable(&case, &recorded) {
+            return Ok(None);
+        }
+        Ok(Some(Residuals::of(&case, &recorded)?.beyond(&self.without)))
+    }
+}
+
+fn bare_case(
+    settings: &DrawSettings,
+    workshop: &Workshop,
+    number: u32,
+    kind: Kind,
+    dice: &mut Dice,
+) -> Case {
+    let robot = workshop.true_robot(dice);
+    let drawn_noise_v = dice.log_uniform(NOISE_V.0, NOISE_V.1);
+    Case {
+        number,
+        kind,
+        given: given_model(&robot, dice),
+        robot,
+        causes: Vec::new(),
+        visibility: None,
+        motions: Motions::draw(dice),
+        duration_scale: settings.duration_scale,
+        noise_v: settings.noise_v.unwrap_or(drawn_noise_v),
+        seed: dice.seed(),
+    }
+}
+
+fn nothing(case: u32, tries: u32, what: &str) -> TrialError {
+    TrialError::NothingMatters { case, tries, what: what.into() }
+}

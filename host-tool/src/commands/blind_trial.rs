@@ -1,0 +1,163 @@
+//! `rrr blind-trial`: how well the diagnosis does on robots that nobody told it of.
+
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use clap::Args;
+
+use super::{Failure, create_directory};
+use crate::blind_trial::{
+    Case, DrawSettings, Kind, Outcome, Results, RunSettings, Seal, TrialError, diagnose_case, draw,
+    logs, seal, table,
+};
+use crate::diagnosis::{self, diagnose};
+use crate::progress::{Progress, Steps};
+
+/// Arguments of `rrr blind-trial`.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// How many cases to draw.
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub cases: u32,
+    /// Number of the first case; a case depends on its number and the seed alone.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub first: u32,
+    /// Same seed, same cases.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u32,
+    /// Directory for the logs, the seal and the results.
+    #[arg(long, value_name = "DIR", default_value = "blind-trial")]
+    pub out: PathBuf,
+    /// All durations of the logs times this.
+    #[arg(long, value_name = "X", default_value_t = 1.0)]
+    pub duration_scale: f64,
+    /// Amplifier noise [mV rms], instead of 3 to 6 mV as drawn.
+    #[arg(long = "noise-mV", value_name = "X")]
+    pub noise_mv: Option<f64>,
+    /// Only cases of this kind.
+    #[arg(long, value_enum)]
+    pub kind: Option<Kind>,
+    /// Only these effects, of the catalogue or foreign to it.
+    #[arg(long, value_name = "EFFECT,...", value_delimiter = ',')]
+    pub only: Vec<String>,
+    /// Leave the logs of each case where they are.
+    #[arg(long)]
+    pub keep_logs: bool,
+    /// Diagnose each robot without its hidden effects as well, to know how much of the gap
+    /// could be closed; takes twice as long.
+    #[arg(long)]
+    pub ceiling: bool,
+    /// Draw and record the cases and tell the truth, without a diagnosis.
+    #[arg(long)]
+    pub draw_only: bool,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// Arguments out of range, files that cannot be written, or a case that cannot be drawn.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let settings = arguments.draw_settings()?;
+    create_directory(&arguments.out)?;
+    let cases = drawn(&settings)?;
+    let seal = Seal::new(&cases);
+    println!("SHA-256 of the truth: {}", seal.hash());
+    seal.write_hash(&arguments.out)?;
+    if arguments.draw_only {
+        return arguments.write_all(&cases, &seal);
+    }
+    let outcomes = arguments.diagnose_all(&cases)?;
+    seal.open(&arguments.out)?;
+    println!("SHA-256 of the truth, opened: {}\n", seal.hash());
+    let results = Results::new(settings.seed, settings.first, seal.hash(), outcomes);
+    results.write(&arguments.out)?;
+    println!("{}", table::short(&results));
+    println!("Cases: {}", arguments.out.join("blind-trial.md").display());
+    Ok(())
+}
+
+impl Arguments {
+    fn draw_settings(&self) -> Result<DrawSettings, Failure> {
+        in_range("--duration-scale", self.duration_scale, 0.2, 20.0)?;
+        if let Some(noise_mv) = self.noise_mv {
+            in_range("--noise-mV", noise_mv, 0.0, 1000.0)?;
+        }
+        Ok(DrawSettings {
+            seed: self.seed,
+            first: self.first,
+            cases: self.cases,
+            kind: self.kind,
+            only: self.only.clone(),
+            duration_scale: self.duration_scale,
+            noise_v: self.noise_mv.map(|noise_mv| 1e-3 * noise_mv),
+        })
+    }
+
+    /// Diagnoses the cases one after the other, for a diagnosis uses all cores, and tells
+    /// each answer as it comes.
+    fn diagnose_all(&self, cases: &[Case]) -> Result<Vec<Outcome>, Failure> {
+        let settings =
+            RunSettings { out: self.out.clone(), keep_logs: self.keep_logs, ceiling: self.ceiling };
+        let mut outcomes = Vec::with_capacity(cases.len());
+        for (done, case) in (1..).zip(cases) {
+            let steps = Steps::new();
+            steps.at(&format!("case {} ({done} of {})", case.number, cases.len()));
+            let outcome = diagnose_case(case, &settings, &|campaign| {
+                let diagnosis = diagnose(campaign, &diagnosis::Settings::default(), &steps);
+                diagnosis.map(|found| found.report).map_err(|error| error.to_string())
+            })?;
+            steps.finish();
+            let answer = table::answer(&outcome.answer);
+            println!("case {:03}: {answer}, {:.0} s", case.number, outcome.seconds);
+            outcomes.push(outcome);
+        }
+        Ok(outcomes)
+    }
+
+    /// Writes the logs of all cases with their truth.
+    fn write_all(&self, cases: &[Case], seal: &Seal) -> Result<(), Failure> {
+        let progress = Progress::new("recording", cases.len() as u64);
+        for (done, case) in (1..).zip(cases) {
+            let directory = logs::directory(&self.out, case.number);
+            logs::write(case, &directory)?;
+            seal::write_truth(case, &directory)?;
+            progress.at(done);
+        }
+        progress.finish();
+        seal.open(&self.out)?;
+        println!("{} cases in {}", cases.len(), self.out.display());
+        Ok(())
+    }
+}
+
+fn drawn(settings: &DrawSettings) -> Result<Vec<Case>, Failure> {
+    let progress = Progress::new("drawing cases", u64::from(settings.cases));
+    let done = AtomicU64::new(0);
+    let cases = draw(settings, &|| progress.at(done.fetch_add(1, Ordering::Relaxed) + 1))?;
+    progress.finish();
+    Ok(cases)
+}
+
+fn in_range(name: &str, value: f64, lowest: f64, highest: f64) -> Result<(), Failure> {
+    if (lowest..=highest).contains(&value) {
+        return Ok(());
+    }
+    let hint = format!("give a number from {lowest} to {highest}");
+    Err(Failure::new(format!("{name} {value} is out of range"), hint))
+}
+
+impl From<TrialError> for Failure {
+    fn from(error: TrialError) -> Self {
+        match error {
+            TrialError::File(error) => error.into(),
+            TrialError::Board(error) => error.into(),
+            TrialError::UnknownEffect(_) => {
+                Self::new(error.to_string(), "docs/effects.md lists the catalogue")
+            }
+            TrialError::NothingMatters { .. } => {
+                Self::new(error.to_string(), "take another --seed, or less noise")
+            }
+            _ => Self::new(error.to_string(), ""),
+        }
+    }
+}
