@@ -62,7 +62,7 @@ impl Candidate {
             });
             let Some((next, next_change)) = found else { break };
             (best, change) = (next, next_change);
-            if before - best.score.train < SMALL_STEP * (linear.objective - best.score.train) {
+            if before - best.score.train < SMALL_STEP * best.score.train {
                 break;
             }
         }

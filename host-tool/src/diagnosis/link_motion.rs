@@ -3,6 +3,8 @@
 use model::{Posture, Robot};
 
 use super::stretch::Kinematics;
+use super::voltage::at_samples;
+use crate::signal::derivative;
 use crate::simulation::transmission::Transmission;
 
 /// Integration steps per sample.
@@ -20,31 +22,50 @@ pub fn behind(
     let mut motion = motor.clone();
     let count = motor.q_rad[joint].len();
     let felt: Vec<Felt> = felt.iter().map(|felt| felt.without(spring)).collect();
-    let mut link = Link { q_rad: motor.q_rad[joint][0], qd_rad_per_s: 0.0 };
-    link.q_rad -= spring.hold(felt[0].bias_nm);
+    let drive = Drive::of(motor, joint, period_s);
+    let mut link = Link { q_rad: drive.angle(0, 0.0) - spring.hold(felt[0].bias_nm), qd_rad_per_s: 0.0 };
+    let step_s = period_s / STEPS as f64;
+    let mut mean = Vec::with_capacity(count);
     for k in 0..count {
-        let torque_nm = link.torque(spring, motor.q_rad[joint][k], motor.qd_rad_per_s[joint][k]);
         motion.q_rad[joint][k] = link.q_rad;
         motion.qd_rad_per_s[joint][k] = link.qd_rad_per_s;
-        motion.qdd_rad_per_s2[joint][k] = felt[k].acceleration(torque_nm);
         let next = (k + 1).min(count - 1);
-        let step_s = period_s / STEPS as f64;
+        let mut sum = 0.0;
         for step in 0..STEPS {
             let x = (step as f64 + 0.5) / STEPS as f64;
-            let along = |signal: &[f64]| signal[k] + x * (signal[next] - signal[k]);
-            let (theta, speed) = (along(&motor.q_rad[joint]), along(&motor.qd_rad_per_s[joint]));
-            link.advance(spring, theta, speed, &felt[k].towards(&felt[next], x), step_s);
+            let (theta, speed) = (drive.angle(k, x), drive.speed(k, x));
+            sum += link.advance(spring, theta, speed, &felt[k].towards(&felt[next], x), step_s);
         }
+        mean.push(sum / STEPS as f64);
     }
-    smoothed_acceleration(&mut motion.qdd_rad_per_s2[joint]);
+    motion.qdd_rad_per_s2[joint] = at_samples(&mean);
     motion
 }
 
-/// The second difference of the other joints is the mean over two intervals; so is this.
-fn smoothed_acceleration(signal: &mut [f64]) {
-    let raw = signal.to_vec();
-    for k in 1..raw.len().saturating_sub(1) {
-        signal[k] = 0.25 * raw[k - 1] + 0.5 * raw[k] + 0.25 * raw[k + 1];
+/// The motor's motion between its samples: cubic pieces of angle and velocity.
+struct Drive<'a> {
+    q_rad: &'a [f64],
+    qd_rad_per_s: Vec<f64>,
+    period_s: f64,
+}
+
+impl<'a> Drive<'a> {
+    fn of(motor: &'a Kinematics, joint: usize, period_s: f64) -> Self {
+        let q_rad = &motor.raw_rad[joint];
+        Self { q_rad, qd_rad_per_s: derivative::first(q_rad, period_s), period_s }
+    }
+
+    fn angle(&self, k: usize, x: f64) -> f64 {
+        let next = (k + 1).min(self.q_rad.len() - 1);
+        let (a, b) = (self.q_rad[k], self.q_rad[next]);
+        let (da, db) = (self.period_s * self.qd_rad_per_s[k], self.period_s * self.qd_rad_per_s[next]);
+        let (x2, x3) = (x * x, x * x * x);
+        a + da * x + (3.0 * (b - a) - 2.0 * da - db) * x2 + (2.0 * (a - b) + da + db) * x3
+    }
+
+    fn speed(&self, k: usize, x: f64) -> f64 {
+        let next = (k + 1).min(self.q_rad.len() - 1);
+        self.qd_rad_per_s[k] + x * (self.qd_rad_per_s[next] - self.qd_rad_per_s[k])
     }
 }
 
@@ -101,11 +122,20 @@ impl Link {
         spring.torque_nm(theta_rad - self.q_rad, theta_rad_per_s - self.qd_rad_per_s)
     }
 
-    /// Half a step of drift, a whole one of acceleration, half a step of drift.
-    fn advance(&mut self, spring: &Transmission, theta: f64, speed: f64, felt: &Felt, step_s: f64) {
+    /// Half a step of drift, a whole one of acceleration, half a step of drift; returns the
+    /// acceleration.
+    fn advance(
+        &mut self,
+        spring: &Transmission,
+        theta: f64,
+        speed: f64,
+        felt: &Felt,
+        step_s: f64,
+    ) -> f64 {
         self.q_rad += 0.5 * step_s * self.qd_rad_per_s;
-        let torque_nm = self.torque(spring, theta, speed);
-        self.qd_rad_per_s += step_s * felt.acceleration(torque_nm);
+        let acceleration = felt.acceleration(self.torque(spring, theta, speed));
+        self.qd_rad_per_s += step_s * acceleration;
         self.q_rad += 0.5 * step_s * self.qd_rad_per_s;
+        acceleration
     }
 }

@@ -26,6 +26,7 @@ const STEP_RAD: f64 = 1e-3;
 
 fn undo(motion: &mut Kinematics, joint: usize, read: impl Fn(f64) -> f64) {
     for k in 0..motion.q_rad[joint].len() {
+        motion.raw_rad[joint][k] -= read(motion.raw_rad[joint][k]) - motion.raw_rad[joint][k];
         let reading = motion.q_rad[joint][k];
         let mut q = reading;
         for _ in 0..3 {

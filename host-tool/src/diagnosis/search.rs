@@ -33,7 +33,7 @@ pub fn candidates(
         .map(|&(definition, joint)| starts(linear, evidence, subject, definition, joint))
         .collect();
     let promised = starts.iter().flatten().map(|start| start.gain).fold(0.0, f64::max);
-    let least = (WORTH_IT * promised).max(WORTH_A_LOOK * linear.objective);
+    let least = (WORTH_IT * promised).max(WORTH_A_LOOK * linear.score().train);
     let mut found: Vec<Candidate> = starts
         .into_par_iter()
         .filter_map(|starts| searched(linear, evidence, starts, least))
@@ -90,7 +90,7 @@ fn starts(
     starts
 }
 
-fn promise(linear: &Linearisation, evidence: &Evidence, effect: &Added) -> f64 {
+pub fn promise(linear: &Linearisation, evidence: &Evidence, effect: &Added) -> f64 {
     let change = linear.change_by(evidence, effect, Which::OWN);
     let (gradient, curvature) = linear.along(&Default::default(), &[change]);
     gradient[0] * gradient[0] / curvature[(0, 0)].max(1e-12)
@@ -115,7 +115,7 @@ fn searched(
 }
 
 /// What is typical of a joint (1 to 3, or 0 for the whole robot) in these logs.
-fn typical(
+pub fn typical(
     linear: &Linearisation,
     evidence: &Evidence,
     subject: &Subject,

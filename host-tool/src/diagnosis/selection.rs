@@ -7,9 +7,11 @@ use super::candidate::Candidate;
 use super::evidence::Evidence;
 use super::fit::fit;
 use super::linearisation::Linearisation;
+use super::preparation::as_given;
 use super::rest::{MISSES, Rest};
 use super::search::candidates;
 use super::subject::Subject;
+use super::voltage::Point;
 
 /// The model after each step, and what competed.
 pub struct Selection {
@@ -45,7 +47,7 @@ const FINALISTS: usize = 5;
 /// A finalist has gained at least this part of the best candidate's gain.
 const FINALIST_GAIN: f64 = 0.4;
 /// Steps of a fit of a finalist.
-const FINALIST_STEPS: usize = 3;
+const FINALIST_STEPS: usize = 4;
 /// Part of the excess that an effect must take away.
 const LEAST_PART: f64 = 0.2;
 
@@ -77,7 +79,8 @@ pub fn select(
         if now.rest.is_clean() {
             break;
         }
-        let mut finalists = finalists(evidence, subject, &now.linear);
+        let Some(untuned) = untuned(evidence, subject, &now.linear) else { break };
+        let mut finalists = finalists(evidence, subject, &untuned);
         let taken = match finalists.is_empty() {
             true => None,
             false => Some(finalists.remove(0)).filter(|best| pays(&now.rest, &best.1.rest)),
@@ -94,6 +97,17 @@ pub fn select(
         }
     }
     selection
+}
+
+/// The effects of a retuned model in the model as given. Effects are searched for from
+/// there: what retuning bends to hide a missing effect only leads a search astray.
+fn untuned(
+    evidence: &Evidence,
+    subject: &Subject,
+    retuned: &Linearisation,
+) -> Option<Linearisation> {
+    let point = Point { effects: retuned.point.effects.clone(), ..as_given(subject) };
+    Linearisation::of(evidence, point, retuned.expected.clone())
 }
 
 /// The best candidates, retuned with everything else, the best first.

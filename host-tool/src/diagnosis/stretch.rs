@@ -14,7 +14,9 @@ use crate::signal::{LowPass, derivative};
 /// Angles of the three joints and their derivatives.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Kinematics {
-    /// Angles [rad].
+    /// Angles as measured [rad].
+    pub raw_rad: [Vec<f64>; 3],
+    /// Angles, smoothed [rad].
     pub q_rad: [Vec<f64>; 3],
     /// Velocities [rad/s].
     pub qd_rad_per_s: [Vec<f64>; 3],
@@ -116,6 +118,7 @@ impl Stretch {
         for joint in 0..3 {
             if self.command_v[joint].is_empty() {
                 self.command_v[joint] = vec![0.0; count];
+                self.motion.raw_rad[joint] = vec![Subject::resting_rad(joint); count];
                 self.motion.q_rad[joint] = vec![Subject::resting_rad(joint); count];
                 self.motion.qd_rad_per_s[joint] = vec![0.0; count];
                 self.motion.qdd_rad_per_s2[joint] = vec![0.0; count];
@@ -140,6 +143,7 @@ impl Kinematics {
         self.qd_rad_per_s[joint] = derivative::first(&smooth, period_s);
         self.qdd_rad_per_s2[joint] = second_difference(q_rad, period_s);
         self.q_rad[joint] = smooth;
+        self.raw_rad[joint] = q_rad.to_vec();
     }
 }
 
