@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Touches};
+use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "actuator_lag",
@@ -13,6 +13,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::From(|_| vec![vec![5e-4], vec![2e-3], vec![6e-3], vec![0.02]]),
+    size: Size::grows(|_| 0.02),
+    experiment: "`rrr run driven-noise`, which reaches 200 Hz",
     build: |joint, values| {
         Box::new(ActuatorLag {
             joint: usize::from(joint) - 1,

@@ -2,7 +2,7 @@
 
 use model::friction::FrictionScale;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Touches};
+use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "asymmetric_friction",
@@ -13,6 +13,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: false,
     touches: Touches::FRICTION,
     search: Search::From(|_| vec![vec![0.1]]),
+    size: Size::grows(|_| 0.8),
+    experiment: "`rrr run excitation`, both ways at many speeds",
     build: |joint, values| {
         Box::new(AsymmetricFriction {
             joint: usize::from(joint) - 1,

@@ -1,6 +1,6 @@
 //! Play between motor and link.
 
-use super::{Definition, Effect, Parameter, Search, Touches, Typical};
+use super::{Definition, Effect, Parameter, Search, Size, Touches, Typical};
 use crate::simulation::transmission::Transmission;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -17,6 +17,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: true,
     touches: Touches::BODY,
     search: Search::From(starts),
+    size: Size::grows(|_| 0.03),
+    experiment: "`rrr run slow` and `rrr run driven-noise`, which reverse the torque",
     build: |joint, values| {
         let transmission = Transmission {
             gap_rad: values[0],

@@ -3,7 +3,7 @@
 use model::vector::Vector3;
 use model::{BaseParameters, Posture, Robot};
 
-use super::{Definition, Effect, Moment, Parameter, Search, Touches};
+use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "base_tilt",
@@ -19,6 +19,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: true,
     touches: Touches::DRIVE,
     search: Search::From(|_| vec![vec![0.02, 0.02, 0.1, 0.1]]),
+    size: Size::grows(|_| 0.2),
+    experiment: "`rrr run excitation`, joint 1 over a whole turn",
     build: |_, values| {
         Box::new(BaseTilt {
             direction: direction(values[0], values[1]),

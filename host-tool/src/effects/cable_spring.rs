@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Touches};
+use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "cable_spring",
@@ -16,6 +16,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::From(|typical| vec![vec![0.1 * typical.friction_v, typical.position_rad]]),
+    size: Size::grows(|typical| typical.friction_v),
+    experiment: "`rrr run slow` over more than a turn",
     build: |joint, values| {
         Box::new(CableSpring {
             joint: usize::from(joint) - 1,

@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Carrier, Definition, Effect, Moment, Parameter, Search, Touches};
+use super::{Carrier, Definition, Effect, Moment, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "cogging",
@@ -17,6 +17,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::Harmonics(Carrier::Unity),
+    size: Size::grows(|typical| typical.friction_v),
+    experiment: "`rrr run slow` over a whole turn",
     build: |joint, values| {
         Box::new(Cogging {
             joint: usize::from(joint) - 1,

@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Touches};
+use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "dac_offset",
@@ -13,6 +13,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::From(|typical| vec![vec![0.1 * typical.friction_v]]),
+    size: Size::grows(|typical| typical.friction_v),
+    experiment: "`rrr run slow`, both ways",
     build: |joint, values| {
         Box::new(DacOffset { joint: usize::from(joint) - 1, offset_v: values[0] })
     },

@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Touches};
+use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "dead_zone",
@@ -13,6 +13,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::From(|typical| [0.1, 0.4].map(|part| vec![part * typical.friction_v]).to_vec()),
+    size: Size::grows(|typical| typical.friction_v),
+    experiment: "`rrr run excitation`, where commands cross zero while the joint slides",
     build: |joint, values| {
         Box::new(DeadZone { joint: usize::from(joint) - 1, half_width_v: values[0] })
     },

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Touches};
+use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "delay",
@@ -15,6 +15,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::From(|_| vec![vec![8e-4], vec![2.5e-3], vec![6e-3], vec![0.02]]),
+    size: Size::grows(|_| 0.02),
+    experiment: "`rrr run driven-noise`, which reaches 200 Hz",
     build: |joint, values| {
         Box::new(Delay {
             joint: usize::from(joint) - 1,

@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Parameter, Search, Touches};
+use super::{Definition, Effect, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "encoder_eccentricity",
@@ -16,6 +16,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: true,
     touches: Touches::READING,
     search: Search::From(|_| [0.0, 1.57, 3.14, -1.57].map(|phase_rad| vec![2e-3, phase_rad]).to_vec()),
+    size: Size::grows(|_| 0.05),
+    experiment: "`rrr run excitation`: fast turns",
     build: |joint, values| {
         Box::new(EncoderEccentricity {
             joint: usize::from(joint) - 1,

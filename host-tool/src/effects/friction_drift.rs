@@ -2,7 +2,7 @@
 
 use model::friction::FrictionScale;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Touches};
+use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "friction_drift",
@@ -16,6 +16,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: false,
     touches: Touches::FRICTION,
     search: Search::From(|_| [1.0, 5.0, 30.0].map(|time_s| vec![0.2, time_s]).to_vec()),
+    size: Size::grows(|_| 0.8),
+    experiment: "one motion repeated, cold and warm",
     build: |joint, values| {
         Box::new(FrictionDrift {
             joint: usize::from(joint) - 1,

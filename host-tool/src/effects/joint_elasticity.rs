@@ -1,6 +1,6 @@
 //! A joint that gives way.
 
-use super::{Definition, Effect, Parameter, Search, Touches, Typical};
+use super::{Definition, Effect, Parameter, Search, Size, Touches, Typical};
 use crate::simulation::transmission::Transmission;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -16,6 +16,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: true,
     touches: Touches::BODY,
     search: Search::From(starts),
+    size: Size::shrinks(|typical| typical.spring(2.0, 0.2)[0]),
+    experiment: "`rrr run driven-noise`, which reaches the resonance",
     build: |joint, values| {
         let transmission = Transmission {
             gap_rad: 0.0,

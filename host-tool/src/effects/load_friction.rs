@@ -2,7 +2,7 @@
 
 use model::friction::FrictionScale;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Touches};
+use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "load_friction",
@@ -13,6 +13,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: false,
     touches: Touches::FRICTION,
     search: Search::From(|typical| vec![vec![0.1 * typical.friction_v / typical.load_nm]]),
+    size: Size::grows(|typical| typical.friction_v / typical.load_nm),
+    experiment: "`rrr run slow` in other postures or with a payload",
     build: |joint, values| {
         Box::new(LoadFriction { joint: usize::from(joint) - 1, coefficient_v_per_nm: values[0] })
     },

@@ -30,7 +30,7 @@ mod torque_constant;
 mod torque_ripple;
 
 pub use parse::EffectError;
-pub use search::{Carrier, Search, Touches, Typical};
+pub use search::{Carrier, Search, Size, Touches, Typical};
 
 use std::fmt::Debug;
 
@@ -83,6 +83,10 @@ pub struct Definition {
     pub touches: Touches,
     /// Where a search for its parameters begins.
     pub search: Search,
+    /// What its first parameter says of its size.
+    pub size: Size,
+    /// The experiment that shows it best.
+    pub experiment: &'static str,
     /// The effect with these values, one per parameter, on a joint (1 to 3, or 0).
     build: fn(joint: u8, values: &[f64]) -> Box<dyn Effect>,
 }

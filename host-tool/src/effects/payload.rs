@@ -3,7 +3,7 @@
 use model::links::{Link, base_parameters};
 use model::{BaseParameters, Robot};
 
-use super::{Definition, Effect, Parameter, Search, Touches};
+use super::{Definition, Effect, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "payload",
@@ -14,6 +14,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: true,
     touches: Touches::BODY,
     search: Search::From(|_| vec![vec![0.1]]),
+    size: Size::grows(|_| 5.0),
+    experiment: "`rrr run excitation`, which accelerates the tip",
     build: |_, values| Box::new(Payload { mass_kg: values[0] }),
 };
 

@@ -2,7 +2,7 @@
 
 use model::friction::FrictionScale;
 
-use super::{Carrier, Definition, Effect, Moment, Parameter, Search, Touches};
+use super::{Carrier, Definition, Effect, Moment, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "position_friction",
@@ -17,6 +17,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: false,
     touches: Touches::FRICTION,
     search: Search::Harmonics(Carrier::Friction),
+    size: Size::grows(|_| 0.8),
+    experiment: "`rrr run slow` over a whole turn",
     build: |joint, values| {
         Box::new(PositionFriction {
             joint: usize::from(joint) - 1,

@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Touches};
+use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "quadratic_drag",
@@ -13,6 +13,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::From(|typical| vec![vec![0.1 * typical.friction_v / typical.speed_rad_per_s.powi(2)]]),
+    size: Size::grows(|typical| typical.friction_v / typical.speed_rad_per_s.powi(2)),
+    experiment: "`rrr run excitation` at speeds ten times apart",
     build: |joint, values| {
         Box::new(QuadraticDrag {
             joint: usize::from(joint) - 1,

@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Touches};
+use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "saturation",
@@ -13,6 +13,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::From(|typical| [0.93, 0.8, 0.65, 0.5].map(|part| vec![part * typical.command_v]).to_vec()),
+    size: Size::shrinks(|typical| 0.3 * typical.command_v),
+    experiment: "`rrr run excitation`, faster, so that the limit is reached",
     build: |joint, values| {
         Box::new(Saturation { joint: usize::from(joint) - 1, limit_v: values[0] })
     },

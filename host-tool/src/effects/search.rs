@@ -73,3 +73,24 @@ impl Touches {
     /// The reading of the encoder, and so everything.
     pub const READING: Self = Self { drive: true, friction: true, body: true };
 }
+
+/// How the first parameter of an effect tells its size.
+#[derive(Clone, Copy, Debug)]
+pub struct Size {
+    /// Whether a larger value is more of the effect.
+    pub grows: bool,
+    /// The value from which on seeing the effect is no news.
+    pub useless: fn(&Typical) -> f64,
+}
+
+impl Size {
+    /// A larger value is more of the effect.
+    pub const fn grows(useless: fn(&Typical) -> f64) -> Self {
+        Self { grows: true, useless }
+    }
+
+    /// A larger value is less of the effect, as with a stiffness or a limit.
+    pub const fn shrinks(useless: fn(&Typical) -> f64) -> Self {
+        Self { grows: false, useless }
+    }
+}

@@ -3,7 +3,7 @@
 use model::vector::Vector3;
 use model::{Posture, Robot};
 
-use super::{Definition, Effect, Moment, Parameter, Search, Touches};
+use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
 
 const COMPONENT: Parameter = Parameter::new("force_N", -200.0, 200.0);
 
@@ -16,6 +16,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: true,
     touches: Touches::DRIVE,
     search: Search::From(|_| vec![vec![1.0, 1.0, 1.0]]),
+    size: Size::grows(|_| 50.0),
+    experiment: "`rrr run excitation` with all three joints",
     build: |_, values| Box::new(TipForce { force_n: [values[0], values[1], values[2]] }),
 };
 

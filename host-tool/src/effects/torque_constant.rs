@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Touches};
+use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "torque_constant",
@@ -13,6 +13,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::From(|_| vec![vec![0.05]]),
+    size: Size::grows(|_| 0.3),
+    experiment: "move a known payload: `rrr run task` with and without a mass at the tip",
     build: |joint, values| {
         Box::new(TorqueConstant { joint: usize::from(joint) - 1, relative_error: values[0] })
     },

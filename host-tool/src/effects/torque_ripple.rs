@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Carrier, Definition, Effect, Moment, Parameter, Search, Touches};
+use super::{Carrier, Definition, Effect, Moment, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "torque_ripple",
@@ -17,6 +17,8 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::Harmonics(Carrier::Command),
+    size: Size::grows(|_| 0.5),
+    experiment: "`rrr run excitation` over a whole turn under load",
     build: |joint, values| {
         Box::new(TorqueRipple {
             joint: usize::from(joint) - 1,
