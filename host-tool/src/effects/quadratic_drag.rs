@@ -1,5 +1,6 @@
 //! Drag that grows with the square of speed.
 
+use model::effects::quadratic_drag_v;
 use model::vector::Vector3;
 
 use super::{Definition, Effect, Moment, Parameter, Search, Touches};
@@ -30,6 +31,6 @@ struct QuadraticDrag {
 impl Effect for QuadraticDrag {
     fn add_voltage(&self, moment: &Moment, voltage_v: &mut Vector3<f64>) {
         let speed = moment.qd_rad_per_s[self.joint];
-        voltage_v[self.joint] -= self.coefficient_v_s2_per_rad2 * speed * speed.abs();
+        voltage_v[self.joint] += quadratic_drag_v(self.coefficient_v_s2_per_rad2, speed);
     }
 }
