@@ -13,7 +13,9 @@ pub(super) const DEFINITION: Definition = Definition {
     parameters: &[Parameter::new("coefficient_V_s2_per_rad2", 0.0, 1.0)],
     couples_joints: false,
     touches: Touches::DRIVE,
-    search: Search::From(|typical| vec![vec![0.1 * typical.friction_v / typical.speed_rad_per_s.powi(2)]]),
+    search: Search::From(|typical| {
+        vec![vec![0.1 * typical.friction_v / typical.speed_rad_per_s.powi(2)]]
+    }),
     build: |joint, values| {
         Box::new(QuadraticDrag {
             joint: usize::from(joint) - 1,

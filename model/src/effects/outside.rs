@@ -24,6 +24,15 @@ impl<T: Real> Tilt<T> {
         Self { gravity_change, hidden_moment_kg_m }
     }
 
+    /// The same in another number type.
+    pub fn cast<U: Real>(&self) -> Tilt<U> {
+        let cast = |x: T| U::constant(x.as_f64());
+        Tilt {
+            gravity_change: self.gravity_change.map(cast),
+            hidden_moment_kg_m: self.hidden_moment_kg_m.map(cast),
+        }
+    }
+
     /// Torques of gravity beyond those on a level base [Nm], with the sine and cosine of q1.
     #[inline]
     pub fn torque(
