@@ -7,10 +7,13 @@ use crc::{CRC_32_ISO_HDLC, Crc};
 use model::{ParameterError, Robot};
 use serde::{Deserialize, Serialize};
 
+use crate::compensation::{Compensations, Outside};
 use crate::reference::Reference;
 
 /// Version of the layout below; a block of another version is refused.
-pub const VERSION: u16 = 1;
+///
+/// Version 1 had no compensations.
+pub const VERSION: u16 = 2;
 /// No encoded block is longer [bytes].
 pub const MAX_BYTES: usize = 1024;
 
@@ -37,6 +40,10 @@ pub struct ParameterBlock {
     pub mode: [Mode; 3],
     /// What the board plays.
     pub reference: Reference,
+    /// What is made up for at each joint beyond the model.
+    pub compensations: [Compensations; 3],
+    /// What is made up for from outside the arm.
+    pub outside: Option<Outside>,
 }
 
 /// PD gains of one joint, eq. (17).
@@ -115,7 +122,10 @@ impl core::fmt::Display for BlockError {
                 write!(f, "the block has {found} bytes, its header announces {announced}")
             }
             Self::Version { found } => {
-                write!(f, "the block has version {found}, this build knows version {VERSION}")
+                write!(
+                    f,
+                    "the block has version {found}, this build knows version {VERSION}: build it anew"
+                )
             }
             Self::Checksum => write!(f, "the block's checksum does not fit its bytes"),
             Self::Layout => write!(f, "the block's bytes are not a parameter block"),

@@ -4,6 +4,7 @@ use model::ParameterError;
 use model::parameter::named;
 
 use crate::block::{Gains, ParameterBlock};
+use crate::compensation::Outside;
 use crate::dac::FULL_SCALE_V;
 use crate::encoder::COUNTS_PER_TURN;
 use crate::reference::{FadeIn, Injection, Motion};
@@ -24,7 +25,10 @@ impl ParameterBlock {
             injection.check(joint, rate_per_s)?;
         }
         named("duration_s", self.reference.duration_s).positive()?;
-        Ok(())
+        for (joint, compensations) in (1..).zip(&self.compensations) {
+            compensations.check(joint)?;
+        }
+        self.outside.iter().try_for_each(Outside::check)
     }
 
     fn check_board(&self) -> Result<(), ParameterError> {

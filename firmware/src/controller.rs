@@ -9,6 +9,9 @@
 //!   + injected voltage
 //! ```
 //!
+//! and what the block says of the joints beyond the model is made up for in the two
+//! feedforward terms and in u as a whole: [`crate::compensation`].
+//!
 //! Inverse dynamics and friction are those of the wanted motion in the middle of
 //! the interval in which the command acts; feedback compares at the tick itself.
 //! Deadline: the codes are out before the next tick, 1 ms or 170,000 cycles of the
@@ -17,6 +20,7 @@
 use model::{FrictionState, Posture};
 
 use crate::block::{Gains, Mode, ParameterBlock};
+use crate::compensation::Moving;
 use crate::encoder::{Encoder, EncoderScale};
 use crate::reference::{InjectionSource, Setpoint, Time};
 use crate::velocity::{TrackerGains, VelocityTracker};
@@ -118,29 +122,46 @@ impl Controller {
     /// The control law, see the head of this file.
     #[inline]
     fn control(&mut self, measured: &[Measured; 3], output: &mut TickOutput) {
-        let period_s = self.block.sample_period_s;
         let ahead = self.reference_ahead();
         let inverse_dynamics_v = self.inverse_dynamics(&ahead);
         let injected_v = self.injected();
         for i in 0..3 {
-            let now = ahead[i].earlier(0.5 * period_s);
-            let mode = self.block.mode[i];
-            let terms = Terms {
-                feedback_v: self.block.gains[i].feedback(&now, &measured[i]),
-                inverse_dynamics_v: inverse_dynamics_v[i],
-                friction_v: self.joints[i].friction.step(
-                    &self.block.robot.friction[i],
-                    mode.friction_velocity(&ahead[i], &measured[i]),
-                    period_s,
-                ),
-            };
-            let wanted_v = terms.sum(mode) + injected_v[i];
+            let now = ahead[i].earlier(0.5 * self.block.sample_period_s);
+            let feedback_v = self.block.gains[i].feedback(&now, &measured[i]);
+            let motion = self.block.mode[i].fed_forward(&ahead[i], &measured[i]);
+            let terms = self.terms(i, motion, feedback_v, inverse_dynamics_v[i]);
+            let motor_v = terms.sum(self.block.mode[i]) + injected_v[i];
+            let wanted_v = self.command_for(i, motor_v, ahead[i].angle);
             let limit_v = self.block.command_limit_v;
             output.codes[i] = DacCode::from_volts(limited(wanted_v, limit_v));
             output.saturated[i] = wanted_v.abs() > limit_v;
             output.reference[i] = now.angle;
         }
         self.tick = self.tick.saturating_add(1);
+    }
+
+    /// What joint `i` (0 to 2) is told, with what it does beyond the model.
+    #[inline]
+    fn terms(&mut self, i: usize, motion: Moving, feedback_v: f32, dynamics_v: f32) -> Terms {
+        let beyond = self.block.compensations[i].beyond(motion);
+        let friction_v = self.joints[i].friction.step_scaled(
+            &self.block.robot.friction[i],
+            beyond.friction,
+            motion.velocity_rad_per_s,
+            self.block.sample_period_s,
+        );
+        Terms { feedback_v, inverse_dynamics_v: dynamics_v - beyond.added_v, friction_v }
+    }
+
+    /// The command that brings a voltage to the motor, in the modes that know the model.
+    #[inline]
+    fn command_for(&self, i: usize, motor_v: f32, angle: Angle) -> f32 {
+        match self.block.mode[i] {
+            Mode::PdFriction | Mode::PdModel => {
+                self.block.compensations[i].command_for(motor_v, angle)
+            }
+            Mode::Pd | Mode::FrictionOnly | Mode::OpenLoop => motor_v,
+        }
     }
 
     /// The setpoints in the middle of the interval that begins with this tick.
@@ -155,17 +176,24 @@ impl Controller {
         })
     }
 
-    /// Motor voltages of the wanted motion, eq. (3).
+    /// Motor voltages of the wanted motion, eq. (3), less what torques from outside do.
     #[inline]
     fn inverse_dynamics(&self, wanted: &[Setpoint; 3]) -> [f32; 3] {
         let robot = &self.block.robot;
-        let posture = Posture::from_sines(wanted[1].angle.sin_cos(), wanted[2].angle.sin_cos());
-        let torque_nm = posture.inverse_dynamics(
+        let (second, third) = (wanted[1].angle.sin_cos(), wanted[2].angle.sin_cos());
+        let torque_nm = Posture::from_sines(second, third).inverse_dynamics(
             &robot.base,
             &robot.geometry,
             &wanted.map(|w| w.velocity_rad_per_s),
             &wanted.map(|w| w.acceleration_rad_per_s2),
         );
+        let torque_nm = match &self.block.outside {
+            None => torque_nm,
+            Some(outside) => {
+                let less = outside.torque(robot, wanted[0].angle, second, third);
+                [0, 1, 2].map(|i| torque_nm[i] - less[i])
+            }
+        };
         robot.torque_to_voltage(&torque_nm)
     }
 
@@ -210,6 +238,16 @@ impl Mode {
         match self {
             Self::FrictionOnly => measured.velocity_rad_per_s,
             _ => wanted.velocity_rad_per_s,
+        }
+    }
+
+    /// The motion that is fed forward.
+    #[inline]
+    fn fed_forward(self, wanted: &Setpoint, measured: &Measured) -> Moving {
+        Moving {
+            angle: if self == Self::FrictionOnly { measured.angle } else { wanted.angle },
+            position_rad: wanted.position_rad,
+            velocity_rad_per_s: self.friction_velocity(wanted, measured),
         }
     }
 }

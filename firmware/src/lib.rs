@@ -9,6 +9,7 @@
 //! | --- | --- |
 //! | [`controller`] | **the control law** |
 //! | [`block`] | the parameter block: model, gains, limits, reference, checked as a whole |
+//! | [`compensation`] | what joints do beyond the model, and what makes up for it |
 //! | [`reference`] | the motions and voltages that the board plays by itself |
 //! | [`velocity`] | the velocity estimate |
 //! | [`angle`], [`encoder`], [`dac`] | machine units: where SI begins and ends |
@@ -22,6 +23,7 @@ pub mod ad5754r;
 pub mod angle;
 pub mod block;
 pub mod block_check;
+pub mod compensation;
 pub mod controller;
 pub mod dac;
 pub mod encoder;

@@ -5,6 +5,7 @@
 //! | [`files`] | logs, data sets and models, as they lie on disk |
 //! | [`board`] | the control firmware, in this process or in QEMU |
 //! | [`effects`] | the catalogue of what the model does not hold |
+//! | [`compensation`] | what the controller makes up for of it |
 //! | [`simulation`] | the simulated robot, and experiments recorded with it |
 //! | [`identification`] | the paper's procedure, step by step |
 //! | [`diagnosis`] | what causes the gap between model and robot |
@@ -18,6 +19,7 @@
 pub mod blind_trial;
 pub mod board;
 pub mod commands;
+pub mod compensation;
 pub mod diagnosis;
 pub mod effects;
 pub mod estimation;

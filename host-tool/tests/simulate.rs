@@ -5,7 +5,7 @@ use std::path::Path;
 
 use assert_cmd::Command;
 use host_tool::effects::CATALOGUE;
-use host_tool::files::{Dataset, RobotFile};
+use host_tool::files::{Dataset, EffectTable, RobotFile};
 use model::reference_robot::reference_robot;
 
 fn rrr(directory: &Path, arguments: &[&str]) -> assert_cmd::assert::Assert {
@@ -50,6 +50,29 @@ fn csv_and_mcap_hold_the_same_log() {
     let (text, mcap) = (&logs[0].joints[1].command_v, &logs[2].joints[1].command_v);
     let apart = text.iter().zip(mcap).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(text.len() == mcap.len() && apart <= 5.1e-7, "text has six decimals: {apart}");
+}
+
+#[test]
+fn the_effects_of_the_model_are_compensated_on_request() {
+    let directory = tempfile::tempdir().unwrap();
+    let mut file = RobotFile::from_robot(&reference_robot());
+    for text in ["dac_offset:2:offset_V=0.5", "delay:1:delay_s=0.001"] {
+        file.effects.push(EffectTable::from_text(text).unwrap());
+    }
+    file.write(directory.path().join("known.toml")).unwrap();
+    // The voltage that holds joint 2 at the start is the other's less the offset.
+    let first_v = |more: &[&str]| {
+        let fixed = ["--model", "known.toml", "--dataset", "task", "--mode", "pd-model"];
+        let mut command = Command::cargo_bin("rrr").unwrap();
+        command.current_dir(directory.path()).arg("simulate").args(fixed);
+        let assert = command.args(["--out", "logs"]).args(more).assert().success();
+        let output = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
+        let dataset = Dataset::read(directory.path().join("logs")).unwrap();
+        (dataset.recordings().unwrap().remove(0).log.joints[1].command_v[0], output)
+    };
+    let ((without_v, _), (with_v, output)) = (first_v(&[]), first_v(&["--compensate"]));
+    assert!((with_v - without_v + 0.5).abs() < 1e-3, "{without_v} {with_v}");
+    assert!(output.contains("delay of joint 1 is not compensated"), "{output}");
 }
 
 #[test]

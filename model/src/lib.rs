@@ -10,6 +10,7 @@
 //! | [`dynamics`] | mass matrix, Coriolis, gravity, inverse and forward dynamics, eq. (1) |
 //! | [`regressor`] | the 3x16 matrix of eq. (5) |
 //! | [`friction`] | LuGre friction and its exact step, eq. (9)-(10) |
+//! | [`effects`] | what a real robot does beyond that, and what undoes it |
 //! | [`base`], [`geometry`], [`links`] | the 16 base parameters and where they come from |
 //! | [`robot`], [`pendulum`] | a whole rig: three joints, or the one joint of eq. (11) |
 //! | [`reference_robot`] | the numbers printed in the paper |
@@ -49,6 +50,7 @@
 
 pub mod base;
 pub mod dynamics;
+pub mod effects;
 pub mod friction;
 pub mod geometry;
 pub mod links;

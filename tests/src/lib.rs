@@ -5,6 +5,9 @@ use std::path::PathBuf;
 use firmware::reference::{Injection, Noise};
 use firmware::{Mode, ParameterBlock};
 use host_tool::board::{Qemu, QemuSettings};
+use host_tool::compensation::Compensations;
+use host_tool::effects::Effect;
+use host_tool::files::EffectTable;
 use host_tool::simulation::{Plan, Rig, plan};
 use model::reference_robot::reference_robot;
 
@@ -31,6 +34,66 @@ pub fn qemu(image: &PathBuf) -> Qemu {
 /// The rig with the reference robot.
 pub fn rig() -> Rig {
     Rig::new(reference_robot())
+}
+
+/// Effects that a real arm might have beyond its model.
+const HIDDEN: [&str; 8] = [
+    "cogging:1:amplitude_V=0.08,harmonic=12,phase_rad=0.4",
+    "dac_offset:1:offset_V=0.05",
+    "cogging:2:amplitude_V=0.15,harmonic=8,phase_rad=0.9",
+    "position_friction:2:relative_amplitude=0.3,harmonic=2,phase_rad=2.0",
+    "cogging:3:amplitude_V=0.1,harmonic=8,phase_rad=-0.5",
+    "dead_zone:3:half_width_V=0.05",
+    "payload:mass_kg=0.3",
+    "base_tilt:tilt_x_rad=0.03,tilt_y_rad=-0.02",
+];
+
+/// Those that are missing there, so that every kind that can be compensated is there.
+const RARER: [&str; 6] = [
+    "torque_constant:1:relative_error=0.05",
+    "torque_ripple:2:relative_amplitude=0.08,harmonic=16,phase_rad=-1.2",
+    "asymmetric_friction:3:relative_asymmetry=0.2",
+    "cable_spring:2:stiffness_V_per_rad=0.1,rest_rad=1.0",
+    "quadratic_drag:1:coefficient_V_s2_per_rad2=0.01",
+    "tip_force:force_N=1 -2 0.5",
+];
+
+fn tables(texts: &[&str]) -> Vec<EffectTable> {
+    texts.iter().map(|text| EffectTable::from_text(text).expect("an effect")).collect()
+}
+
+/// The effects of an arm that has eight of them.
+///
+/// # Panics
+/// The list above is wrong.
+pub fn hidden_effects() -> Vec<EffectTable> {
+    tables(&HIDDEN)
+}
+
+/// Effects of all twelve kinds that can be compensated.
+///
+/// # Panics
+/// The lists above are wrong.
+pub fn every_kind_of_effect() -> Vec<EffectTable> {
+    tables(&[&HIDDEN[..], &RARER].concat())
+}
+
+/// The same, for the simulated robot.
+///
+/// # Panics
+/// The list above is wrong.
+pub fn simulated(effects: &[EffectTable]) -> Vec<Box<dyn Effect>> {
+    effects.iter().map(|table| table.effect().expect("its values fit")).collect()
+}
+
+/// The rig with the reference robot, making up for effects.
+///
+/// # Panics
+/// One of them cannot be compensated.
+pub fn rig_that_compensates(effects: &[EffectTable]) -> Rig {
+    let (compensations, left_out) = Compensations::of(effects).expect("their values fit");
+    assert!(left_out.is_empty(), "{left_out:?}");
+    rig().with_compensations(compensations)
 }
 
 /// A minute of motion that exercises a mode: friction and open loop swing freely under noise.

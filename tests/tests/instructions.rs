@@ -1,10 +1,16 @@
 //! Instructions of a tick on the Cortex-M4F, counted exactly by QEMU.
 #![allow(missing_docs)]
 
-use firmware::Mode;
+use firmware::compensation::{
+    Compensations, FedForward, MOST_FED_FORWARD, MOST_UNDONE, Outside, TurnWave, Undone,
+};
+use firmware::{Angle, Mode, ParameterBlock};
 use host_tool::board::Board;
-use host_tool::simulation::{Settings, record};
-use tests::{every_reference, image, minute_of, qemu, rig};
+use host_tool::simulation::{Settings, SimulatedRobot, record, record_robot, start_of};
+use model::effects::Tilt;
+use tests::{
+    every_reference, hidden_effects, image, minute_of, qemu, rig, rig_that_compensates, simulated,
+};
 
 /// From counts in to codes out, whatever the board plays.
 const MOST_INSTRUCTIONS: f64 = 2500.0;
@@ -33,6 +39,53 @@ fn no_reference_makes_a_tick_too_long() {
         assert!(worst < MOST_INSTRUCTIONS, "{}: {worst}", plan.name);
         assert!(plan.name != "task" || mean < AIM, "{mean}");
     }
+}
+
+#[test]
+fn eight_compensations_make_no_tick_too_long() {
+    let Some(image) = image() else { return };
+    let effects = hidden_effects();
+    let (mut board, rig) = (qemu(&image), rig_that_compensates(&effects));
+    println!("{:24} {:>8} {:>8}", "eight compensations", "mean", "worst");
+    for plan in every_reference(&rig) {
+        let ticks = plan.ticks(&rig).min(20_000);
+        let block = plan.block(&rig);
+        let (effects, settings) = (simulated(&effects), Settings::default());
+        let robot = SimulatedRobot::with_effects(rig.model, effects, start_of(&block), &settings);
+        let recording = record_robot(&mut board, &block, robot, ticks, &mut |_| {}).unwrap();
+        let worst = recording.timer_counts.iter().copied().max().map_or(0.0, instructions);
+        println!("{:24} {:8.0} {worst:8.0}", plan.name, recording.instructions_per_tick());
+        assert!(worst < MOST_INSTRUCTIONS, "{}: {worst}", plan.name);
+    }
+}
+
+/// As many compensations as a block can hold, each with a wave over the turn.
+fn full_block() -> ParameterBlock {
+    let wave = TurnWave { harmonic: 7, phase: Angle(1 << 29) };
+    let fed_forward = FedForward::PositionFriction { relative_amplitude: 0.01, wave };
+    let undone = Undone::TorqueRipple { relative_amplitude: 0.01, wave };
+    let full = || Compensations {
+        fed_forward: [fed_forward; MOST_FED_FORWARD].into_iter().collect(),
+        undone: [undone; MOST_UNDONE].into_iter().collect(),
+    };
+    ParameterBlock {
+        compensations: [full(), full(), full()],
+        outside: Some(Outside { tilt: Tilt::new(0.01, 0.01, [0.1; 2]), tip_force_n: [1.0; 3] }),
+        ..minute_of(&rig(), Mode::PdModel)
+    }
+}
+
+#[test]
+fn a_full_block_makes_a_tick_of_a_twenty_fifth_of_a_period_at_most() {
+    let Some(image) = image() else { return };
+    let mut board = qemu(&image);
+    board.load(&full_block()).unwrap();
+    board.start().unwrap();
+    let ticks = (0..5000).map(|k| board.tick(&[7 * k, -5 * k, 3 * k]).unwrap().timer_counts);
+    let worst = ticks.max().map_or(0.0, instructions);
+    println!("{:24} {worst:8.0}", "full block");
+    // 3,400 instructions, two cycles each allowed, of 170,000 cycles.
+    assert!(worst < 3400.0, "{worst}");
 }
 
 #[test]

@@ -38,8 +38,10 @@ impl ConstantVelocity {
         } else {
             (self.start_rad + speed * (self.leg_s - self.ramp_s), -speed)
         };
+        let position_rad = start_rad + speed * travel_s;
         Setpoint {
-            angle: Angle::from_radians(start_rad + speed * travel_s),
+            angle: Angle::from_radians(position_rad),
+            position_rad,
             velocity_rad_per_s: speed * velocity,
             acceleration_rad_per_s2: speed * acceleration,
         }

@@ -8,8 +8,10 @@ use crate::Angle;
 /// Where a joint shall be, and how fast.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Setpoint {
-    /// Angle.
+    /// Angle within the turn.
     pub angle: Angle,
+    /// The same on the turn that the motion's own numbers name, as exact as an `f32` [rad].
+    pub position_rad: f32,
     /// Velocity [rad/s].
     pub velocity_rad_per_s: f32,
     /// Acceleration [rad/s^2].
@@ -18,8 +20,8 @@ pub struct Setpoint {
 
 impl Setpoint {
     /// At rest at an angle.
-    pub fn at_rest(angle: Angle) -> Self {
-        Self { angle, ..Self::default() }
+    pub fn at_rest(position_rad: f32) -> Self {
+        Self { angle: Angle::from_radians(position_rad), position_rad, ..Self::default() }
     }
 
     /// Where a joint shall be `time_s` after its motion ended in this setpoint: it
@@ -30,8 +32,10 @@ impl Setpoint {
         let x = time_s * (1.0 / BRAKING_S);
         let rest = if x < 1.0 { 1.0 - x } else { 0.0 };
         let travel_s = BRAKING_S / 3.0 * (1.0 - rest * rest * rest);
+        let travel_rad = self.velocity_rad_per_s * travel_s;
         Self {
-            angle: self.angle.plus(self.velocity_rad_per_s * travel_s),
+            angle: self.angle.plus(travel_rad),
+            position_rad: self.position_rad + travel_rad,
             velocity_rad_per_s: self.velocity_rad_per_s * rest * rest,
             acceleration_rad_per_s2: -2.0 / BRAKING_S * self.velocity_rad_per_s * rest,
         }
@@ -41,8 +45,10 @@ impl Setpoint {
     #[inline]
     pub fn earlier(&self, time_s: f32) -> Self {
         let gained = self.acceleration_rad_per_s2 * time_s;
+        let travel_rad = (0.5 * gained - self.velocity_rad_per_s) * time_s;
         Self {
-            angle: self.angle.plus((0.5 * gained - self.velocity_rad_per_s) * time_s),
+            angle: self.angle.plus(travel_rad),
+            position_rad: self.position_rad + travel_rad,
             velocity_rad_per_s: self.velocity_rad_per_s - gained,
             ..*self
         }
@@ -79,7 +85,7 @@ impl Motion {
     #[inline]
     pub fn at(&self, time: Time) -> Setpoint {
         match self {
-            Self::Hold { angle_rad } => Setpoint::at_rest(Angle::from_radians(*angle_rad)),
+            Self::Hold { angle_rad } => Setpoint::at_rest(*angle_rad),
             Self::Quintic { from_rad, to_rad, duration_s } => {
                 Wave::step(to_rad - from_rad, *duration_s, time).about(*from_rad)
             }
@@ -175,8 +181,10 @@ impl Wave {
     /// The setpoint that swings so about a centre.
     #[inline]
     pub fn about(self, centre_rad: f32) -> Setpoint {
+        let position_rad = centre_rad + self.value;
         Setpoint {
-            angle: Angle::from_radians(centre_rad + self.value),
+            angle: Angle::from_radians(position_rad),
+            position_rad,
             velocity_rad_per_s: self.slope,
             acceleration_rad_per_s2: self.curvature,
         }

@@ -1,5 +1,6 @@
 //! A block that the tests begin from.
 
+use firmware::compensation::{Compensations, FedForward, Undone};
 use firmware::reference::{FadeIn, Injection, Motion, Reference, Sine};
 use firmware::{Gains, Mode, ParameterBlock};
 use model::reference_robot::reference_robot;
@@ -27,5 +28,16 @@ pub fn block(mode: Mode) -> ParameterBlock {
             injection: [Injection::None; 3],
             duration_s: 10.0,
         },
+        compensations: Default::default(),
+        outside: Default::default(),
+    }
+}
+
+/// The compensations of a joint.
+#[allow(dead_code)]
+pub fn joint(fed_forward: &[FedForward], undone: &[Undone]) -> Compensations {
+    Compensations {
+        fed_forward: fed_forward.iter().copied().collect(),
+        undone: undone.iter().copied().collect(),
     }
 }

@@ -7,7 +7,8 @@ use firmware::Mode;
 
 use super::{Failure, create_directory};
 use crate::board::{Board, InProcess, Qemu, QemuSettings};
-use crate::effects::Effect;
+use crate::compensation::Compensations;
+use crate::effects::{Effect, EffectError};
 use crate::files::{Dataset, EffectTable, ExcitationFile, Experiment, RobotFile, Role};
 use crate::progress::Progress;
 use crate::simulation::{Plan, Recipe, Rig, Settings, SimulatedRobot, record_robot, start_of};
@@ -41,6 +42,10 @@ pub struct Arguments {
     /// cogging:3:amplitude_V=0.1,harmonic=8,phase_rad=0; may be given several times.
     #[arg(long, value_name = "EFFECT:JOINT:NAME=VALUE,...")]
     pub effect: Vec<String>,
+    /// The board makes up for the effects that the model file holds, as far as it can, in
+    /// the modes that know the model; not for those of --effect.
+    #[arg(long)]
+    pub compensate: bool,
     /// Seed of all noises.
     #[arg(long, default_value_t = 1)]
     pub seed: u32,
@@ -82,7 +87,7 @@ impl Format {
 /// An unknown name, a model that cannot be used, a board that does not answer, or a
 /// directory that cannot be written.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let rig = rig(&RobotFile::read(&arguments.model)?)?;
+    let rig = arguments.rig()?;
     let plans = arguments.plans(&rig)?;
     arguments.effects()?;
     create_directory(&arguments.out)?;
@@ -125,10 +130,29 @@ impl Arguments {
             format: Format::CsvGz,
             qemu: None,
             effect: Vec::new(),
+            compensate: false,
             seed: 1,
             noise_v: 0.004,
             substeps: 10,
         }
+    }
+
+    /// The rig of the model file; says which effects it is to compensate and cannot.
+    fn rig(&self) -> Result<Rig, Failure> {
+        let file = RobotFile::read(&self.model)?;
+        let rig = rig(&file)?;
+        if !self.compensate {
+            return Ok(rig);
+        }
+        let (compensations, left_out) =
+            Compensations::of(&file.effects).map_err(|error| self.bad_table(&error))?;
+        left_out.iter().for_each(|effect| println!("{effect}"));
+        Ok(rig.with_compensations(compensations))
+    }
+
+    fn bad_table(&self, error: &EffectError) -> Failure {
+        let message = format!("{}: [[effect]]: {error}", self.model.display());
+        Failure::new(message, "correct the table; docs/effects.md lists the catalogue")
     }
 
     fn plans(&self, rig: &Rig) -> Result<Vec<Plan>, Failure> {
@@ -171,12 +195,8 @@ impl Arguments {
     /// The effects of the model file and those of the command line.
     fn effects(&self) -> Result<Vec<Box<dyn Effect>>, Failure> {
         let listed = RobotFile::read(&self.model)?.effects;
-        let from_file = listed.iter().map(|table| {
-            table.effect().map_err(|error| {
-                let message = format!("{}: [[effect]]: {error}", self.model.display());
-                Failure::new(message, "correct the table; docs/effects.md lists the catalogue")
-            })
-        });
+        let from_file =
+            listed.iter().map(|table| table.effect().map_err(|error| self.bad_table(&error)));
         let from_line = self.effect.iter().map(|text| {
             let effect = EffectTable::from_text(text).and_then(|table| table.effect());
             effect.map_err(|error| Failure::new(format!("--effect {text}: {error}"), EFFECT_HINT))

@@ -1,5 +1,6 @@
 //! Friction that differs between the directions.
 
+use model::effects::favour_a_direction;
 use model::friction::FrictionScale;
 
 use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
@@ -31,8 +32,7 @@ struct AsymmetricFriction {
 
 impl Effect for AsymmetricFriction {
     fn change_friction(&self, moment: &Moment, scale: &mut [FrictionScale<f64>; 3]) {
-        let factor = 1.0 + self.relative_asymmetry * moment.qd_rad_per_s[self.joint].signum();
-        scale[self.joint].level *= factor;
-        scale[self.joint].viscous *= factor;
+        let velocity = moment.qd_rad_per_s[self.joint];
+        favour_a_direction(&mut scale[self.joint], self.relative_asymmetry, velocity);
     }
 }

@@ -1,5 +1,6 @@
 //! Cables that pull the joint towards a rest angle.
 
+use model::effects::cable_spring_v;
 use model::vector::Vector3;
 
 use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
@@ -36,7 +37,7 @@ struct CableSpring {
 
 impl Effect for CableSpring {
     fn add_voltage(&self, moment: &Moment, voltage_v: &mut Vector3<f64>) {
-        let turned_rad = moment.q_rad[self.joint] - self.rest_rad;
-        voltage_v[self.joint] -= self.stiffness_v_per_rad * turned_rad;
+        let q_rad = moment.q_rad[self.joint];
+        voltage_v[self.joint] += cable_spring_v(self.stiffness_v_per_rad, q_rad, self.rest_rad);
     }
 }

@@ -1,5 +1,6 @@
 //! Torque of the magnets on the slots.
 
+use model::effects::{TurnWave, cogging_v};
 use model::vector::Vector3;
 
 use super::{Carrier, Definition, Effect, Moment, Parameter, Search, Size, Touches};
@@ -23,8 +24,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Box::new(Cogging {
             joint: usize::from(joint) - 1,
             amplitude_v: values[0],
-            harmonic: values[1],
-            phase_rad: values[2],
+            wave: TurnWave { harmonic: values[1], phase_rad: values[2] },
         })
     },
 };
@@ -33,13 +33,12 @@ pub(super) const DEFINITION: Definition = Definition {
 struct Cogging {
     joint: usize,
     amplitude_v: f64,
-    harmonic: f64,
-    phase_rad: f64,
+    wave: TurnWave<f64>,
 }
 
 impl Effect for Cogging {
     fn add_voltage(&self, moment: &Moment, voltage_v: &mut Vector3<f64>) {
-        let angle = self.harmonic * moment.q_rad[self.joint] + self.phase_rad;
-        voltage_v[self.joint] += self.amplitude_v * angle.sin();
+        let sine = self.wave.sine(moment.q_rad[self.joint]);
+        voltage_v[self.joint] += cogging_v(self.amplitude_v, sine);
     }
 }

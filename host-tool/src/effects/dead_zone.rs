@@ -1,5 +1,6 @@
 //! An amplifier that swallows small commands.
 
+use model::effects::dead_zone;
 use model::vector::Vector3;
 
 use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
@@ -28,8 +29,6 @@ struct DeadZone {
 
 impl Effect for DeadZone {
     fn change_command(&mut self, _: &Moment, command_v: &mut Vector3<f64>) {
-        let voltage_v = command_v[self.joint];
-        let passed_v = (voltage_v.abs() - self.half_width_v).max(0.0);
-        command_v[self.joint] = passed_v.copysign(voltage_v);
+        command_v[self.joint] = dead_zone(command_v[self.joint], self.half_width_v);
     }
 }

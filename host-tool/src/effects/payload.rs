@@ -1,7 +1,7 @@
 //! A point mass at the tip.
 
-use model::links::{Link, base_parameters};
-use model::{BaseParameters, Robot};
+use model::Robot;
+use model::effects::with_payload;
 
 use super::{Definition, Effect, Parameter, Search, Size, Touches};
 
@@ -25,20 +25,7 @@ struct Payload {
 }
 
 impl Effect for Payload {
-    /// Base parameters are sums over masses, so those of the mass alone are added.
     fn change_robot(&self, robot: &mut Robot<f64>) {
-        let nothing = Link {
-            mass_kg: 0.0,
-            centre_m: [0.0; 3],
-            inertia_diagonal_kg_m2: [0.0; 3],
-            inertia_products_kg_m2: [0.0; 3],
-        };
-        let links = [nothing, nothing, Link { mass_kg: self.mass_kg, ..nothing }];
-        let added = base_parameters(&links, &[0.0; 3], &robot.geometry).to_array();
-        let mut sum = robot.base.to_array();
-        for (parameter, more) in sum.iter_mut().zip(added) {
-            *parameter += more;
-        }
-        robot.base = BaseParameters::from_array(sum);
+        robot.base = with_payload(&robot.base, &robot.geometry, self.mass_kg);
     }
 }

@@ -1,5 +1,6 @@
 //! Friction that varies over the turn.
 
+use model::effects::{TurnWave, vary_friction};
 use model::friction::FrictionScale;
 
 use super::{Carrier, Definition, Effect, Moment, Parameter, Search, Size, Touches};
@@ -23,8 +24,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Box::new(PositionFriction {
             joint: usize::from(joint) - 1,
             relative_amplitude: values[0],
-            harmonic: values[1],
-            phase_rad: values[2],
+            wave: TurnWave { harmonic: values[1], phase_rad: values[2] },
         })
     },
 };
@@ -33,13 +33,12 @@ pub(super) const DEFINITION: Definition = Definition {
 struct PositionFriction {
     joint: usize,
     relative_amplitude: f64,
-    harmonic: f64,
-    phase_rad: f64,
+    wave: TurnWave<f64>,
 }
 
 impl Effect for PositionFriction {
     fn change_friction(&self, moment: &Moment, scale: &mut [FrictionScale<f64>; 3]) {
-        let angle = self.harmonic * moment.q_rad[self.joint] + self.phase_rad;
-        scale[self.joint].level *= 1.0 + self.relative_amplitude * angle.sin();
+        let sine = self.wave.sine(moment.q_rad[self.joint]);
+        vary_friction(&mut scale[self.joint], self.relative_amplitude, sine);
     }
 }

@@ -1,5 +1,6 @@
 //! Drag that grows with the square of speed.
 
+use model::effects::quadratic_drag_v;
 use model::vector::Vector3;
 
 use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
@@ -12,7 +13,9 @@ pub(super) const DEFINITION: Definition = Definition {
     parameters: &[Parameter::new("coefficient_V_s2_per_rad2", 0.0, 1.0)],
     couples_joints: false,
     touches: Touches::DRIVE,
-    search: Search::From(|typical| vec![vec![0.1 * typical.friction_v / typical.speed_rad_per_s.powi(2)]]),
+    search: Search::From(|typical| {
+        vec![vec![0.1 * typical.friction_v / typical.speed_rad_per_s.powi(2)]]
+    }),
     size: Size::grows(|typical| typical.friction_v / typical.speed_rad_per_s.powi(2)),
     experiment: "`rrr run excitation` at speeds ten times apart",
     build: |joint, values| {
@@ -32,6 +35,6 @@ struct QuadraticDrag {
 impl Effect for QuadraticDrag {
     fn add_voltage(&self, moment: &Moment, voltage_v: &mut Vector3<f64>) {
         let speed = moment.qd_rad_per_s[self.joint];
-        voltage_v[self.joint] -= self.coefficient_v_s2_per_rad2 * speed * speed.abs();
+        voltage_v[self.joint] += quadratic_drag_v(self.coefficient_v_s2_per_rad2, speed);
     }
 }

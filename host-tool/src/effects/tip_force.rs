@@ -27,16 +27,12 @@ struct TipForce {
 }
 
 impl Effect for TipForce {
-    /// J^T F with the force turned into the arm's plane: along the reach, across it, up.
     fn add_torque(&self, moment: &Moment, robot: &Robot<f64>, torque_nm: &mut Vector3<f64>) {
-        let [x, y, up] = self.force_n;
-        let (s1, c1) = moment.q_rad[0].sin_cos();
-        let (along, across) = (c1 * x + s1 * y, c1 * y - s1 * x);
-        let Posture { s2, c2, s23, c23, .. } = Posture::new(moment.q_rad[1], moment.q_rad[2]);
-        let g = &robot.geometry;
-        let (reach, height) = (g.a2_m * c2 + g.a3_m * c23, g.a2_m * s2 + g.a3_m * s23);
-        torque_nm[0] += (g.d2_m + g.d3_m) * along + reach * across;
-        torque_nm[1] += reach * up - height * along;
-        torque_nm[2] += g.a3_m * (c23 * up - s23 * along);
+        let [q1, q2, q3] = moment.q_rad;
+        let posture = Posture::new(q2, q3);
+        let pushed = posture.tip_force_torque(q1.sin_cos(), &robot.geometry, &self.force_n);
+        for joint in 0..3 {
+            torque_nm[joint] += pushed[joint];
+        }
     }
 }

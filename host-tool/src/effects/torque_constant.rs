@@ -1,5 +1,6 @@
 //! A torque constant that is not what the data sheet says.
 
+use model::effects::torque_constant_factor;
 use model::vector::Vector3;
 
 use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
@@ -28,6 +29,6 @@ struct TorqueConstant {
 
 impl Effect for TorqueConstant {
     fn change_command(&mut self, _: &Moment, command_v: &mut Vector3<f64>) {
-        command_v[self.joint] *= 1.0 + self.relative_error;
+        command_v[self.joint] *= torque_constant_factor(self.relative_error);
     }
 }

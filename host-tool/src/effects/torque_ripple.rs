@@ -1,5 +1,6 @@
 //! A torque constant that varies over the turn.
 
+use model::effects::{TurnWave, ripple_factor};
 use model::vector::Vector3;
 
 use super::{Carrier, Definition, Effect, Moment, Parameter, Search, Size, Touches};
@@ -23,8 +24,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Box::new(TorqueRipple {
             joint: usize::from(joint) - 1,
             relative_amplitude: values[0],
-            harmonic: values[1],
-            phase_rad: values[2],
+            wave: TurnWave { harmonic: values[1], phase_rad: values[2] },
         })
     },
 };
@@ -33,13 +33,12 @@ pub(super) const DEFINITION: Definition = Definition {
 struct TorqueRipple {
     joint: usize,
     relative_amplitude: f64,
-    harmonic: f64,
-    phase_rad: f64,
+    wave: TurnWave<f64>,
 }
 
 impl Effect for TorqueRipple {
     fn change_command(&mut self, moment: &Moment, command_v: &mut Vector3<f64>) {
-        let angle = self.harmonic * moment.q_rad[self.joint] + self.phase_rad;
-        command_v[self.joint] *= 1.0 + self.relative_amplitude * angle.sin();
+        let sine = self.wave.sine(moment.q_rad[self.joint]);
+        command_v[self.joint] *= ripple_factor(self.relative_amplitude, sine);
     }
 }

@@ -4,6 +4,8 @@ use firmware::reference::Reference;
 use firmware::{Gains, Mode, ParameterBlock};
 use model::{Posture, Robot};
 
+use crate::compensation::Compensations;
+
 /// What is the same in all experiments of a rig.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rig {
@@ -19,6 +21,8 @@ pub struct Rig {
     pub loop_frequency_rad_per_s: f64,
     /// Bandwidth of the velocity estimates [rad/s].
     pub velocity_bandwidth_rad_per_s: f64,
+    /// What the board makes up for beyond the model.
+    pub compensations: Compensations,
 }
 
 impl Rig {
@@ -33,13 +37,17 @@ impl Rig {
             command_limit_v: 10.0,
             loop_frequency_rad_per_s: 32.0,
             velocity_bandwidth_rad_per_s: 300.0,
+            compensations: Compensations::default(),
         }
     }
 
     /// A parameter block: this rig with these modes and this reference.
+    ///
+    /// A payload that is compensated is in the base parameters, not in the gains.
     pub fn block(&self, mode: [Mode; 3], reference: Reference) -> ParameterBlock {
+        let loaded = Robot { base: self.compensations.base(&self.model), ..self.model };
         ParameterBlock {
-            robot: self.model.cast(),
+            robot: loaded.cast(),
             encoder_counts_per_turn: self.encoder_counts_per_turn,
             sample_period_s: self.sample_period_s as f32,
             gains: self.gains(),
@@ -47,7 +55,14 @@ impl Rig {
             command_limit_v: self.command_limit_v as f32,
             mode,
             reference,
+            compensations: self.compensations.joints.clone(),
+            outside: self.compensations.outside(),
         }
+    }
+
+    /// The same rig, making up for these effects.
+    pub fn with_compensations(self, compensations: Compensations) -> Self {
+        Self { compensations, ..self }
     }
 
     /// Gains of eq. (17) for the loop frequency, with the inertia of the stretched arm.

@@ -14,7 +14,7 @@ use cortex_m as _;
 use cortex_m_rt::entry;
 use cortex_m_semihosting::{debug, hprintln};
 use micromath::F32Ext;
-use model::trigonometry::{sin_cos_radians, sin_cos_turn};
+use model::trigonometry::{sin_cos_radians, sin_cos_turn, sin_turn};
 
 const INPUTS: i32 = 2000;
 /// Under `-icount shift=10` one instruction is 25.6 counts of the timer.
@@ -41,6 +41,7 @@ fn sines() {
     let turn = |x: f32| (x * (2_147_483_648.0 / PI)) as i32;
     report("sin and cos, model, from a turn", &|x| sin_cos_turn(turn(x)).0, &libm::sin, &angle);
     report("sin and cos, model, from radians", &|x| sin_cos_radians(x).0, &libm::sin, &angle);
+    report("sin alone, model, from a turn", &|x| sin_turn(turn(x)), &libm::sin, &angle);
     report("sin, libm", &libm::sinf, &libm::sin, &angle);
     report("cos, libm", &libm::cosf, &libm::cos, &angle);
     report("sin, micromath", &|x| F32Ext::sin(x), &libm::sin, &angle);

@@ -1,0 +1,195 @@
+//! Blocks that hold compensations.
+#![allow(missing_docs)]
+
+mod common;
+
+use common::{block, joint};
+use firmware::block::MAX_BYTES;
+use firmware::compensation::{
+    Compensations, FedForward, MOST_FED_FORWARD, MOST_UNDONE, Outside, TurnWave, Undone,
+};
+use firmware::reference::{ConstantVelocity, Injection, MAX_SPEEDS, Motion, Noise};
+use firmware::{Angle, BlockError, Controller, DacCode, Mode, ParameterBlock};
+use model::effects::Tilt;
+use proptest::prelude::*;
+
+const WAVE: TurnWave = TurnWave { harmonic: 8, phase: Angle(1 << 28) };
+const COGGING: FedForward = FedForward::Cogging { amplitude_v: 0.2, wave: WAVE };
+const OFFSET: Undone = Undone::DacOffset { offset_v: 0.3 };
+
+fn encoded(block: &ParameterBlock) -> Vec<u8> {
+    let mut buffer = [0; MAX_BYTES];
+    block.encode(&mut buffer).unwrap().to_vec()
+}
+
+/// The name and joint in the refusal of a block whose joint 2 has these.
+fn refusal(second: Compensations) -> (&'static str, u8) {
+    let mut block = block(Mode::PdModel);
+    block.compensations[1] = second;
+    match ParameterBlock::decode(&encoded(&block)) {
+        Err(BlockError::Parameter(error)) => (error.name, error.joint),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn values_out_of_their_range_are_refused_by_name() {
+    let fed = |effect| refusal(joint(&[COGGING, effect], &[]));
+    let undone = |effect| refusal(joint(&[], &[OFFSET, effect]));
+    let wave = |harmonic| TurnWave { harmonic, phase: Angle(0) };
+    let cogging = |amplitude_v, harmonic| FedForward::Cogging { amplitude_v, wave: wave(harmonic) };
+    assert_eq!(fed(cogging(f32::NAN, 1)), ("cogging amplitude_V", 2));
+    assert_eq!(fed(cogging(0.1, 0)), ("cogging harmonic", 2));
+    assert_eq!(fed(cogging(0.1, 1001)), ("cogging harmonic", 2));
+    let friction = FedForward::PositionFriction { relative_amplitude: 1.0, wave: WAVE };
+    assert_eq!(fed(friction), ("position_friction relative_amplitude", 2));
+    let asymmetric = FedForward::AsymmetricFriction { relative_asymmetry: -1.0 };
+    assert_eq!(fed(asymmetric), ("asymmetric_friction relative_asymmetry", 2));
+    let spring = FedForward::CableSpring { stiffness_v_per_rad: 0.1, rest_rad: f32::INFINITY };
+    assert_eq!(fed(spring), ("cable_spring rest_rad", 2));
+    let drag = FedForward::QuadraticDrag { coefficient_v_s2_per_rad2: -0.1 };
+    assert_eq!(fed(drag), ("quadratic_drag coefficient_V_s2_per_rad2", 2));
+    let constant = Undone::TorqueConstant { relative_error: -1.0 };
+    assert_eq!(undone(constant), ("torque_constant relative_error", 2));
+    let ripple = Undone::TorqueRipple { relative_amplitude: 1.0, wave: WAVE };
+    assert_eq!(undone(ripple), ("torque_ripple relative_amplitude", 2));
+    assert_eq!(undone(Undone::DacOffset { offset_v: 6.0 }), ("dac_offset offset_V", 2));
+    assert_eq!(undone(Undone::DeadZone { half_width_v: -0.1 }), ("dead_zone half_width_V", 2));
+}
+
+#[test]
+fn a_block_of_version_1_is_refused_as_such() {
+    // Version 1 ended before the compensations: three empty pairs of lists, and nothing outside.
+    let new = encoded(&block(Mode::PdModel));
+    let mut old = new[..new.len() - 4 - 7].to_vec();
+    let body = (old.len() - 4) as u16;
+    old[0..2].copy_from_slice(&1_u16.to_le_bytes());
+    old[2..4].copy_from_slice(&body.to_le_bytes());
+    let checksum = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC).checksum(&old);
+    old.extend(checksum.to_le_bytes());
+    let error = ParameterBlock::decode(&old).unwrap_err();
+    assert_eq!(error, BlockError::Version { found: 1 });
+    assert!(error.to_string().contains("version 1"), "{error}");
+}
+
+#[test]
+fn the_fullest_block_fits() {
+    let noise = Injection::Noise(Noise { rms_v: 0.1, bandwidth_hz: 200.0, seed: u32::MAX });
+    let legs = Motion::ConstantVelocity(ConstantVelocity {
+        start_rad: 0.1,
+        speeds_rad_per_s: [0.5; MAX_SPEEDS].into_iter().collect(),
+        leg_s: 0.8,
+        ramp_s: 0.2,
+    });
+    let wave = TurnWave { harmonic: 1000, phase: Angle(i32::MIN) };
+    let full = joint(
+        &[FedForward::Cogging { amplitude_v: 0.1, wave }; MOST_FED_FORWARD],
+        &[Undone::TorqueRipple { relative_amplitude: 0.1, wave }; MOST_UNDONE],
+    );
+    let mut block = block(Mode::OpenLoop);
+    block.reference.motion = [(); 3].map(|()| legs.clone());
+    block.reference.injection = [noise; 3];
+    block.compensations = [(); 3].map(|()| full.clone());
+    block.outside = Some(Outside { tilt: Tilt::new(0.1, 0.1, [0.1; 2]), tip_force_n: [1.0; 3] });
+    let bytes = encoded(&block);
+    println!("{} of {MAX_BYTES} bytes", bytes.len());
+    assert_eq!(ParameterBlock::decode(&bytes).unwrap(), block);
+}
+
+fn waves() -> impl Strategy<Value = TurnWave> {
+    (1..=1000_u16, any::<i32>())
+        .prop_map(|(harmonic, phase)| TurnWave { harmonic, phase: Angle(phase) })
+}
+
+fn fed_forward() -> impl Strategy<Value = FedForward> {
+    prop_oneof![
+        (0.0..5.0_f32, waves())
+            .prop_map(|(amplitude_v, wave)| FedForward::Cogging { amplitude_v, wave }),
+        (0.0..10.0_f32, -100.0..100.0_f32).prop_map(|(stiffness_v_per_rad, rest_rad)| {
+            FedForward::CableSpring { stiffness_v_per_rad, rest_rad }
+        }),
+        (0.0..1.0_f32).prop_map(|coefficient_v_s2_per_rad2| FedForward::QuadraticDrag {
+            coefficient_v_s2_per_rad2
+        }),
+        (0.0..0.95_f32, waves()).prop_map(|(relative_amplitude, wave)| {
+            FedForward::PositionFriction { relative_amplitude, wave }
+        }),
+        (-0.95..0.95_f32)
+            .prop_map(|relative_asymmetry| FedForward::AsymmetricFriction { relative_asymmetry }),
+    ]
+}
+
+fn undone() -> impl Strategy<Value = Undone> {
+    prop_oneof![
+        (-0.5..0.5_f32).prop_map(|relative_error| Undone::TorqueConstant { relative_error }),
+        (0.0..0.9_f32, waves()).prop_map(|(relative_amplitude, wave)| Undone::TorqueRipple {
+            relative_amplitude,
+            wave
+        }),
+        (-5.0..5.0_f32).prop_map(|offset_v| Undone::DacOffset { offset_v }),
+        (0.0..5.0_f32).prop_map(|half_width_v| Undone::DeadZone { half_width_v }),
+    ]
+}
+
+prop_compose! {
+    fn compensations()(
+        fed_forward in prop::collection::vec(fed_forward(), 0..=MOST_FED_FORWARD),
+        undone in prop::collection::vec(undone(), 0..=MOST_UNDONE),
+    ) -> Compensations {
+        joint(&fed_forward, &undone)
+    }
+}
+
+prop_compose! {
+    fn outside()(
+        gravity_change in prop::array::uniform3(-2.0..2.0_f32),
+        hidden_moment_kg_m in prop::array::uniform2(-10.0..10.0_f32),
+        tip_force_n in prop::array::uniform3(-1e3..1e3_f32),
+    ) -> Outside {
+        Outside { tilt: Tilt { gravity_change, hidden_moment_kg_m }, tip_force_n }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn every_block_survives_the_wire_and_drives(
+        compensations in prop::array::uniform3(compensations()),
+        outside in prop::option::of(outside()),
+        mode in prop::sample::select(Mode::ALL.to_vec()),
+    ) {
+        let block = ParameterBlock { compensations, outside, ..block(mode) };
+        let decoded = ParameterBlock::decode(&encoded(&block)).unwrap();
+        prop_assert_eq!(&decoded, &block);
+        let mut controller = Controller::new(decoded);
+        controller.start();
+        for k in 0..200 {
+            let output = controller.tick(&[9 * k, -7 * k, 100 * k]);
+            let limit = DacCode::from_volts(block.command_limit_v).0;
+            prop_assert!(output.codes.iter().all(|code| code.0.abs() <= limit));
+        }
+    }
+
+    #[test]
+    fn changed_bytes_never_panic(
+        compensations in prop::array::uniform3(compensations()),
+        index in any::<prop::sample::Index>(),
+        byte in any::<u8>(),
+    ) {
+        let block = ParameterBlock { compensations, ..block(Mode::PdModel) };
+        let mut bytes = encoded(&block);
+        let end = bytes.len() - 4;
+        let index = index.index(end);
+        bytes[index] = byte;
+        let checksum = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC).checksum(&bytes[..end]);
+        bytes[end..].copy_from_slice(&checksum.to_le_bytes());
+        if let Ok(block) = ParameterBlock::decode(&bytes) {
+            let mut controller = Controller::new(block);
+            controller.start();
+            for k in 0..20 {
+                controller.tick(&[9 * k, -7 * k, 100 * k]);
+            }
+        }
+    }
+}
