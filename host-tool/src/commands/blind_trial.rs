@@ -10,7 +10,7 @@ use crate::blind_trial::{
     Case, DrawSettings, Kind, Outcome, Results, RunSettings, Seal, TrialError, diagnose_case, draw,
     logs, seal, table,
 };
-use crate::diagnosis::{self, diagnose};
+use crate::diagnosis::diagnose;
 use crate::progress::{Progress, Steps};
 
 /// Arguments of `rrr blind-trial`.
@@ -103,7 +103,7 @@ impl Arguments {
             let steps = Steps::new();
             steps.at(&format!("case {} ({done} of {})", case.number, cases.len()));
             let outcome = diagnose_case(case, &settings, &|campaign| {
-                let diagnosis = diagnose(campaign, &diagnosis::Settings::default(), &steps);
+                let diagnosis = diagnose(campaign, &steps);
                 diagnosis.map(|found| found.report).map_err(|error| error.to_string())
             })?;
             steps.finish();

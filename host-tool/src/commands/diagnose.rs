@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::{Failure, create_directory};
-use crate::diagnosis::{self, Cause, Diagnosis, Settings, sentence};
+use crate::diagnosis::{self, Cause, Diagnosis, DiagnosisError, SubjectError, sentence};
 use crate::files::replace::replace_file;
 use crate::files::{Dataset, Problem, RobotFile};
 use crate::identification::Campaign;
@@ -39,13 +39,25 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let steps = Steps::new();
     steps.at("reading the logs");
     let campaign = Campaign::read(&dataset, model)?;
-    let diagnosis = diagnosis::diagnose(&campaign, &Settings::default(), &steps)?;
+    let diagnosis = diagnosis::diagnose(&campaign, &steps)?;
     steps.at("drawing the pictures");
     write(&diagnosis, &arguments.out)?;
     steps.finish();
     print!("{}", in_words(&diagnosis));
     println!("\nPictures: {}", arguments.out.join(PAGE).display());
     Ok(())
+}
+
+impl From<DiagnosisError> for Failure {
+    fn from(error: DiagnosisError) -> Self {
+        match error {
+            DiagnosisError::Logs(error) => error.into(),
+            DiagnosisError::Subject(SubjectError::File(error)) => (*error).into(),
+            DiagnosisError::Subject(error @ SubjectError::Effect(_)) => {
+                Self::new(error.to_string(), "correct the table, or take it out")
+            }
+        }
+    }
 }
 
 const REPORT: &str = "report.json";

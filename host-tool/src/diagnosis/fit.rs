@@ -31,6 +31,43 @@ pub fn fit(
     Some(best)
 }
 
+/// Deviations from what is known that a model's own doubt covers.
+const DOUBT: f64 = 3.0;
+
+/// The fit with base parameters, Coulomb and viscous friction and lags no further than
+/// three deviations from what is known of them.
+pub fn fit_held(evidence: &Evidence, subject: &Subject, start: Point) -> Option<Linearisation> {
+    let mut open = open_in(evidence, subject, &start.effects);
+    let mut point = start;
+    for _ in 0..HELD_ROUNDS {
+        hold(&mut open, &mut point);
+        let linear = Linearisation::of(evidence, point.clone(), open.clone())?;
+        point = improved(evidence, subject, &linear, &open).unwrap_or(linear.point);
+    }
+    hold(&mut open, &mut point);
+    Linearisation::of(evidence, point, open)
+}
+
+/// Rounds in which parameters at their bounds are fixed there and the others retuned.
+const HELD_ROUNDS: usize = 3;
+
+/// Fixes at its bound what lies beyond.
+fn hold(open: &mut [Expected], point: &mut Point) {
+    const FIXED: f64 = 1e-3;
+    for expected in open {
+        let miss = (expected.unknown.get(point) - expected.mean) / expected.deviation;
+        let may_be_held = !matches!(
+            expected.unknown,
+            Unknown::Effect { .. } | Unknown::Friction { parameter: 1 | 2 | 4 | 5, .. }
+        );
+        if may_be_held && miss.abs() > DOUBT {
+            expected.mean += DOUBT * expected.deviation * miss.signum();
+            expected.deviation *= FIXED;
+            expected.unknown.set(point, expected.mean);
+        }
+    }
+}
+
 /// A better point along the step, or none.
 fn improved(
     evidence: &Evidence,

@@ -12,6 +12,7 @@ use super::voltage::{Added, Point, Trial, at_samples};
 use crate::effects::{Parameter, Touches};
 
 /// A model with its residuals and their slopes.
+#[derive(Clone)]
 pub struct Linearisation {
     /// The model.
     pub point: Point,
@@ -33,7 +34,7 @@ pub struct Linearisation {
 }
 
 /// The equation of a joint over a stretch, on the log's clock [V].
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct Parts {
     /// What drives the joint, by intervals.
     drive: Vec<f64>,
@@ -44,6 +45,7 @@ struct Parts {
 }
 
 /// Slopes of one joint's rows.
+#[derive(Clone)]
 struct JointSlopes {
     joint: usize,
     /// Places of the columns among what is open.

@@ -1,13 +1,18 @@
 //! Where a real robot differs from its model, what causes it, and how much of the gap goes
 //! away when the cause is added.
 
+mod assembly;
 pub mod candidate;
+mod detectable;
 pub mod even_clock;
 pub mod evidence;
 pub mod fit;
 pub mod harmonics;
+mod judgement;
 pub mod linearisation;
 mod link_motion;
+mod logs;
+mod motion_gap;
 pub mod noise;
 pub mod places;
 pub mod preparation;
@@ -19,6 +24,7 @@ pub mod row_filter;
 pub mod search;
 pub mod selection;
 pub mod sentence;
+mod shrinkage;
 pub mod stretch;
 pub mod subject;
 #[cfg(test)]
@@ -29,22 +35,48 @@ pub mod voltage;
 pub use places::places;
 pub use result::*;
 pub use sentence::sentence;
+pub use subject::SubjectError;
+
+use assembly::Assembly;
+use logs::Usable;
+use subject::Subject;
 
 use crate::identification::{Campaign, StepError};
 use crate::progress::Steps;
 
-/// How a diagnosis works.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Settings {}
+/// Why there is no diagnosis.
+#[derive(Debug, thiserror::Error)]
+pub enum DiagnosisError {
+    /// The model cannot be used.
+    #[error(transparent)]
+    Subject(#[from] SubjectError),
+    /// The logs cannot be used.
+    #[error(transparent)]
+    Logs(#[from] StepError),
+}
 
 /// Diagnoses the logs of a campaign against the model in its robot file.
 ///
 /// # Errors
 /// Logs that do not fit the model's robot, or that cannot be used.
-pub fn diagnose(
-    _campaign: &Campaign,
-    _settings: &Settings,
-    _steps: &Steps,
-) -> Result<Diagnosis, StepError> {
-    Err(StepError::Numerical { step: "diagnosis", what: "not there yet".into() })
+pub fn diagnose(campaign: &Campaign, steps: &Steps) -> Result<Diagnosis, DiagnosisError> {
+    let subject = Subject::of(campaign)?;
+    let usable = Usable::of(campaign, &subject)?;
+    steps.at("refitting the model");
+    let undetermined = || StepError::Numerical {
+        step: "diagnosis",
+        what: "the logs do not determine the model's parameters; record motion of every joint"
+            .into(),
+    };
+    let (evidence, refitted) =
+        preparation::prepared(&subject, usable.stretches).ok_or_else(undetermined)?;
+    let selection = selection::select(&evidence, &subject, refitted, &|what| steps.at(what));
+    steps.at("judging");
+    let assembly = Assembly {
+        subject: &subject,
+        evidence: &evidence,
+        selection: &selection,
+        traces: &campaign.traces,
+    };
+    Ok(assembly.diagnosis(&campaign.robot_file, usable.remarks))
 }

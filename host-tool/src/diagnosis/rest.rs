@@ -19,7 +19,7 @@ pub struct Rest {
 
 /// What the method itself leaves of robots without effect: friction around reversals, where
 /// velocity is hardest to know, reaches 1.5 times the noise on one joint of one log.
-const OWN_RATIO: f64 = 1.5;
+pub const OWN_RATIO: f64 = 1.5;
 /// Squared misses of parameters that ask for a cause; some thirty parameters that are known
 /// to their deviation make thirty.
 pub const MISSES: f64 = 60.0;

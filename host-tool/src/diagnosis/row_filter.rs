@@ -49,8 +49,13 @@ impl RowFilter {
     /// The signal's values in the rows.
     pub fn rows(&self, signal: &[f64]) -> Vec<f64> {
         let inside = signal.len().saturating_sub(self.margin);
-        let filtered = self.low_pass.zero_phase(&self.whitened(signal));
+        let filtered = self.smooth(signal);
         derivative::decimated(&filtered[..inside], self.margin, self.every)
+    }
+
+    /// The signal without what rows do not see, on the log's clock.
+    pub fn smooth(&self, signal: &[f64]) -> Vec<f64> {
+        self.low_pass.zero_phase(&self.whitened(signal))
     }
 
     fn whitened(&self, signal: &[f64]) -> Vec<f64> {

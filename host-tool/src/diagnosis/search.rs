@@ -44,14 +44,15 @@ pub fn candidates(
 
 /// Where a search may begin, and what it promises.
 #[derive(Clone, Debug)]
-struct Start {
-    effect: Added,
+pub(super) struct Start {
+    /// The effect with its starting values.
+    pub effect: Added,
     /// What the change of rows would gain if it were scaled as suits best.
-    gain: f64,
+    pub gain: f64,
 }
 
 /// Effects and the joints that they can act on.
-fn places(subject: &Subject) -> Vec<(&'static Definition, u8)> {
+pub(super) fn places(subject: &Subject) -> Vec<(&'static Definition, u8)> {
     let joints: Vec<u8> = subject.joints.iter().map(|&joint| joint as u8 + 1).collect();
     let of = |definition: &'static Definition| -> Vec<(&'static Definition, u8)> {
         match definition.whole_robot {
@@ -63,7 +64,7 @@ fn places(subject: &Subject) -> Vec<(&'static Definition, u8)> {
 }
 
 /// The most promising starts of an effect, the best first.
-fn starts(
+pub(super) fn starts(
     linear: &Linearisation,
     evidence: &Evidence,
     subject: &Subject,
@@ -90,7 +91,7 @@ fn starts(
     starts
 }
 
-pub fn promise(linear: &Linearisation, evidence: &Evidence, effect: &Added) -> f64 {
+pub(super) fn promise(linear: &Linearisation, evidence: &Evidence, effect: &Added) -> f64 {
     let change = linear.change_by(evidence, effect, Which::OWN);
     let (gradient, curvature) = linear.along(&Default::default(), &[change]);
     gradient[0] * gradient[0] / curvature[(0, 0)].max(1e-12)
@@ -115,7 +116,7 @@ fn searched(
 }
 
 /// What is typical of a joint (1 to 3, or 0 for the whole robot) in these logs.
-pub fn typical(
+pub(super) fn typical(
     linear: &Linearisation,
     evidence: &Evidence,
     subject: &Subject,

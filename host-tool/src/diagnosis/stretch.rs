@@ -126,6 +126,23 @@ impl Stretch {
         }
     }
 
+    /// A part of the stretch.
+    pub fn part(&self, range: std::ops::Range<usize>) -> Self {
+        let of = |signals: &[Vec<f64>; 3]| [0, 1, 2].map(|i| signals[i][range.clone()].to_vec());
+        Self {
+            start_s: self.start_s + range.start as f64 * self.period_s,
+            motion: Kinematics {
+                raw_rad: of(&self.motion.raw_rad),
+                q_rad: of(&self.motion.q_rad),
+                qd_rad_per_s: of(&self.motion.qd_rad_per_s),
+                qdd_rad_per_s2: of(&self.motion.qdd_rad_per_s2),
+            },
+            command_v: of(&self.command_v),
+            settled: self.settled.map(|first| first.saturating_sub(range.start)),
+            ..*self
+        }
+    }
+
     /// How many samples there are.
     pub fn len(&self) -> usize {
         self.command_v[0].len()

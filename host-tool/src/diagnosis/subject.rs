@@ -75,6 +75,30 @@ impl Subject {
         if self.one_joint && outer > 0 { ONLY as u8 + 1 } else { outer }
     }
 
+    /// The model file with a retuned robot in it.
+    pub fn retuned_file(&self, file: &RobotFile, robot: &Robot<f64>) -> RobotFile {
+        if !self.one_joint {
+            return file.clone().with_model(robot.base, &robot.friction);
+        }
+        let mut file = file.clone();
+        let friction = &robot.friction[ONLY];
+        if let Some(table) = &mut file.pendulum {
+            table.inertia_kg_m2 = Some(robot.base.zz3r);
+            table.gravity_torque_nm = Some(robot.base.mx3r * robot.geometry.gravity_m_s2);
+        }
+        for table in file.friction.iter_mut().filter(|table| table.joint == self.numbers[0]) {
+            table.alpha0_v = friction.alpha0_v;
+            table.alpha1_v = friction.alpha1_v;
+            table.stribeck_velocity_rad_per_s = friction.stribeck_velocity_rad_per_s;
+            table.alpha2_v_s_per_rad = friction.alpha2_v_s_per_rad;
+            let bristles = table.sigma0_v_per_rad.is_some();
+            table.sigma0_v_per_rad = bristles.then_some(friction.sigma0_v_per_rad);
+            table.sigma1_v_s_per_rad =
+                table.sigma1_v_s_per_rad.map(|_| friction.sigma1_v_s_per_rad);
+        }
+        file
+    }
+
     /// Where a joint stands that the rig does not have [rad].
     pub fn resting_rad(joint: usize) -> f64 {
         HANGING_RAD[joint]

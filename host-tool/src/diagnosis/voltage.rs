@@ -231,6 +231,32 @@ impl<'a> Trial<'a> {
         (0..v.len()).map(&mut interval).collect()
     }
 
+    /// How the bristles of each joint are bent at every sample.
+    pub fn bends(&self) -> Vec<[FrictionState<f64>; 3]> {
+        let effects = built(&self.point.effects);
+        let mut bends = [FrictionState::default(); 3];
+        let mut at = |k: usize| {
+            let before = bends;
+            let mut scale = [FrictionScale::unchanged(); 3];
+            if !effects.is_empty() {
+                let moment = self.moment(k);
+                effects.iter().for_each(|e| e.change_friction(&moment, &mut scale));
+            }
+            for (joint, bend) in bends.iter_mut().enumerate() {
+                let v = self.motor.qd_rad_per_s[joint][k];
+                let friction = &self.robot.friction[joint];
+                bend.step_scaled(friction, scale[joint], v, self.stretch.period_s);
+            }
+            before
+        };
+        (0..self.stretch.len()).map(&mut at).collect()
+    }
+
+    /// Angles, velocities and accelerations of the motors at a sample.
+    pub fn motor_state(&self, k: usize) -> ([f64; 3], [f64; 3], [f64; 3]) {
+        self.motor.state(k)
+    }
+
     /// The middle of an interval, as effects see it.
     fn moment(&self, k: usize) -> Moment {
         let next = (k + 1).min(self.stretch.len() - 1);

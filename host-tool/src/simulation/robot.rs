@@ -139,6 +139,22 @@ impl SimulatedRobot {
         self.friction = friction;
     }
 
+    /// Sets the time since the log began [s].
+    pub fn set_time(&mut self, time_s: f64) {
+        self.time_s = time_s;
+    }
+
+    /// Lets effects that remember commands feel those of one sample period, the robot at rest.
+    pub fn feel(&mut self, command_v: &Vector3<f64>) {
+        for _ in 0..self.substeps {
+            let moment = self.moment(&[0.0; 3]);
+            let mut driving_v = *command_v;
+            for effect in &mut self.effects {
+                effect.change_command(&moment, &mut driving_v);
+            }
+        }
+    }
+
     /// Joint angles on the motors' side [rad].
     pub fn q_rad(&self) -> &Vector3<f64> {
         &self.motor.q_rad

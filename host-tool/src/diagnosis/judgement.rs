@@ -1,0 +1,69 @@
+//! What the selection amounts to: effect, none or unknown, and how sure.
+
+use super::rest::Rest;
+use super::selection::{Rivalry, Selection};
+use super::{Alternative, Verdict};
+use crate::diagnosis::subject::Subject;
+
+/// A rest up to so many times the noise is explained, whatever the gap was.
+const EXPLAINED_RATIO: f64 = 3.0;
+/// So is one up to this part of the gap's.
+const EXPLAINED_PART: f64 = 0.03;
+/// Part of the gap's excess that the causes must take away.
+const EXPLAINED_EXCESS: f64 = 0.9;
+/// A gap up to so many times the noise that no effect explains is none.
+const NO_GAP_RATIO: f64 = 2.0;
+/// Independent pieces of evidence in a set of logs; neighbouring rows say the same.
+const INDEPENDENT: f64 = 60.0;
+
+/// The verdict on a selection.
+pub fn verdict(selection: &Selection) -> Verdict {
+    let (Some(first), Some(last)) = (selection.steps.first(), selection.steps.last()) else {
+        return Verdict::Unknown;
+    };
+    let named = selection.steps.len() > 1;
+    match named {
+        false if first.rest.excess == 0.0 || first.rest.worst() < NO_GAP_RATIO => Verdict::None,
+        true if is_explained(&first.rest, &last.rest) => Verdict::Effect,
+        _ => Verdict::Unknown,
+    }
+}
+
+/// Whether what is left is as good as noise.
+fn is_explained(gap: &Rest, rest: &Rest) -> bool {
+    let small = rest.worst() <= EXPLAINED_RATIO.max(EXPLAINED_PART * gap.worst());
+    small && rest.excess <= (1.0 - EXPLAINED_EXCESS) * gap.excess
+}
+
+/// How sure a cause is against its rivals, and those that are not ruled out.
+pub fn confidence(
+    selection: &Selection,
+    round: usize,
+    subject: &Subject,
+) -> (f64, Vec<Alternative>) {
+    let taken = &selection.steps[round + 1].rest;
+    let rivals: Vec<(&Rivalry, f64)> = selection
+        .rivals
+        .iter()
+        .filter(|rival| rival.round == round)
+        .map(|rival| (rival, (-advantage(taken, &rival.rest)).exp()))
+        .collect();
+    let sum: f64 = 1.0 + rivals.iter().map(|rival| rival.1).sum::<f64>();
+    let alternatives = rivals
+        .iter()
+        .map(|(rival, weight)| Alternative {
+            effect: rival.candidate.effect.definition.name.into(),
+            joint: subject.outer_joint(rival.candidate.effect.joint),
+            confidence: weight / sum,
+        })
+        .filter(|alternative| alternative.confidence >= 0.02)
+        .collect();
+    (1.0 / sum, alternatives)
+}
+
+/// Log-likelihood by which a rest is better than another.
+fn advantage(taken: &Rest, rival: &Rest) -> f64 {
+    let by_rows = 0.5 * INDEPENDENT * (rival.rows / taken.rows).ln();
+    let by_misses = 0.125 * (rival.misses - taken.misses);
+    (by_rows + by_misses).clamp(-50.0, 50.0)
+}
