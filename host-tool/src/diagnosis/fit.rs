@@ -21,8 +21,8 @@ pub fn fit(
     let open = open_in(evidence, subject, &start.effects);
     let mut best = Linearisation::of(evidence, start, open.clone())?;
     for _ in 0..most_steps {
-        let Some(next) = improved(evidence, subject, &best, &open) else { break };
-        let gain = best.objective - objective_of(evidence, &next, &open);
+        let Some((next, objective)) = improved(evidence, subject, &best, &open) else { break };
+        let gain = best.objective - objective;
         best = Linearisation::of(evidence, next, open.clone())?;
         if gain < SMALL_STEP * best.objective {
             break;
@@ -42,7 +42,8 @@ pub fn fit_held(evidence: &Evidence, subject: &Subject, start: Point) -> Option<
     for _ in 0..HELD_ROUNDS {
         hold(&mut open, &mut point);
         let linear = Linearisation::of(evidence, point.clone(), open.clone())?;
-        point = improved(evidence, subject, &linear, &open).unwrap_or(linear.point);
+        let better = improved(evidence, subject, &linear, &open);
+        point = better.map_or(linear.point, |(point, _)| point);
     }
     hold(&mut open, &mut point);
     Linearisation::of(evidence, point, open)
@@ -68,13 +69,13 @@ fn hold(open: &mut [Expected], point: &mut Point) {
     }
 }
 
-/// A better point along the step, or none.
+/// A better point along the step with its objective, or none.
 fn improved(
     evidence: &Evidence,
     subject: &Subject,
     best: &Linearisation,
     open: &[Expected],
-) -> Option<Point> {
+) -> Option<(Point, f64)> {
     let step = best.step();
     [1.0, 0.5, 0.2, 0.05].into_iter().find_map(|part| {
         let mut point = best.moved(&step, part);
@@ -82,7 +83,8 @@ fn improved(
         for effect in &mut point.effects {
             effect.normalise();
         }
-        (objective_of(evidence, &point, open) < best.objective).then_some(point)
+        let objective = objective_of(evidence, &point, open);
+        (objective < best.objective).then_some((point, objective))
     })
 }
 

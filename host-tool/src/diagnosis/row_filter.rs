@@ -5,16 +5,12 @@
 //! square of frequency. A first-order low-pass forwards and backwards, with its corner where
 //! the two are equal, makes both together nearly white.
 
-use std::f64::consts::TAU;
-
 use crate::signal::{LowPass, derivative};
 
 /// Turns signals into rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RowFilter {
     low_pass: LowPass,
-    /// Pole of the whitening filter.
-    pole: f64,
     /// Samples at either end that make no rows.
     margin: usize,
     /// Samples per row.
@@ -38,8 +34,7 @@ impl RowFilter {
         let every = (1.0 / (wanted * period_s)).round().max(1.0);
         let cutoff_hz = CUTOFF / (every * period_s);
         Self {
-            low_pass: LowPass::new(cutoff_hz, period_s),
-            pole: (-TAU * corner_hz * period_s).exp(),
+            low_pass: LowPass::new(cutoff_hz, period_s).behind_first_order(corner_hz, period_s),
             margin: (MARGIN_S / period_s).round() as usize,
             every: every as usize,
             period_s,
@@ -55,24 +50,12 @@ impl RowFilter {
 
     /// The signal without what rows do not see, on the log's clock.
     pub fn smooth(&self, signal: &[f64]) -> Vec<f64> {
-        self.low_pass.zero_phase(&self.whitened(signal))
-    }
-
-    fn whitened(&self, signal: &[f64]) -> Vec<f64> {
-        let mut work = signal.to_vec();
-        one_pole(&mut work, self.pole);
-        work.reverse();
-        one_pole(&mut work, self.pole);
-        work.reverse();
-        work
+        self.low_pass.zero_phase(signal)
     }
 
     /// Gain at a frequency.
     pub fn gain(&self, frequency_hz: f64) -> f64 {
-        let keep = 1.0 - self.pole;
-        let cos = (TAU * frequency_hz * self.period_s).cos();
-        let whitening = keep * keep / (1.0 - 2.0 * self.pole * cos + self.pole * self.pole);
-        whitening * self.low_pass.gain(frequency_hz, self.period_s)
+        self.low_pass.gain(frequency_hz, self.period_s)
     }
 
     /// Indices of the samples that make rows, of a signal of this length.
@@ -91,17 +74,10 @@ impl RowFilter {
     }
 }
 
-/// y(k) = (1 - a) x(k) + a y(k - 1), begun as if the first value had always been there.
-fn one_pole(signal: &mut [f64], pole: f64) {
-    let mut level = signal.first().copied().unwrap_or(0.0);
-    for value in signal {
-        level += (1.0 - pole) * (*value - level);
-        *value = level;
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::TAU;
+
     use super::*;
 
     #[test]

@@ -47,7 +47,9 @@ const FINALISTS: usize = 5;
 /// A finalist has gained at least this part of the best candidate's gain.
 const FINALIST_GAIN: f64 = 0.4;
 /// Steps of a fit of a finalist.
-const FINALIST_STEPS: usize = 4;
+const FINALIST_STEPS: usize = 2;
+/// Steps of a fit of the one that is taken.
+const TAKEN_STEPS: usize = 4;
 /// Part of the excess that an effect must take away.
 const LEAST_PART: f64 = 0.2;
 
@@ -92,11 +94,17 @@ pub fn select(
         });
         selection.rivals.extend(lost);
         match taken {
-            Some((_, step)) => selection.steps.push(step),
+            Some((_, step)) => selection.steps.push(finished(evidence, subject, step)),
             None => break,
         }
     }
     selection
+}
+
+/// A step whose fit is carried on to its end.
+fn finished(evidence: &Evidence, subject: &Subject, step: Step) -> Step {
+    let fitted = fit(evidence, subject, step.linear.point.clone(), TAKEN_STEPS);
+    fitted.map_or(step, |linear| Step::of(evidence, linear))
 }
 
 /// The effects of a retuned model in the model as given. Effects are searched for from

@@ -5,6 +5,8 @@
 //! difference of sampled positions is exactly the mean of the accelerations in the two
 //! intervals about it, whatever the frequency.
 
+use model::Posture;
+
 use super::even_clock::EvenClock;
 use super::subject::Subject;
 use crate::files::Role;
@@ -48,6 +50,8 @@ pub struct Stretch {
     pub motion: Kinematics,
     /// Command over the interval that begins at each sample [V].
     pub command_v: [Vec<f64>; 3],
+    /// Sines and cosines of the measured motion.
+    pub postures: Vec<Posture<f64>>,
     /// Whether the commands drive the joints at high frequencies.
     pub brisk: bool,
     /// First sample of each joint from which the bend of its friction is known.
@@ -89,6 +93,7 @@ impl Stretch {
             period_s,
             motion: Kinematics::default(),
             command_v: Default::default(),
+            postures: Vec::new(),
             brisk: false,
             settled: [0; 3],
         };
@@ -109,6 +114,7 @@ impl Stretch {
             stretch.motion.set(joint, &angles[joint], period_s, cutoff_hz);
         }
         stretch.fill_absent();
+        stretch.postures = stretch.motion.postures();
         stretch
     }
 
@@ -138,6 +144,7 @@ impl Stretch {
                 qdd_rad_per_s2: of(&self.motion.qdd_rad_per_s2),
             },
             command_v: of(&self.command_v),
+            postures: self.postures[range.clone()].to_vec(),
             settled: self.settled.map(|first| first.saturating_sub(range.start)),
             ..*self
         }
@@ -155,6 +162,11 @@ impl Stretch {
 }
 
 impl Kinematics {
+    /// Sines and cosines at every sample.
+    pub fn postures(&self) -> Vec<Posture<f64>> {
+        self.q_rad[1].iter().zip(&self.q_rad[2]).map(|(&q2, &q3)| Posture::new(q2, q3)).collect()
+    }
+
     fn set(&mut self, joint: usize, q_rad: &[f64], period_s: f64, cutoff_hz: f64) {
         let smooth = LowPass::new(cutoff_hz, period_s).zero_phase(q_rad);
         self.qd_rad_per_s[joint] = derivative::first(&smooth, period_s);

@@ -88,6 +88,8 @@ pub struct Trial<'a> {
     motor: Cow<'a, Kinematics>,
     /// Motion of the links.
     link: Cow<'a, Kinematics>,
+    /// Sines and cosines of the links' angles.
+    postures: Cow<'a, [Posture<f64>]>,
     /// Inertia that elastic joints' motors have of their own [kg m^2].
     motor_inertia_kg_m2: [f64; 3],
     /// Whether an effect needs to know the load.
@@ -123,8 +125,12 @@ impl<'a> Trial<'a> {
             let period_s = stretch.period_s;
             link = Cow::Owned(link_motion::behind(&spring, joint, &motor, &felt, period_s));
         }
+        let postures = match &link {
+            Cow::Borrowed(_) => Cow::Borrowed(&stretch.postures[..]),
+            Cow::Owned(link) => Cow::Owned(link.postures()),
+        };
         let feels_load = effects.iter().any(|effect| effect.feels_load());
-        Self { stretch, point, robot, links, motor, link, motor_inertia_kg_m2, feels_load }
+        Self { stretch, point, robot, links, motor, link, postures, motor_inertia_kg_m2, feels_load }
     }
 
     /// What each joint of the rig feels of the rest of the arm.
@@ -155,10 +161,9 @@ impl<'a> Trial<'a> {
     pub fn needed(&self, joint: usize) -> Vec<f64> {
         let k_t = self.robot.torque_constant_nm_per_v[joint];
         let at = |k: usize| {
-            let (q, qd, qdd) = self.link.state(k);
-            let posture = Posture::new(q[1], q[2]);
-            let torque =
-                posture.inverse_dynamics(&self.links.base, &self.links.geometry, &qd, &qdd)[joint];
+            let (_, qd, qdd) = self.link.state(k);
+            let torque = self.postures[k]
+                .inverse_dynamics(&self.links.base, &self.links.geometry, &qd, &qdd)[joint];
             let own = self.motor_inertia_kg_m2[joint] * self.motor.qdd_rad_per_s2[joint][k];
             (torque + own) / k_t
         };
@@ -169,10 +174,9 @@ impl<'a> Trial<'a> {
     pub fn regressor_row(&self, joint: usize) -> Vec<[f64; model::base::COUNT]> {
         let k_t = self.robot.torque_constant_nm_per_v[joint];
         let at = |k: usize| {
-            let (q, qd, qdd) = self.link.state(k);
-            let posture = Posture::new(q[1], q[2]);
+            let (_, qd, qdd) = self.link.state(k);
             let geometry = &self.links.geometry;
-            model::regressor::regressor(&posture, geometry, &qd, &qdd)[joint].map(|r| r / k_t)
+            model::regressor::regressor(&self.postures[k], geometry, &qd, &qdd)[joint].map(|r| r / k_t)
         };
         (0..self.stretch.len()).map(at).collect()
     }

@@ -6,6 +6,8 @@ use std::f64::consts::PI;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LowPass {
     sections: [Biquad; 2],
+    /// Pole of a first-order low-pass before them; 0 for none.
+    pole: f64,
     /// Samples until what came before is forgotten to 1e-4.
     memory: usize,
 }
@@ -28,8 +30,16 @@ impl LowPass {
         let quality = |degrees: f64| 0.5 / degrees.to_radians().cos();
         Self {
             sections: [22.5, 67.5].map(|degrees| Biquad::low_pass(relative, quality(degrees))),
+            pole: 0.0,
             memory: (3.0 / relative).ceil() as usize,
         }
+    }
+
+    /// The same behind a first-order low-pass of this corner, gain 1/2 there both ways.
+    pub fn behind_first_order(self, corner_hz: f64, period_s: f64) -> Self {
+        let pole = (-2.0 * PI * corner_hz * period_s).exp();
+        let memory = (10.0 / (1.0 - pole)).ceil() as usize;
+        Self { pole, memory: self.memory.max(memory), ..self }
     }
 
     /// The signal filtered forwards and backwards: no phase, the gain squared.
@@ -39,27 +49,34 @@ impl LowPass {
     pub fn zero_phase(&self, signal: &[f64]) -> Vec<f64> {
         let padding = self.memory.min(signal.len().saturating_sub(1));
         let mut work = padded(signal, padding);
-        self.run(&mut work);
-        work.reverse();
-        self.run(&mut work);
-        work.reverse();
-        work[padding..padding + signal.len()].to_vec()
+        self.run(work.iter_mut());
+        self.run(work.iter_mut().rev());
+        work.truncate(padding + signal.len());
+        work.drain(..padding);
+        work
     }
 
     /// One pass in place, begun as if the first value had always been there.
-    fn run(&self, signal: &mut [f64]) {
+    fn run<'a>(&self, mut signal: impl Iterator<Item = &'a mut f64>) {
+        let Some(start) = signal.next() else { return };
         let [first, second] = self.sections;
-        let level = signal.first().copied().unwrap_or(0.0);
+        let mut level = *start;
         let (mut s, mut t) = (first.at_rest(level), second.at_rest(level));
-        for value in signal {
-            *value = second.step(first.step(*value, &mut s), &mut t);
-        }
+        let keep = 1.0 - self.pole;
+        let mut pass = |value: &mut f64| {
+            level += keep * (*value - level);
+            *value = second.step(first.step(level, &mut s), &mut t);
+        };
+        pass(start);
+        signal.for_each(pass);
     }
 
     /// Gain of both passes together at a frequency.
     pub fn gain(&self, frequency_hz: f64, period_s: f64) -> f64 {
         let angle = 2.0 * PI * frequency_hz * period_s;
-        self.sections.iter().map(|section| section.power_gain(angle)).product()
+        let keep = 1.0 - self.pole;
+        let first = keep * keep / (1.0 - 2.0 * self.pole * angle.cos() + self.pole * self.pole);
+        first * self.sections.iter().map(|section| section.power_gain(angle)).product::<f64>()
     }
 
     /// Samples after an end or a disturbance until it is forgotten.
