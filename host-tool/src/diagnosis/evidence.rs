@@ -1,5 +1,7 @@
 //! The logs as weighted rows, on which all models are compared.
 
+use std::sync::OnceLock;
+
 use rayon::prelude::*;
 
 use super::noise::Noise;
@@ -23,7 +25,12 @@ pub struct Evidence {
     floors_v: [Vec<f64>; 3],
     /// Stretches of train logs.
     train: usize,
+    /// Rows of the regressor along the measured motion, by stretch and joint, once asked for.
+    regressors: Vec<[OnceLock<Columns>; 3]>,
 }
+
+/// Columns of rows, one per base parameter, empty where it does not count.
+pub type Columns = Vec<Vec<f64>>;
 
 /// Rows of the three joints, each in units of its noise; empty where a joint has none.
 pub type Rows = [Vec<f64>; 3];
@@ -46,7 +53,8 @@ impl Evidence {
             };
             stretches.iter().zip(&filters[joint]).map(floor).collect()
         });
-        Self { stretches, joints, noise, filters, floors_v, train }
+        let regressors = stretches.iter().map(|_| Default::default()).collect();
+        Self { stretches, joints, noise, filters, floors_v, train, regressors }
     }
 
     /// Rows of a model under trial, on some joints.
@@ -63,6 +71,11 @@ impl Evidence {
             })
             .collect();
         [0, 1, 2].map(|joint| pieces.iter().flat_map(|piece| &piece[joint]).copied().collect())
+    }
+
+    /// The regressor's rows of a joint along the measured motion; made by `make` at first.
+    pub fn regressor(&self, s: usize, joint: usize, make: impl FnOnce() -> Columns) -> &Columns {
+        self.regressors[s][joint].get_or_init(make)
     }
 
     /// A signal of a stretch as rows in units of the noise; zero before the joint's

@@ -5,7 +5,7 @@ use model::base::COUNT;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use rayon::prelude::*;
 
-use super::evidence::{Evidence, Rows};
+use super::evidence::{Columns, Evidence, Rows};
 use super::link_motion::Felt;
 use super::unknowns::{Expected, Unknown};
 use super::voltage::{Added, Point, Trial, at_samples};
@@ -376,15 +376,20 @@ fn stretch_slopes(
 ) -> (Parts, Vec<Column>) {
     let trial = Trial::of(&evidence.stretches[s], point);
     let rows = |signal: &[f64]| evidence.weighted(s, joint, signal);
-    let regressor = trial.regressor_row(joint);
+    let make = || base_columns(evidence, s, joint, &trial);
+    let own: Columns;
+    let base = match trial.moves_as_measured() {
+        true => evidence.regressor(s, joint, make),
+        false => {
+            own = make();
+            &own
+        }
+    };
     let parts = Parts::of(&trial, joint);
     let mut columns = Vec::new();
     for (place, e) in expected.iter().enumerate() {
         match e.unknown {
-            Unknown::Base(k) if base_counts(joint, k) => {
-                let column: Vec<f64> = regressor.iter().map(|r| -r[k]).collect();
-                columns.push((place, rows(&column)));
-            }
+            Unknown::Base(k) if !base[k].is_empty() => columns.push((place, base[k].clone())),
             Unknown::Friction { joint: of, parameter } if of == joint => {
                 let (moved, step) = friction_moved(point, joint, parameter);
                 let slope: Vec<f64> = trial
@@ -403,6 +408,19 @@ fn stretch_slopes(
         }
     }
     (parts, columns)
+}
+
+/// Rows of the regressor, what is needed counted as negative.
+fn base_columns(evidence: &Evidence, s: usize, joint: usize, trial: &Trial) -> Columns {
+    let regressor = trial.regressor_row(joint);
+    let column = |k: usize| match base_counts(joint, k) {
+        true => {
+            let raw: Vec<f64> = regressor.iter().map(|r| -r[k]).collect();
+            evidence.weighted(s, joint, &raw)
+        }
+        false => Vec::new(),
+    };
+    (0..COUNT).map(column).collect()
 }
 
 /// Whether a base parameter is in a joint's row at all: joint 3 does not feel link 1 and 2,

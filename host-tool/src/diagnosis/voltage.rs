@@ -138,6 +138,11 @@ impl<'a> Trial<'a> {
         Felt::along(joint, &self.motor, &self.robot)
     }
 
+    /// Whether the links move as the encoders tell.
+    pub fn moves_as_measured(&self) -> bool {
+        matches!(self.link, Cow::Borrowed(_))
+    }
+
     /// The robot with what effects change in it.
     pub fn robot(&self) -> &Robot<f64> {
         &self.robot
