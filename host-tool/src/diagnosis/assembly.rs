@@ -7,10 +7,11 @@ use super::fit::{fit, fit_held};
 use super::judgement::{confidence, verdict};
 use super::linearisation::Linearisation;
 use super::motion_gap::drift_rms_rad;
+use super::noise::Noise;
 use super::preparation::as_given;
 use super::rest::MISSES;
 use super::selection::{Rivalry, Selection};
-use super::shrinkage::{Shrinkage, held_out_floor_v, held_out_rms_v};
+use super::shrinkage::{Shrinkage, held_out_floor_v, held_out_rms_v, noise_floor_v};
 use super::subject::Subject;
 use super::voltage::{Added, Point, Trial, at_samples};
 use super::*;
@@ -27,6 +28,8 @@ pub struct Assembly<'a> {
     pub selection: &'a Selection,
     /// The logs.
     pub traces: &'a [Trace],
+    /// Noise in what the last model leaves.
+    pub noise: [Noise; 3],
 }
 
 /// Steps of a fit without one of the causes.
@@ -77,7 +80,7 @@ impl Assembly<'_> {
             as_given_v: held_out_rms_v(self.evidence, given),
             refitted_v: held_out_rms_v(self.evidence, &refitted.residual),
             with_effects_v: held_out_rms_v(self.evidence, &last.residual),
-            noise_floor_v: held_out_floor_v(self.evidence),
+            noise_floor_v: held_out_floor_v(self.evidence, &self.noise),
             refitted_rad: drift_rms_rad(self.evidence, &refitted.point),
             with_effects_rad: drift_rms_rad(self.evidence, &last.point),
         }
@@ -98,7 +101,7 @@ impl Assembly<'_> {
             );
             levels.push(level(&name, &step.linear.residual));
         }
-        let rms_v = held_out_floor_v(self.evidence);
+        let rms_v = held_out_floor_v(self.evidence, &self.noise);
         levels.push(Level { name: "noise".into(), rms_v });
         levels
     }
@@ -120,8 +123,7 @@ impl Assembly<'_> {
                 0 => self.evidence.joints.clone(),
                 joint => vec![usize::from(joint) - 1],
             };
-            let shrinkage =
-                Shrinkage::of(self.evidence, &joints, &before.residual, &last.residual);
+            let shrinkage = Shrinkage::of(self.evidence, &joints, &before.residual, &last.residual);
             let (sure, others) = confidence(self.selection, index, self.subject);
             alternatives.extend(others);
             causes.push(Cause {
@@ -173,14 +175,15 @@ impl Assembly<'_> {
     }
 
     fn why_lost(&self, rivalry: &Rivalry, named: bool) -> String {
-        let left = rivalry.rest.worst();
-        match self.selection.steps.get(rivalry.round + 1).filter(|_| named) {
-            Some(step) => format!(
-                "leaves up to {left:.1} times the noise, the cause named {:.1} times",
-                step.rest.worst()
-            ),
-            None => format!("leaves up to {left:.1} times the noise"),
-        }
+        let steps = &self.selection.steps;
+        let left = format!("leaves up to {:.1} times the noise", rivalry.rest.worst());
+        let Some(step) = steps.get(rivalry.round + 1).filter(|_| named) else { return left };
+        let Some(taken) = step.linear.point.effects.last() else { return left };
+        let ratio = (rivalry.rest.rows / step.rest.rows).sqrt();
+        format!(
+            "{left}, in all {ratio:.1} times what {} leaves",
+            sentence::effect_words(taken.definition.name)
+        )
     }
 
     /// Effects that were taken, but did not explain enough to be named.
@@ -193,7 +196,10 @@ impl Assembly<'_> {
                 joint: self.subject.outer_joint(effect.joint),
                 parameters: parameters(effect),
                 explained: (1.0 - step.rest.excess / first.excess.max(1.0)).clamp(0.0, 1.0),
-                why: format!("even with it, up to {:.1} times the noise are left", step.rest.worst()),
+                why: format!(
+                    "even with it, up to {:.1} times the noise are left",
+                    step.rest.worst()
+                ),
             })
         };
         self.selection.steps.iter().skip(1).filter_map(rival).collect()
@@ -218,13 +224,15 @@ impl Assembly<'_> {
                     joint: number,
                     position_rad: at(&stretch.motion.q_rad[joint]),
                     velocity_rad_per_s: at(&stretch.motion.qd_rad_per_s[joint]),
-                    acceleration_rad_per_s2: at(&filter.smooth(&stretch.motion.qdd_rad_per_s2[joint])),
+                    acceleration_rad_per_s2: at(
+                        &filter.smooth(&stretch.motion.qdd_rad_per_s2[joint])
+                    ),
                     load_nm: at(&trial.load_nm(joint)),
                     command_v: filter.rows(&command),
                     given_v: volts(given),
                     refitted_v: volts(refitted),
                     with_effects_v: volts(last),
-                    noise_floor_v: floor_v,
+                    noise_floor_v: noise_floor_v(self.evidence, &self.noise, joint, s),
                 }
             };
             let joints = self.evidence.joints.iter().zip(&self.subject.numbers);

@@ -51,7 +51,8 @@ pub fn detectable(
     for sight in &sights {
         let outer = subject.outer_joint(sight.joint);
         let size = smallest(sight, wanted);
-        let useless = (sight.definition.size.useless)(&typical(linear, evidence, subject, sight.joint));
+        let useless =
+            (sight.definition.size.useless)(&typical(linear, evidence, subject, sight.joint));
         let useful = size.is_finite() && (size < useless) == sight.definition.size.grows;
         if useful {
             seen.push(Detectable {

@@ -116,8 +116,9 @@ mod tests {
 
     #[test]
     fn missing_samples_of_a_swing_are_filled() {
-        let all: Vec<f64> = (0..2000).map(|k| f64::from(k) * 1e-3).collect();
-        let some: Vec<f64> = all.iter().copied().filter(|t| (t * 1e3) as u32 % 10 != 7).collect();
+        let at = |k: u32| f64::from(k) * 1e-3;
+        let all: Vec<f64> = (0..2000).map(at).collect();
+        let some: Vec<f64> = (0..2000).filter(|k| k % 10 != 7).map(at).collect();
         let swing = |t: &f64| (6.0 * t).sin();
         let clock = EvenClock::over(&some, 1e-3);
         let filled = clock.smooth(&some.iter().map(swing).collect::<Vec<_>>());

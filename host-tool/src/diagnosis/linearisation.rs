@@ -90,7 +90,18 @@ impl Linearisation {
             [0, 1, 2].map(of)
         });
         let felt = felt.collect();
-        Some(Self { point, expected, residual, objective, parts, felt, joints, gradient, normal, train })
+        Some(Self {
+            point,
+            expected,
+            residual,
+            objective,
+            parts,
+            felt,
+            joints,
+            gradient,
+            normal,
+            train,
+        })
     }
 
     /// The change of what is open that fits best, by the slopes.
@@ -180,8 +191,7 @@ impl Linearisation {
                 .sum()
         };
         let half_gradient = DVector::from_fn(count, |i, _| {
-            train(&slopes[i], &self.residual) + train(&slopes[i], about)
-                - solved[i].dot(&gradient)
+            train(&slopes[i], &self.residual) + train(&slopes[i], about) - solved[i].dot(&gradient)
         });
         let curvature = DMatrix::from_fn(count, count, |i, k| {
             train(&slopes[i], &slopes[k]) - against[i].dot(&solved[k])
@@ -202,7 +212,8 @@ impl Linearisation {
         touches.drive |= touches.body && !self.point.effects.is_empty();
         touches.friction |= touches.body && !self.point.effects.is_empty();
         let mut rows: Rows = Default::default();
-        let stretches = if which.held_out { evidence.stretches.len() } else { evidence.train_stretches() };
+        let stretches =
+            if which.held_out { evidence.stretches.len() } else { evidence.train_stretches() };
         for s in 0..stretches {
             let felt = (!touches.drive).then_some(&self.felt[s]);
             let trial = Trial::with_felt(&evidence.stretches[s], &point, felt);
@@ -277,18 +288,10 @@ impl Parts {
 }
 
 /// Squares of train rows and of the expectations' misses.
-pub fn objective(
-    residual: &Rows,
-    train: &[usize; 3],
-    point: &Point,
-    expected: &[Expected],
-) -> f64 {
-    let rows: f64 =
-        (0..3).flat_map(|j| residual[j].iter().take(train[j])).map(|r| r * r).sum();
-    let misses: f64 = expected
-        .iter()
-        .map(|e| ((e.unknown.get(point) - e.mean) / e.deviation).powi(2))
-        .sum();
+pub fn objective(residual: &Rows, train: &[usize; 3], point: &Point, expected: &[Expected]) -> f64 {
+    let rows: f64 = (0..3).flat_map(|j| residual[j].iter().take(train[j])).map(|r| r * r).sum();
+    let misses: f64 =
+        expected.iter().map(|e| ((e.unknown.get(point) - e.mean) / e.deviation).powi(2)).sum();
     rows + misses
 }
 

@@ -23,7 +23,8 @@ pub fn behind(
     let count = motor.q_rad[joint].len();
     let felt: Vec<Felt> = felt.iter().map(|felt| felt.without(spring)).collect();
     let drive = Drive::of(motor, joint, period_s);
-    let mut link = Link { q_rad: drive.angle(0, 0.0) - spring.hold(felt[0].bias_nm), qd_rad_per_s: 0.0 };
+    let mut link =
+        Link { q_rad: drive.angle(0, 0.0) - spring.hold(felt[0].bias_nm), qd_rad_per_s: 0.0 };
     let step_s = period_s / STEPS as f64;
     let mut mean = Vec::with_capacity(count);
     for k in 0..count {
@@ -58,7 +59,8 @@ impl<'a> Drive<'a> {
     fn angle(&self, k: usize, x: f64) -> f64 {
         let next = (k + 1).min(self.q_rad.len() - 1);
         let (a, b) = (self.q_rad[k], self.q_rad[next]);
-        let (da, db) = (self.period_s * self.qd_rad_per_s[k], self.period_s * self.qd_rad_per_s[next]);
+        let (da, db) =
+            (self.period_s * self.qd_rad_per_s[k], self.period_s * self.qd_rad_per_s[next]);
         let (x2, x3) = (x * x, x * x * x);
         a + da * x + (3.0 * (b - a) - 2.0 * da - db) * x2 + (2.0 * (a - b) + da + db) * x3
     }

@@ -68,7 +68,9 @@ impl Usable {
         self.remarks.extend(examine(&trace, &subject.known)?);
         let stretches = Stretch::of(&trace, index, subject);
         if stretches.is_empty() {
-            return Err(unusable("no second and a half without a long gap; record it again".into()));
+            return Err(unusable(
+                "no second and a half without a long gap; record it again".into(),
+            ));
         }
         Ok(stretches)
     }
@@ -156,7 +158,8 @@ mod tests {
             reference_rad: None,
         };
         assert!(unwrap("log.csv", &mut joint).unwrap().contains("wraps 3 times"));
-        let error = turning.iter().zip(&joint.q_rad).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let error =
+            turning.iter().zip(&joint.q_rad).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(error < 1e-9, "{error}");
         assert_eq!(unwrap("log.csv", &mut joint), None);
     }

@@ -77,6 +77,7 @@ pub fn diagnose(campaign: &Campaign, steps: &Steps) -> Result<Diagnosis, Diagnos
         evidence: &evidence,
         selection: &selection,
         traces: &campaign.traces,
+        noise: preparation::noise_left(&evidence, &selection),
     };
     Ok(assembly.diagnosis(&campaign.robot_file, usable.remarks))
 }

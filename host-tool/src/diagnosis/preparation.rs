@@ -4,6 +4,7 @@ use super::evidence::Evidence;
 use super::fit::{MOST_STEPS, fit};
 use super::linearisation::Linearisation;
 use super::noise::Noise;
+use super::selection::Selection;
 use super::stretch::Stretch;
 use super::subject::Subject;
 use super::voltage::{Added, Point, Trial};
@@ -22,6 +23,14 @@ pub fn prepared(subject: &Subject, stretches: Vec<Stretch>) -> Option<(Evidence,
     let evidence = Evidence::new(evidence.stretches, subject.joints.clone(), noise);
     let linear = fit(&evidence, subject, rough.point, MOST_STEPS)?;
     Some((evidence, linear))
+}
+
+/// Noise in what the last model of a selection leaves: a gap that is always there passes for
+/// noise until its cause is found.
+pub fn noise_left(evidence: &Evidence, selection: &Selection) -> [Noise; 3] {
+    let last = selection.steps.last();
+    let found = last.and_then(|step| noise(&evidence.stretches, &step.linear.point));
+    found.unwrap_or(evidence.noise)
 }
 
 /// The model as given.

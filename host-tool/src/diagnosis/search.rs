@@ -127,9 +127,7 @@ pub(super) fn typical(
     let all = |signal: fn(&super::stretch::Stretch, usize) -> &[f64]| {
         evidence.stretches.iter().flat_map(move |stretch| signal(stretch, joint)).copied()
     };
-    let largest = |values: &mut dyn Iterator<Item = f64>| {
-        values.map(f64::abs).fold(1e-9, f64::max)
-    };
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(1e-9, f64::max);
     let angles: Vec<f64> = all(|s, j| &s.motion.q_rad[j]).collect();
     let load: Vec<f64> = evidence
         .stretches

@@ -73,8 +73,7 @@ pub fn select(
     refitted: Linearisation,
     progress: &dyn Fn(&str),
 ) -> Selection {
-    let mut selection =
-        Selection { steps: vec![Step::of(evidence, refitted)], rivals: Vec::new() };
+    let mut selection = Selection { steps: vec![Step::of(evidence, refitted)], rivals: Vec::new() };
     for round in 0..MOST_EFFECTS {
         progress(&format!("trying every effect on every joint, round {}", round + 1));
         let now = &selection.steps[round];

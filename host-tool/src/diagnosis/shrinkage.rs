@@ -1,9 +1,10 @@
 //! How much of the gap a cause takes away on the logs held out, and how sure that is.
 
-use rand_pcg::Pcg64Mcg;
 use rand_distr::{Distribution, Uniform};
+use rand_pcg::Pcg64Mcg;
 
 use super::evidence::{Evidence, Rows};
+use super::noise::Noise;
 use crate::files::Role;
 
 /// 1 - rms with / rms without, with its 95 % interval.
@@ -39,7 +40,10 @@ impl Shrinkage {
             .collect();
         draws.sort_by(f64::total_cmp);
         let quantile = |part: f64| draws[(part * (DRAWS - 1) as f64).round() as usize];
-        Self { value: shrinkage(pieces.iter().copied()), interval: [quantile(0.025), quantile(0.975)] }
+        Self {
+            value: shrinkage(pieces.iter().copied()),
+            interval: [quantile(0.025), quantile(0.975)],
+        }
     }
 }
 
@@ -84,10 +88,19 @@ pub fn held_out_rms_v(evidence: &Evidence, rows: &Rows) -> Vec<f64> {
 }
 
 /// What noise alone would leave of each joint's rows held out, rms [V].
-pub fn held_out_floor_v(evidence: &Evidence) -> Vec<f64> {
+pub fn held_out_floor_v(evidence: &Evidence, noise: &[Noise; 3]) -> Vec<f64> {
     let one: Rows = [0, 1, 2].map(|joint| {
-        let count = evidence.ranges(joint).last().map_or(0, |range| range.end);
-        vec![1.0; count]
+        let share = |(s, range): (usize, std::ops::Range<usize>)| {
+            let floor = noise_floor_v(evidence, noise, joint, s) / evidence.floor_v(joint, s);
+            vec![floor; range.len()]
+        };
+        evidence.ranges(joint).into_iter().enumerate().flat_map(share).collect()
     });
     held_out_rms_v(evidence, &one)
+}
+
+/// What noise would leave of a joint's rows in a stretch, rms [V].
+pub fn noise_floor_v(evidence: &Evidence, noise: &[Noise; 3], joint: usize, s: usize) -> f64 {
+    let filter = evidence.filter(joint, s);
+    noise[joint].behind(|f| filter.gain(f), evidence.stretches[s].period_s)
 }

@@ -225,8 +225,7 @@ fn unbroken(time_s: &[f64], period_s: f64) -> Vec<std::ops::Range<usize>> {
     let mut ranges = Vec::new();
     let mut begin = 0;
     for k in 1..=time_s.len() {
-        let ends = k == time_s.len()
-            || time_s[k] - time_s[k - 1] > LONGEST_GAP_PERIODS * period_s;
+        let ends = k == time_s.len() || time_s[k] - time_s[k - 1] > LONGEST_GAP_PERIODS * period_s;
         if ends {
             if time_s[k - 1] - time_s[begin] >= SHORTEST_S {
                 ranges.push(begin..k);

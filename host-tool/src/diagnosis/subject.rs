@@ -157,12 +157,7 @@ fn pendulum_as_robot(file: &RobotFile) -> Result<Robot<f64>, FileError> {
     };
     let k_t = file.torque_constant(pendulum.joint)?;
     let friction = one_joint_friction(file, pendulum.joint)?;
-    Ok(Robot {
-        geometry,
-        base,
-        torque_constant_nm_per_v: [k_t; 3],
-        friction: [friction; 3],
-    })
+    Ok(Robot { geometry, base, torque_constant_nm_per_v: [k_t; 3], friction: [friction; 3] })
 }
 
 /// The joint's friction; bristles that bend by a milliradian where none are given.

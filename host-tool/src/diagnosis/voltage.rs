@@ -130,7 +130,17 @@ impl<'a> Trial<'a> {
             Cow::Owned(link) => Cow::Owned(link.postures()),
         };
         let feels_load = effects.iter().any(|effect| effect.feels_load());
-        Self { stretch, point, robot, links, motor, link, postures, motor_inertia_kg_m2, feels_load }
+        Self {
+            stretch,
+            point,
+            robot,
+            links,
+            motor,
+            link,
+            postures,
+            motor_inertia_kg_m2,
+            feels_load,
+        }
     }
 
     /// What each joint of the rig feels of the rest of the arm.
@@ -167,8 +177,12 @@ impl<'a> Trial<'a> {
         let k_t = self.robot.torque_constant_nm_per_v[joint];
         let at = |k: usize| {
             let (_, qd, qdd) = self.link.state(k);
-            let torque = self.postures[k]
-                .inverse_dynamics(&self.links.base, &self.links.geometry, &qd, &qdd)[joint];
+            let torque = self.postures[k].inverse_dynamics(
+                &self.links.base,
+                &self.links.geometry,
+                &qd,
+                &qdd,
+            )[joint];
             let own = self.motor_inertia_kg_m2[joint] * self.motor.qdd_rad_per_s2[joint][k];
             (torque + own) / k_t
         };
@@ -181,7 +195,8 @@ impl<'a> Trial<'a> {
         let at = |k: usize| {
             let (_, qd, qdd) = self.link.state(k);
             let geometry = &self.links.geometry;
-            model::regressor::regressor(&self.postures[k], geometry, &qd, &qdd)[joint].map(|r| r / k_t)
+            model::regressor::regressor(&self.postures[k], geometry, &qd, &qdd)[joint]
+                .map(|r| r / k_t)
         };
         (0..self.stretch.len()).map(at).collect()
     }
@@ -269,7 +284,8 @@ impl<'a> Trial<'a> {
     /// The middle of an interval, as effects see it.
     fn moment(&self, k: usize) -> Moment {
         let next = (k + 1).min(self.stretch.len() - 1);
-        let middle = |signal: &[Vec<f64>; 3]| [0, 1, 2].map(|i| 0.5 * (signal[i][k] + signal[i][next]));
+        let middle =
+            |signal: &[Vec<f64>; 3]| [0, 1, 2].map(|i| 0.5 * (signal[i][k] + signal[i][next]));
         let q_rad = middle(&self.motor.q_rad);
         let qd_rad_per_s = middle(&self.motor.qd_rad_per_s);
         let load_nm = match self.feels_load {

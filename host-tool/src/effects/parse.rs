@@ -92,8 +92,9 @@ impl Definition {
             names.push(parameter.name);
             match table.get(parameter.name).map(numbers) {
                 None if parameter.optional => values.push(0.0),
-                given => values
-                    .extend(given.flatten().ok_or_else(|| self.wrong_parameters(given_names(table)))?),
+                given => values.extend(
+                    given.flatten().ok_or_else(|| self.wrong_parameters(given_names(table)))?,
+                ),
             }
         }
         if table.keys().any(|key| !names.contains(&key.as_str())) {

@@ -12,7 +12,9 @@ pub(super) const DEFINITION: Definition = Definition {
     parameters: &[Parameter::new("limit_V", 0.01, 100.0)],
     couples_joints: false,
     touches: Touches::DRIVE,
-    search: Search::From(|typical| [0.93, 0.8, 0.65, 0.5].map(|part| vec![part * typical.command_v]).to_vec()),
+    search: Search::From(|typical| {
+        [0.93, 0.8, 0.65, 0.5].map(|part| vec![part * typical.command_v]).to_vec()
+    }),
     size: Size::shrinks(|typical| 0.3 * typical.command_v),
     experiment: "`rrr run excitation`, faster, so that the limit is reached",
     build: |joint, values| {
