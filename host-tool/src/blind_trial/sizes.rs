@@ -101,7 +101,8 @@ fn force_n(dice: &mut Dice) -> Vec<f64> {
 fn tilt_rad(dice: &mut Dice) -> Vec<f64> {
     let size_rad = dice.log_uniform(0.01, 0.1);
     let (sine, cosine) = dice.phase_rad().sin_cos();
-    vec![size_rad * cosine, size_rad * sine]
+    let hidden_kg_m = [dice.uniform(-1.0, 2.0), dice.uniform(-0.5, 0.5)];
+    vec![size_rad * cosine, size_rad * sine, hidden_kg_m[0], hidden_kg_m[1]]
 }
 
 /// A rest angle near the posture about which motions are made [rad].

@@ -23,6 +23,8 @@ pub struct Noise {
 const PIECE_S: f64 = 0.4;
 /// Lowest frequency that is looked at [Hz].
 const LOWEST_HZ: f64 = 7.0;
+/// A frequency with so many times the power of noise carries a hum.
+const HUM: f64 = 3.0;
 /// Highest frequency, in parts of the sampling frequency.
 const HIGHEST: f64 = 0.2;
 
@@ -65,12 +67,14 @@ impl Noise {
         (0..PARTS).map(power).sum::<f64>().sqrt()
     }
 
-    /// Least squares of the relative deviation, weights from the fit before.
+    /// Least squares of the relative deviation, weights from the fit before. Frequencies far
+    /// above that fit are left out: a hum is no noise.
     fn fitted(quiet: &[(f64, f64)]) -> Option<Self> {
         let mut noise = Self { white: quiet.iter().map(|q| q.1).sum::<f64>(), growing: 0.0 };
-        for _ in 0..8 {
+        for _ in 0..12 {
             let mut sums = [0.0; 5];
-            for &(frequency_hz, power) in quiet {
+            let is_noise = |q: &&(f64, f64)| q.1 < HUM * noise.density(q.0);
+            for &(frequency_hz, power) in quiet.iter().filter(is_noise) {
                 let w = noise.density(frequency_hz).max(1e-300).powi(-2);
                 let f4 = frequency_hz.powi(4);
                 let terms = [w, w * f4, w * f4 * f4, w * power, w * f4 * power];
@@ -130,6 +134,17 @@ mod tests {
     use rand_pcg::Pcg64Mcg;
 
     use super::*;
+
+    #[test]
+    fn a_hum_is_no_noise() {
+        let mut random = Pcg64Mcg::new(3);
+        let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
+        let hum = |k: i32| 0.05 * (TAU * 0.04 * f64::from(k)).sin();
+        let signal: Vec<f64> = (0..20_000).map(|k| 4e-3 * normal() + hum(k)).collect();
+        let noise = Noise::of(&[&signal], 1e-3).unwrap();
+        let white = 2.0 * 1e-3 * 4e-3f64.powi(2);
+        assert!((noise.density(40.0) / white - 1.0).abs() < 0.4, "{}", noise.density(40.0) / white);
+    }
 
     #[test]
     fn noise_is_found_beside_bursts_of_motion() {
