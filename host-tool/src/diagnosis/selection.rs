@@ -97,7 +97,48 @@ pub fn select(
             None => break,
         }
     }
-    selection
+    progress("leaving out what is not needed");
+    selection.pruned(evidence, subject)
+}
+
+impl Selection {
+    /// Without effects that others, taken later, make needless: an offset goes once the
+    /// spring is found that it stood for.
+    fn pruned(mut self, evidence: &Evidence, subject: &Subject) -> Self {
+        let known = subject.known_effects.len();
+        let mut index = 0;
+        while index + 2 < self.steps.len() {
+            let last = &self.steps[self.steps.len() - 1];
+            let mut point = last.linear.point.clone();
+            point.effects.remove(known + index);
+            let without = fit(evidence, subject, point, TAKEN_STEPS);
+            match without.map(|linear| Step::of(evidence, linear)) {
+                Some(without) if !pays(&without.rest, &last.rest) => {
+                    self.leave_out(evidence, subject, index, without);
+                }
+                _ => index += 1,
+            }
+        }
+        self
+    }
+
+    /// Takes an effect out of all steps after it; `last` is the last of them.
+    fn leave_out(&mut self, evidence: &Evidence, subject: &Subject, index: usize, last: Step) {
+        let effects = last.linear.point.effects.clone();
+        let known = subject.known_effects.len();
+        self.steps.truncate(index + 1);
+        for count in known + index + 1..effects.len() {
+            let mut point = last.linear.point.clone();
+            point.effects.truncate(count);
+            let step = fit(evidence, subject, point, TAKEN_STEPS);
+            self.steps.extend(step.map(|linear| Step::of(evidence, linear)));
+        }
+        self.steps.push(last);
+        self.rivals.retain(|rival| rival.round != index);
+        for rival in self.rivals.iter_mut().filter(|rival| rival.round > index) {
+            rival.round -= 1;
+        }
+    }
 }
 
 /// A step whose fit is carried on to its end.
