@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::evidence::{Evidence, Rows};
 use super::link_motion::Felt;
 use super::unknowns::{Expected, Unknown};
-use super::voltage::{Added, Point, Trial, at_samples};
+use super::voltage::{Added, Point, Same, Trial, at_samples};
 use crate::effects::{Parameter, Touches};
 
 /// A model with its residuals and their slopes.
@@ -25,6 +25,8 @@ pub struct Linearisation {
     parts: Vec<[Parts; 3]>,
     /// What joints feel of the rest of the arm, stretch by stretch.
     felt: Vec<[Vec<Felt>; 3]>,
+    /// What drives joints less friction, stretch by stretch.
+    net: Vec<[Vec<f64>; 3]>,
     joints: Vec<JointSlopes>,
     /// Half the gradient of the objective.
     gradient: DVector<f64>,
@@ -88,7 +90,8 @@ impl Linearisation {
             [0, 1, 2].map(of)
         });
         let felt = felt.collect();
-        Some(Self { point, expected, residual, objective, parts, felt, joints, gradient, normal, train })
+        let net = parts.iter().map(|joints| [0, 1, 2].map(|joint| joints[joint].net())).collect();
+        Some(Self { point, expected, residual, objective, parts, felt, net, joints, gradient, normal, train })
     }
 
     /// The change of what is open that fits best, by the slopes.
@@ -202,8 +205,9 @@ impl Linearisation {
         let mut rows: Rows = Default::default();
         let stretches = if which.held_out { evidence.stretches.len() } else { evidence.train_stretches() };
         for s in 0..stretches {
-            let felt = (!touches.drive).then_some(&self.felt[s]);
-            let trial = Trial::with_felt(&evidence.stretches[s], &point, felt);
+            let same = Same { felt: &self.felt[s], net: &self.net[s] };
+            let same = (!touches.drive).then_some(same);
+            let trial = Trial::beside(&evidence.stretches[s], &point, same);
             for &joint in &joints {
                 let change = self.parts[s][joint].change_to(&trial, joint, touches);
                 rows[joint].extend(evidence.weighted(s, joint, &change));
@@ -250,6 +254,11 @@ impl Parts {
             friction: trial.friction(joint, trial.robot()),
             needed: trial.needed(joint),
         }
+    }
+
+    /// What drives the joint less friction, by intervals.
+    fn net(&self) -> Vec<f64> {
+        self.drive.iter().zip(&self.friction).map(|(drive, friction)| drive - friction).collect()
     }
 
     /// Change of the shortfall at the samples when a trial takes these parts' place.

@@ -17,6 +17,7 @@ use super::reading;
 use super::stretch::{Kinematics, Stretch};
 use crate::effects::{Definition, Effect, Moment};
 use crate::signal::derivative;
+use crate::simulation::transmission::Transmission;
 
 /// An effect that is in a model under trial.
 #[derive(Clone, Debug)]
@@ -94,37 +95,67 @@ pub struct Trial<'a> {
     feels_load: bool,
 }
 
+/// What a model shares with one that has one spring more.
+#[derive(Clone, Copy, Debug)]
+pub struct Same<'a> {
+    /// What joints feel of the rest of the arm, by samples.
+    pub felt: &'a [Vec<Felt>; 3],
+    /// What drives joints less friction, by intervals [V].
+    pub net: &'a [Vec<f64>; 3],
+}
+
 impl<'a> Trial<'a> {
     /// Prepares a model for a stretch.
     pub fn of(stretch: &'a Stretch, point: &'a Point) -> Self {
-        Self::with_felt(stretch, point, None)
+        Self::beside(stretch, point, None)
     }
 
-    /// The same where it is known what each joint feels of the rest of the arm.
-    pub fn with_felt(
+    /// The same where an effect more changes neither the motors' motion nor what drives them.
+    pub fn beside(
         stretch: &'a Stretch,
         point: &'a Point,
-        felt: Option<&[Vec<Felt>; 3]>,
+        same: Option<Same>,
     ) -> Self {
         let effects = built(&point.effects);
         let mut robot = point.robot;
         effects.iter().for_each(|effect| effect.change_robot(&mut robot));
         let motor = reading::corrected(&stretch.motion, &effects);
-        let mut links = robot;
-        let mut link = motor.clone();
-        let mut motor_inertia_kg_m2 = [0.0; 3];
-        for (joint, spring) in effects.iter().filter_map(|effect| effect.transmission()) {
-            links = spring.without_motor(joint, &links);
-            motor_inertia_kg_m2[joint] = spring.motor_inertia_kg_m2;
-            let felt = match felt {
-                Some(felt) => Cow::Borrowed(&felt[joint]),
-                None => Cow::Owned(Felt::along(joint, &motor, &robot)),
-            };
-            let period_s = stretch.period_s;
-            link = Cow::Owned(link_motion::behind(&spring, joint, &motor, &felt, period_s));
-        }
+        let link = motor.clone();
         let feels_load = effects.iter().any(|effect| effect.feels_load());
-        Self { stretch, point, robot, links, motor, link, motor_inertia_kg_m2, feels_load }
+        let motor_inertia_kg_m2 = [0.0; 3];
+        let mut trial =
+            Self { stretch, point, robot, links: robot, motor, link, motor_inertia_kg_m2, feels_load };
+        for (joint, spring) in effects.iter().filter_map(|effect| effect.transmission()) {
+            trial.move_link(joint, &spring, same);
+        }
+        trial
+    }
+
+    /// Puts a spring between a joint's motor and its link.
+    fn move_link(&mut self, joint: usize, spring: &Transmission, same: Option<Same>) {
+        self.links = spring.without_motor(joint, &self.links);
+        self.motor_inertia_kg_m2[joint] = spring.motor_inertia_kg_m2;
+        let felt = match same {
+            Some(same) => Cow::Borrowed(&same.felt[joint]),
+            None => Cow::Owned(self.felt(joint)),
+        };
+        let passed_nm = (spring.gap_rad > 0.0).then(|| match same {
+            Some(same) => self.passed_nm(joint, &same.net[joint]),
+            None => self.passed_nm(joint, &self.net(joint)),
+        });
+        let period_s = self.stretch.period_s;
+        let motion =
+            link_motion::behind(spring, joint, &self.motor, &felt, passed_nm.as_deref(), period_s);
+        self.link.to_mut().take_joint(joint, motion);
+    }
+
+    /// Torque that a joint's motor passes on at the samples, by what drives it and its own
+    /// acceleration [Nm].
+    fn passed_nm(&self, joint: usize, net_v: &[f64]) -> Vec<f64> {
+        let k_t = self.robot.torque_constant_nm_per_v[joint];
+        let own_kg_m2 = self.motor_inertia_kg_m2[joint];
+        let both = at_samples(net_v).into_iter().zip(&self.motor.qdd_rad_per_s2[joint]);
+        both.map(|(net_v, qdd)| k_t * net_v - own_kg_m2 * qdd).collect()
     }
 
     /// What each joint of the rig feels of the rest of the arm.
