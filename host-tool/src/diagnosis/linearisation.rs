@@ -9,7 +9,7 @@ use super::evidence::{Evidence, Rows};
 use super::link_motion::Felt;
 use super::unknowns::{Expected, Unknown};
 use super::voltage::{Added, Point, Same, Trial, at_samples};
-use crate::effects::{Parameter, Touches};
+use crate::effects::Touches;
 
 /// A model with its residuals and their slopes.
 pub struct Linearisation {
@@ -202,6 +202,8 @@ impl Linearisation {
         // What is in the model already may feel a body or a motion that changes.
         touches.drive |= touches.body && !self.point.effects.is_empty();
         touches.friction |= touches.body && !self.point.effects.is_empty();
+        // A link with play is kept on its track by what drives its motor.
+        touches.body |= self.point.effects.iter().any(Added::has_play);
         let mut rows: Rows = Default::default();
         let stretches = if which.held_out { evidence.stretches.len() } else { evidence.train_stretches() };
         for s in 0..stretches {
@@ -437,7 +439,7 @@ fn friction_moved(point: &Point, joint: usize, parameter: usize) -> (model::Robo
 fn effect_slope(evidence: &Evidence, point: &Point, unknown: Unknown, residual: &Rows) -> Rows {
     let Unknown::Effect { index, value } = unknown else { return Default::default() };
     let effect = &point.effects[index];
-    let step = step_of(&effect.definition.parameters[value], effect.values[value]);
+    let step = step_of(effect, value);
     let mut moved = point.clone();
     moved.effects[index].values[value] += step;
     let joints = if effect.definition.couples_joints {
@@ -452,11 +454,15 @@ fn effect_slope(evidence: &Evidence, point: &Point, unknown: Unknown, residual: 
     slope
 }
 
-/// Step for a difference along a parameter of an effect, away from its nearer bound.
-pub fn step_of(parameter: &Parameter, value: f64) -> f64 {
+/// Step for a difference along a parameter of an effect, away from its nearer bound. A link
+/// that bounces in its play makes rows rough: only wide steps show where they lead.
+pub fn step_of(effect: &Added, value: usize) -> f64 {
+    let parameters = effect.definition.parameters;
+    let (parameter, value) = (&parameters[value], effect.values[value]);
+    let part = if effect.has_play() { 0.15 } else { 5e-3 };
     let size = match parameter.name {
         "phase_rad" => 1e-3,
-        _ => (5e-3 * value.abs()).max(1e-6 * (parameter.highest - parameter.lowest)),
+        _ => (part * value.abs()).max(1e-6 * (parameter.highest - parameter.lowest)),
     };
     if value + size > parameter.highest { -size } else { size }
 }

@@ -11,7 +11,7 @@ use crate::simulation::transmission::Transmission;
 /// Integration steps per sample.
 const STEPS: usize = 8;
 /// Torque on a link that no model tells, in parts of the noise of the measured torque.
-const UNKNOWN_TORQUE: f64 = 0.1;
+const UNKNOWN_TORQUE: f64 = 0.5;
 
 /// Motion of one joint at the samples.
 #[derive(Clone, Debug, Default)]
@@ -39,7 +39,7 @@ pub fn behind(
     joint: usize,
     motor: &Kinematics,
     felt: &[Felt],
-    passed_nm: Option<&[f64]>,
+    push_nm: Option<&[f64]>,
     period_s: f64,
 ) -> JointMotion {
     let mut motion = JointMotion::default();
@@ -49,32 +49,46 @@ pub fn behind(
     let mut link = Link { q_rad: drive.angle(0, 0.0) - spring.hold(felt[0].bias_nm), qd_rad_per_s: 0.0 };
     let step_s = period_s / STEPS as f64;
     let mut doubt = Doubt::at_first(spring);
-    let mut before_nm = felt[0].bias_nm;
-    let mut mean = Vec::with_capacity(count);
+    let mut before = Mean { torque_nm: 0.5 * felt[0].bias_nm, acceleration: 0.0 };
     for k in 0..count {
         motion.q_rad.push(link.q_rad);
         motion.qd_rad_per_s.push(link.qd_rad_per_s);
         let next = (k + 1).min(count - 1);
-        let (mut acceleration, mut torque_nm) = (0.0, 0.0);
+        let (mut early, mut late) = (Mean::default(), Mean::default());
         for step in 0..STEPS {
             let x = (step as f64 + 0.5) / STEPS as f64;
             let (theta, speed) = (drive.angle(k, x), drive.speed(k, x));
             let here = felt[k].towards(&felt[next], x);
             let passed = link.advance(spring, theta, speed, &here, step_s);
-            if passed_nm.is_some() {
-                doubt.advance(spring, passed != 0.0, here.inertia_kg_m2, step_s);
+            if push_nm.is_some() {
+                doubt.advance(spring, passed != 0.0, here.inertia_kg_m2, step_s, x);
             }
-            torque_nm += passed / STEPS as f64;
-            acceleration += here.acceleration(passed) / STEPS as f64;
+            let acceleration = here.acceleration(passed);
+            early.add(passed, acceleration, 1.0 - x);
+            late.add(passed, acceleration, x);
         }
-        mean.push(acceleration);
-        if let Some(passed_nm) = passed_nm {
-            doubt.correct(&mut link, passed_nm[k] - 0.5 * (before_nm + torque_nm));
+        motion.qdd_rad_per_s2.push(before.acceleration + early.acceleration);
+        if let Some(push_nm) = push_nm {
+            let own = spring.motor_inertia_kg_m2 * motor.qdd_rad_per_s2[joint][k];
+            let passed = 0.5 * (push_nm[k.saturating_sub(1)] + push_nm[k]) - own;
+            doubt.correct(&mut link, passed - before.torque_nm - early.torque_nm);
         }
-        before_nm = torque_nm;
+        before = late;
     }
-    motion.qdd_rad_per_s2 = at_samples(&mean);
     motion
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Mean {
+    torque_nm: f64,
+    acceleration: f64,
+}
+
+impl Mean {
+    fn add(&mut self, torque_nm: f64, acceleration: f64, part: f64) {
+        self.torque_nm += part / STEPS as f64 * torque_nm;
+        self.acceleration += part / STEPS as f64 * acceleration;
+    }
 }
 
 /// How little is known of where a link is: the covariance of its angle and velocity in units
@@ -83,8 +97,8 @@ pub fn behind(
 struct Doubt {
     spread: Matrix2<f64>,
     /// Slopes of the torque over the interval now and before, along the state now.
-    now: RowVector2<f64>,
-    before: RowVector2<f64>,
+    early: RowVector2<f64>,
+    late: RowVector2<f64>,
 }
 
 impl Doubt {
@@ -93,12 +107,12 @@ impl Doubt {
         let speed = angle * 1e3;
         Self {
             spread: Matrix2::new(angle, 0.0, 0.0, speed),
-            now: RowVector2::zeros(),
-            before: RowVector2::zeros(),
+            early: RowVector2::zeros(),
+            late: RowVector2::zeros(),
         }
     }
 
-    fn advance(&mut self, spring: &Transmission, touches: bool, inertia: f64, step_s: f64) {
+    fn advance(&mut self, spring: &Transmission, touches: bool, inertia: f64, step_s: f64, x: f64) {
         let slope = match touches {
             true => -RowVector2::new(spring.stiffness_nm_per_rad, spring.damping_nm_s_per_rad),
             false => RowVector2::zeros(),
@@ -106,24 +120,25 @@ impl Doubt {
         let half = Matrix2::new(1.0, 0.5 * step_s, 0.0, 1.0);
         let kick = Matrix2::new(0.0, 0.0, slope[0], slope[1]) * (step_s / inertia);
         let moved = half * (Matrix2::identity() + kick) * half;
-        self.now += slope * half / STEPS as f64;
+        self.early += slope * half * ((1.0 - x) / STEPS as f64);
+        self.late += slope * half * (x / STEPS as f64);
         if let Some(back) = moved.try_inverse() {
-            self.now *= back;
-            self.before *= back;
+            self.early *= back;
+            self.late *= back;
         }
         self.spread = moved * self.spread * moved.transpose();
         self.spread[(1, 1)] += (UNKNOWN_TORQUE / inertia).powi(2) * step_s * step_s * STEPS as f64;
     }
 
     fn correct(&mut self, link: &mut Link, missed_nm: f64) {
-        let slope = 0.5 * (self.before + self.now);
+        let slope = self.early;
         let across = self.spread * slope.transpose();
         let gain = across / (1.0 + (slope * across)[0]);
         link.q_rad += gain[0] * missed_nm;
         link.qd_rad_per_s += gain[1] * missed_nm;
         self.spread -= gain * across.transpose();
-        self.before = self.now;
-        self.now = RowVector2::zeros();
+        self.early = self.late;
+        self.late = RowVector2::zeros();
     }
 }
 

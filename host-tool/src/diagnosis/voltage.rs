@@ -36,6 +36,11 @@ impl Added {
         self.definition.with(self.joint, &self.bounded()).ok()
     }
 
+    /// Whether it leaves play between a motor and its link.
+    pub fn has_play(&self) -> bool {
+        self.definition.parameters.iter().any(|parameter| parameter.name == "gap_rad")
+    }
+
     /// Turns a negative amplitude into half a turn of phase, and keeps values in bounds.
     pub fn normalise(&mut self) {
         let place = |name: &str| self.definition.parameters.iter().position(|p| p.name == name);
@@ -139,23 +144,19 @@ impl<'a> Trial<'a> {
             Some(same) => Cow::Borrowed(&same.felt[joint]),
             None => Cow::Owned(self.felt(joint)),
         };
-        let passed_nm = (spring.gap_rad > 0.0).then(|| match same {
-            Some(same) => self.passed_nm(joint, &same.net[joint]),
-            None => self.passed_nm(joint, &self.net(joint)),
+        let push_nm = (spring.gap_rad > 0.0).then(|| match same {
+            Some(same) => self.push_nm(joint, &same.net[joint]),
+            None => self.push_nm(joint, &self.net(joint)),
         });
         let period_s = self.stretch.period_s;
         let motion =
-            link_motion::behind(spring, joint, &self.motor, &felt, passed_nm.as_deref(), period_s);
+            link_motion::behind(spring, joint, &self.motor, &felt, push_nm.as_deref(), period_s);
         self.link.to_mut().take_joint(joint, motion);
     }
 
-    /// Torque that a joint's motor passes on at the samples, by what drives it and its own
-    /// acceleration [Nm].
-    fn passed_nm(&self, joint: usize, net_v: &[f64]) -> Vec<f64> {
-        let k_t = self.robot.torque_constant_nm_per_v[joint];
-        let own_kg_m2 = self.motor_inertia_kg_m2[joint];
-        let both = at_samples(net_v).into_iter().zip(&self.motor.qdd_rad_per_s2[joint]);
-        both.map(|(net_v, qdd)| k_t * net_v - own_kg_m2 * qdd).collect()
+    /// Torque that pushes a joint in the interval after each sample [Nm].
+    fn push_nm(&self, joint: usize, net_v: &[f64]) -> Vec<f64> {
+        net_v.iter().map(|net_v| self.robot.torque_constant_nm_per_v[joint] * net_v).collect()
     }
 
     /// What each joint of the rig feels of the rest of the arm.
