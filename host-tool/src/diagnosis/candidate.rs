@@ -85,7 +85,7 @@ impl Candidate {
         which: Which,
     ) -> Rows {
         let mut moved = self.effect.clone();
-        let step = step_of(&moved.definition.parameters[value], moved.values[value]);
+        let step = step_of(&moved, value);
         moved.values[value] += step;
         let mut slope = linear.change_by(evidence, &moved, which);
         for (rows, before) in slope.iter_mut().zip(change) {
@@ -115,7 +115,10 @@ impl Candidate {
         for (k, &value) in free.iter().enumerate() {
             let now = values[value];
             let parameter = &parameters[value];
-            values[value] = match parameter.lowest > 0.0 {
+            if !step[k].is_finite() {
+                continue;
+            }
+            values[value] = match parameter.lowest > 0.0 || parameter.name == "gap_rad" {
                 true => (now - step[k]).clamp(0.1 * now, 10.0 * now),
                 false => now - step[k],
             };

@@ -8,8 +8,8 @@ use rayon::prelude::*;
 use super::evidence::{Columns, Evidence, Rows};
 use super::link_motion::Felt;
 use super::unknowns::{Expected, Unknown};
-use super::voltage::{Added, Point, Trial, at_samples};
-use crate::effects::{Parameter, Touches};
+use super::voltage::{Added, Point, Same, Trial, at_samples};
+use crate::effects::Touches;
 
 /// A model with its residuals and their slopes.
 #[derive(Clone)]
@@ -26,6 +26,8 @@ pub struct Linearisation {
     parts: Vec<[Parts; 3]>,
     /// What joints feel of the rest of the arm, stretch by stretch.
     felt: Vec<[Vec<Felt>; 3]>,
+    /// What drives joints less friction, stretch by stretch.
+    net: Vec<[Vec<f64>; 3]>,
     joints: Vec<JointSlopes>,
     /// Half the gradient of the objective.
     gradient: DVector<f64>,
@@ -90,6 +92,7 @@ impl Linearisation {
             [0, 1, 2].map(of)
         });
         let felt = felt.collect();
+        let net = parts.iter().map(|joints| [0, 1, 2].map(|joint| joints[joint].net())).collect();
         Some(Self {
             point,
             expected,
@@ -97,6 +100,7 @@ impl Linearisation {
             objective,
             parts,
             felt,
+            net,
             joints,
             gradient,
             normal,
@@ -211,12 +215,15 @@ impl Linearisation {
         // What is in the model already may feel a body or a motion that changes.
         touches.drive |= touches.body && !self.point.effects.is_empty();
         touches.friction |= touches.body && !self.point.effects.is_empty();
+        // A link with play is kept on its track by what drives its motor.
+        touches.body |= self.point.effects.iter().any(Added::has_play);
         let mut rows: Rows = Default::default();
         let stretches =
             if which.held_out { evidence.stretches.len() } else { evidence.train_stretches() };
         for s in 0..stretches {
-            let felt = (!touches.drive).then_some(&self.felt[s]);
-            let trial = Trial::with_felt(&evidence.stretches[s], &point, felt);
+            let same = Same { felt: &self.felt[s], net: &self.net[s] };
+            let same = (!touches.drive).then_some(same);
+            let trial = Trial::beside(&evidence.stretches[s], &point, same);
             for &joint in &joints {
                 let change = self.parts[s][joint].change_to(&trial, joint, touches);
                 rows[joint].extend(evidence.weighted(s, joint, &change));
@@ -263,6 +270,11 @@ impl Parts {
             friction: trial.friction(joint, trial.robot()),
             needed: trial.needed(joint),
         }
+    }
+
+    /// What drives the joint less friction, by intervals.
+    fn net(&self) -> Vec<f64> {
+        self.drive.iter().zip(&self.friction).map(|(drive, friction)| drive - friction).collect()
     }
 
     /// Change of the shortfall at the samples when a trial takes these parts' place.
@@ -451,7 +463,7 @@ fn friction_moved(point: &Point, joint: usize, parameter: usize) -> (model::Robo
 fn effect_slope(evidence: &Evidence, point: &Point, unknown: Unknown, residual: &Rows) -> Rows {
     let Unknown::Effect { index, value } = unknown else { return Default::default() };
     let effect = &point.effects[index];
-    let step = step_of(&effect.definition.parameters[value], effect.values[value]);
+    let step = step_of(effect, value);
     let mut moved = point.clone();
     moved.effects[index].values[value] += step;
     let joints = if effect.definition.couples_joints {
@@ -466,11 +478,15 @@ fn effect_slope(evidence: &Evidence, point: &Point, unknown: Unknown, residual: 
     slope
 }
 
-/// Step for a difference along a parameter of an effect, away from its nearer bound.
-pub fn step_of(parameter: &Parameter, value: f64) -> f64 {
+/// Step for a difference along a parameter of an effect, away from its nearer bound. A link
+/// that bounces in its play makes rows rough: only wide steps show where they lead.
+pub fn step_of(effect: &Added, value: usize) -> f64 {
+    let parameters = effect.definition.parameters;
+    let (parameter, value) = (&parameters[value], effect.values[value]);
+    let part = if effect.has_play() { 0.15 } else { 5e-3 };
     let size = match parameter.name {
         "phase_rad" => 1e-3,
-        _ => (5e-3 * value.abs()).max(1e-6 * (parameter.highest - parameter.lowest)),
+        _ => (part * value.abs()).max(1e-6 * (parameter.highest - parameter.lowest)),
     };
     if value + size > parameter.highest { -size } else { size }
 }

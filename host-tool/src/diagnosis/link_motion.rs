@@ -1,6 +1,7 @@
 //! How a link moves behind a spring whose motor's motion is measured.
 
 use model::{Posture, Robot};
+use nalgebra::{Matrix2, RowVector2};
 
 use super::stretch::Kinematics;
 use super::voltage::at_samples;
@@ -9,38 +10,137 @@ use crate::simulation::transmission::Transmission;
 
 /// Integration steps per sample.
 const STEPS: usize = 8;
+/// Torque on a link that no model tells, in parts of the noise of the measured torque.
+const UNKNOWN_TORQUE: f64 = 0.5;
 
-/// The motion with that of one link integrated: its motor drives it through the spring, the
-/// other joints move as measured. `felt` is what a stiff joint would feel.
+/// Motion of one joint at the samples.
+#[derive(Clone, Debug, Default)]
+pub struct JointMotion {
+    q_rad: Vec<f64>,
+    qd_rad_per_s: Vec<f64>,
+    qdd_rad_per_s2: Vec<f64>,
+}
+
+impl Kinematics {
+    /// The same with another motion of a joint.
+    pub fn take_joint(&mut self, joint: usize, motion: JointMotion) {
+        self.q_rad[joint] = motion.q_rad;
+        self.qd_rad_per_s[joint] = motion.qd_rad_per_s;
+        self.qdd_rad_per_s2[joint] = motion.qdd_rad_per_s2;
+    }
+}
+
+/// The motion of one link, integrated: its motor drives it through the spring, the
+/// other joints move as measured. `felt` is what a stiff joint would feel; `passed_nm` is the
+/// torque at the samples that the motor passed on by its own equation, which keeps a link
+/// with play from losing its track.
 pub fn behind(
     spring: &Transmission,
     joint: usize,
     motor: &Kinematics,
     felt: &[Felt],
+    push_nm: Option<&[f64]>,
     period_s: f64,
-) -> Kinematics {
-    let mut motion = motor.clone();
+) -> JointMotion {
+    let mut motion = JointMotion::default();
     let count = motor.q_rad[joint].len();
     let felt: Vec<Felt> = felt.iter().map(|felt| felt.without(spring)).collect();
     let drive = Drive::of(motor, joint, period_s);
     let mut link =
         Link { q_rad: drive.angle(0, 0.0) - spring.hold(felt[0].bias_nm), qd_rad_per_s: 0.0 };
     let step_s = period_s / STEPS as f64;
-    let mut mean = Vec::with_capacity(count);
+    let mut doubt = Doubt::at_first(spring);
+    let mut before = Mean { torque_nm: 0.5 * felt[0].bias_nm, acceleration: 0.0 };
     for k in 0..count {
-        motion.q_rad[joint][k] = link.q_rad;
-        motion.qd_rad_per_s[joint][k] = link.qd_rad_per_s;
+        motion.q_rad.push(link.q_rad);
+        motion.qd_rad_per_s.push(link.qd_rad_per_s);
         let next = (k + 1).min(count - 1);
-        let mut sum = 0.0;
+        let (mut early, mut late) = (Mean::default(), Mean::default());
         for step in 0..STEPS {
             let x = (step as f64 + 0.5) / STEPS as f64;
             let (theta, speed) = (drive.angle(k, x), drive.speed(k, x));
-            sum += link.advance(spring, theta, speed, &felt[k].towards(&felt[next], x), step_s);
+            let here = felt[k].towards(&felt[next], x);
+            let passed = link.advance(spring, theta, speed, &here, step_s);
+            if push_nm.is_some() {
+                doubt.advance(spring, passed != 0.0, here.inertia_kg_m2, step_s, x);
+            }
+            let acceleration = here.acceleration(passed);
+            early.add(passed, acceleration, 1.0 - x);
+            late.add(passed, acceleration, x);
         }
-        mean.push(sum / STEPS as f64);
+        motion.qdd_rad_per_s2.push(before.acceleration + early.acceleration);
+        if let Some(push_nm) = push_nm {
+            let own = spring.motor_inertia_kg_m2 * motor.qdd_rad_per_s2[joint][k];
+            let passed = 0.5 * (push_nm[k.saturating_sub(1)] + push_nm[k]) - own;
+            doubt.correct(&mut link, passed - before.torque_nm - early.torque_nm);
+        }
+        before = late;
     }
-    motion.qdd_rad_per_s2[joint] = at_samples(&mean);
     motion
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Mean {
+    torque_nm: f64,
+    acceleration: f64,
+}
+
+impl Mean {
+    fn add(&mut self, torque_nm: f64, acceleration: f64, part: f64) {
+        self.torque_nm += part / STEPS as f64 * torque_nm;
+        self.acceleration += part / STEPS as f64 * acceleration;
+    }
+}
+
+/// How little is known of where a link is: the covariance of its angle and velocity in units
+/// of that of the measured torque, and the slopes of the interval's torque along both.
+#[derive(Clone, Copy, Debug)]
+struct Doubt {
+    spread: Matrix2<f64>,
+    /// Slopes of the torque over the interval now and before, along the state now.
+    early: RowVector2<f64>,
+    late: RowVector2<f64>,
+}
+
+impl Doubt {
+    fn at_first(spring: &Transmission) -> Self {
+        let angle = (3.0 / spring.stiffness_nm_per_rad).powi(2);
+        let speed = angle * 1e3;
+        Self {
+            spread: Matrix2::new(angle, 0.0, 0.0, speed),
+            early: RowVector2::zeros(),
+            late: RowVector2::zeros(),
+        }
+    }
+
+    fn advance(&mut self, spring: &Transmission, touches: bool, inertia: f64, step_s: f64, x: f64) {
+        let slope = match touches {
+            true => -RowVector2::new(spring.stiffness_nm_per_rad, spring.damping_nm_s_per_rad),
+            false => RowVector2::zeros(),
+        };
+        let half = Matrix2::new(1.0, 0.5 * step_s, 0.0, 1.0);
+        let kick = Matrix2::new(0.0, 0.0, slope[0], slope[1]) * (step_s / inertia);
+        let moved = half * (Matrix2::identity() + kick) * half;
+        self.early += slope * half * ((1.0 - x) / STEPS as f64);
+        self.late += slope * half * (x / STEPS as f64);
+        if let Some(back) = moved.try_inverse() {
+            self.early *= back;
+            self.late *= back;
+        }
+        self.spread = moved * self.spread * moved.transpose();
+        self.spread[(1, 1)] += (UNKNOWN_TORQUE / inertia).powi(2) * step_s * step_s * STEPS as f64;
+    }
+
+    fn correct(&mut self, link: &mut Link, missed_nm: f64) {
+        let slope = self.early;
+        let across = self.spread * slope.transpose();
+        let gain = across / (1.0 + (slope * across)[0]);
+        link.q_rad += gain[0] * missed_nm;
+        link.qd_rad_per_s += gain[1] * missed_nm;
+        self.spread -= gain * across.transpose();
+        self.early = self.late;
+        self.late = RowVector2::zeros();
+    }
 }
 
 /// The motor's motion between its samples: cubic pieces of angle and velocity.
@@ -125,7 +225,7 @@ impl Link {
     }
 
     /// Half a step of drift, a whole one of acceleration, half a step of drift; returns the
-    /// acceleration.
+    /// torque that the spring passes on.
     fn advance(
         &mut self,
         spring: &Transmission,
@@ -135,9 +235,9 @@ impl Link {
         step_s: f64,
     ) -> f64 {
         self.q_rad += 0.5 * step_s * self.qd_rad_per_s;
-        let acceleration = felt.acceleration(self.torque(spring, theta, speed));
-        self.qd_rad_per_s += step_s * acceleration;
+        let torque_nm = self.torque(spring, theta, speed);
+        self.qd_rad_per_s += step_s * felt.acceleration(torque_nm);
         self.q_rad += 0.5 * step_s * self.qd_rad_per_s;
-        acceleration
+        torque_nm
     }
 }

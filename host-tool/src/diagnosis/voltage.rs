@@ -17,6 +17,7 @@ use super::reading;
 use super::stretch::{Kinematics, Stretch};
 use crate::effects::{Definition, Effect, Moment};
 use crate::signal::derivative;
+use crate::simulation::transmission::Transmission;
 
 /// An effect that is in a model under trial.
 #[derive(Clone, Debug)]
@@ -33,6 +34,11 @@ impl Added {
     /// The effect, its values kept within their bounds; `None` if it acts on no such joint.
     pub fn build(&self) -> Option<Box<dyn Effect>> {
         self.definition.with(self.joint, &self.bounded()).ok()
+    }
+
+    /// Whether it leaves play between a motor and its link.
+    pub fn has_play(&self) -> bool {
+        self.definition.parameters.iter().any(|parameter| parameter.name == "gap_rad")
     }
 
     /// Turns a negative amplitude into half a turn of phase, and keeps values in bounds.
@@ -96,51 +102,71 @@ pub struct Trial<'a> {
     feels_load: bool,
 }
 
+/// What a model shares with one that has one spring more.
+#[derive(Clone, Copy, Debug)]
+pub struct Same<'a> {
+    /// What joints feel of the rest of the arm, by samples.
+    pub felt: &'a [Vec<Felt>; 3],
+    /// What drives joints less friction, by intervals [V].
+    pub net: &'a [Vec<f64>; 3],
+}
+
 impl<'a> Trial<'a> {
     /// Prepares a model for a stretch.
     pub fn of(stretch: &'a Stretch, point: &'a Point) -> Self {
-        Self::with_felt(stretch, point, None)
+        Self::beside(stretch, point, None)
     }
 
-    /// The same where it is known what each joint feels of the rest of the arm.
-    pub fn with_felt(
-        stretch: &'a Stretch,
-        point: &'a Point,
-        felt: Option<&[Vec<Felt>; 3]>,
-    ) -> Self {
+    /// The same where an effect more changes neither the motors' motion nor what drives them.
+    pub fn beside(stretch: &'a Stretch, point: &'a Point, same: Option<Same>) -> Self {
         let effects = built(&point.effects);
         let mut robot = point.robot;
         effects.iter().for_each(|effect| effect.change_robot(&mut robot));
         let motor = reading::corrected(&stretch.motion, &effects);
-        let mut links = robot;
-        let mut link = motor.clone();
-        let mut motor_inertia_kg_m2 = [0.0; 3];
-        for (joint, spring) in effects.iter().filter_map(|effect| effect.transmission()) {
-            links = spring.without_motor(joint, &links);
-            motor_inertia_kg_m2[joint] = spring.motor_inertia_kg_m2;
-            let felt = match felt {
-                Some(felt) => Cow::Borrowed(&felt[joint]),
-                None => Cow::Owned(Felt::along(joint, &motor, &robot)),
-            };
-            let period_s = stretch.period_s;
-            link = Cow::Owned(link_motion::behind(&spring, joint, &motor, &felt, period_s));
-        }
-        let postures = match &link {
-            Cow::Borrowed(_) => Cow::Borrowed(&stretch.postures[..]),
-            Cow::Owned(link) => Cow::Owned(link.postures()),
-        };
+        let link = motor.clone();
         let feels_load = effects.iter().any(|effect| effect.feels_load());
-        Self {
+        let motor_inertia_kg_m2 = [0.0; 3];
+        let mut trial = Self {
             stretch,
             point,
             robot,
-            links,
+            links: robot,
             motor,
             link,
-            postures,
+            postures: Cow::Borrowed(&stretch.postures[..]),
             motor_inertia_kg_m2,
             feels_load,
+        };
+        for (joint, spring) in effects.iter().filter_map(|effect| effect.transmission()) {
+            trial.move_link(joint, &spring, same);
         }
+        if let Cow::Owned(link) = &trial.link {
+            trial.postures = Cow::Owned(link.postures());
+        }
+        trial
+    }
+
+    /// Puts a spring between a joint's motor and its link.
+    fn move_link(&mut self, joint: usize, spring: &Transmission, same: Option<Same>) {
+        self.links = spring.without_motor(joint, &self.links);
+        self.motor_inertia_kg_m2[joint] = spring.motor_inertia_kg_m2;
+        let felt = match same {
+            Some(same) => Cow::Borrowed(&same.felt[joint]),
+            None => Cow::Owned(self.felt(joint)),
+        };
+        let push_nm = (spring.gap_rad > 0.0).then(|| match same {
+            Some(same) => self.push_nm(joint, &same.net[joint]),
+            None => self.push_nm(joint, &self.net(joint)),
+        });
+        let period_s = self.stretch.period_s;
+        let motion =
+            link_motion::behind(spring, joint, &self.motor, &felt, push_nm.as_deref(), period_s);
+        self.link.to_mut().take_joint(joint, motion);
+    }
+
+    /// Torque that pushes a joint in the interval after each sample [Nm].
+    fn push_nm(&self, joint: usize, net_v: &[f64]) -> Vec<f64> {
+        net_v.iter().map(|net_v| self.robot.torque_constant_nm_per_v[joint] * net_v).collect()
     }
 
     /// What each joint of the rig feels of the rest of the arm.

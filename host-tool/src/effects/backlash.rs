@@ -30,12 +30,12 @@ pub(super) const DEFINITION: Definition = Definition {
     },
 };
 
-/// Gaps of some mrad and a stiff spring beyond.
+/// Gaps of about a mrad, rather too small than too large, and a stiff spring beyond.
 fn starts(typical: &Typical) -> Vec<Vec<f64>> {
     let mut starts = Vec::new();
-    for gap_rad in [5e-4, 2e-3, 6e-3] {
-        for resonance_hz in [15.0, 40.0] {
-            let [stiffness, damping, inertia] = typical.spring(resonance_hz, 0.15);
+    for gap_rad in [5e-4, 1.5e-3] {
+        for resonance_hz in [12.0, 20.0, 35.0] {
+            let [stiffness, damping, inertia] = typical.spring(resonance_hz, 0.13);
             starts.push(vec![gap_rad, stiffness, damping, inertia]);
         }
     }
