@@ -7,7 +7,7 @@ use super::fit::{fit, fit_held};
 use super::judgement::{confidence, verdict};
 use super::linearisation::Linearisation;
 use super::motion_gap::drift_rms_rad;
-use super::noise::Noise;
+use super::noise::NoiseByRate;
 use super::preparation::as_given;
 use super::rest::MISSES;
 use super::selection::{Rivalry, Selection};
@@ -29,7 +29,7 @@ pub struct Assembly<'a> {
     /// The logs.
     pub traces: &'a [Trace],
     /// Noise in what the last model leaves.
-    pub noise: [Noise; 3],
+    pub noise: NoiseByRate,
 }
 
 /// Steps of a fit without one of the causes.

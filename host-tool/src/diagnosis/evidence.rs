@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use rayon::prelude::*;
 
-use super::noise::Noise;
+use super::noise::NoiseByRate;
 use super::row_filter::RowFilter;
 use super::stretch::Stretch;
 use super::voltage::{Point, Trial};
@@ -17,8 +17,6 @@ pub struct Evidence {
     pub stretches: Vec<Stretch>,
     /// Joints of the rig, 0 to 2.
     pub joints: Vec<usize>,
-    /// Noise of each joint of the arm.
-    pub noise: [Noise; 3],
     /// Filter of a joint's rows in a stretch, by joint.
     filters: [Vec<RowFilter>; 3],
     /// Noise of a joint's rows in a stretch, rms [V], by joint.
@@ -37,24 +35,24 @@ pub type Rows = [Vec<f64>; 3];
 
 impl Evidence {
     /// Stretches as rows that are white for this noise.
-    pub fn new(mut stretches: Vec<Stretch>, joints: Vec<usize>, noise: [Noise; 3]) -> Self {
+    pub fn new(mut stretches: Vec<Stretch>, joints: Vec<usize>, noise: &NoiseByRate) -> Self {
         stretches.sort_by_key(|stretch| stretch.role == Role::Holdout);
         let train = stretches.iter().filter(|s| s.role == Role::Train).count();
-        let filters = noise.map(|noise| {
+        let filters = [0, 1, 2].map(|joint| {
             let filter = |s: &Stretch| {
-                let corner_hz = noise.corner_hz().clamp(2.0, 0.4 / s.period_s);
+                let corner_hz = noise.of(joint, s.period_s).corner_hz().clamp(2.0, 0.4 / s.period_s);
                 RowFilter::new(s.period_s, s.brisk, corner_hz)
             };
             stretches.iter().map(filter).collect::<Vec<_>>()
         });
         let floors_v = [0, 1, 2].map(|joint| {
             let floor = |(s, filter): (&Stretch, &RowFilter)| {
-                noise[joint].behind(|f| filter.gain(f), s.period_s)
+                noise.of(joint, s.period_s).behind(|f| filter.gain(f), s.period_s)
             };
             stretches.iter().zip(&filters[joint]).map(floor).collect()
         });
         let regressors = stretches.iter().map(|_| Default::default()).collect();
-        Self { stretches, joints, noise, filters, floors_v, train, regressors }
+        Self { stretches, joints, filters, floors_v, train, regressors }
     }
 
     /// Rows of a model under trial, on some joints.

@@ -4,6 +4,7 @@ use super::stretch::Stretch;
 use super::subject::Subject;
 use crate::files::Role;
 use crate::identification::campaign::JointTrace;
+use crate::identification::one_joint::pendulum::{MOVED_FROM_OUTSIDE, is_moved_from_outside};
 use crate::identification::plausibility::examine;
 use crate::identification::{Campaign, StepError, Trace};
 
@@ -66,6 +67,9 @@ impl Usable {
             self.remarks.extend(unwrap(&trace.file, joint));
         }
         self.remarks.extend(examine(&trace, &subject.known)?);
+        if subject.one_joint && is_moved_from_outside(&trace, subject.numbers[0], &subject.known) {
+            return Err(unusable(format!("{MOVED_FROM_OUTSIDE}; record motion that the motor drives")));
+        }
         let stretches = Stretch::of(&trace, index, subject);
         if stretches.is_empty() {
             return Err(unusable(

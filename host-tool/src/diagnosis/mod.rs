@@ -4,6 +4,7 @@
 mod assembly;
 pub mod candidate;
 mod detectable;
+mod encoder_step;
 pub mod even_clock;
 pub mod evidence;
 pub mod fit;
@@ -60,16 +61,11 @@ pub enum DiagnosisError {
 /// # Errors
 /// Logs that do not fit the model's robot, or that cannot be used.
 pub fn diagnose(campaign: &Campaign, steps: &Steps) -> Result<Diagnosis, DiagnosisError> {
-    let subject = Subject::of(campaign)?;
+    let mut subject = Subject::of(campaign)?;
+    encoder_step::find(&mut subject.known, &campaign.traces);
     let usable = Usable::of(campaign, &subject)?;
     steps.at("refitting the model");
-    let undetermined = || StepError::Numerical {
-        step: "diagnosis",
-        what: "the logs do not determine the model's parameters; record motion of every joint"
-            .into(),
-    };
-    let (evidence, refitted) =
-        preparation::prepared(&subject, usable.stretches).ok_or_else(undetermined)?;
+    let (evidence, refitted) = preparation::prepared(&subject, usable.stretches)?;
     let selection = selection::select(&evidence, &subject, refitted, &|what| steps.at(what));
     steps.at("judging");
     let assembly = Assembly {
@@ -77,7 +73,7 @@ pub fn diagnose(campaign: &Campaign, steps: &Steps) -> Result<Diagnosis, Diagnos
         evidence: &evidence,
         selection: &selection,
         traces: &campaign.traces,
-        noise: preparation::noise_left(&evidence, &selection),
+        noise: preparation::noise_left(&subject, &evidence, &selection),
     };
     Ok(assembly.diagnosis(&campaign.robot_file, usable.remarks))
 }

@@ -19,6 +19,38 @@ pub struct Noise {
     pub growing: f64,
 }
 
+/// The noise of the joints at each of the rates at which logs are sampled: an amplifier
+/// or encoder that is sampled twice as often spreads its noise over twice the band.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct NoiseByRate {
+    /// Sample periods [s] with the noise of each joint of the arm.
+    rates: Vec<(f64, [Option<Noise>; 3])>,
+}
+
+/// Noise of a joint that has none, or of which nothing is known.
+const NOTHING: Noise = Noise { white: 1e-12, growing: 1e-18 };
+
+impl NoiseByRate {
+    /// Adds what was seen of each joint at a sample period [s].
+    pub fn push(&mut self, period_s: f64, noise: [Option<Noise>; 3]) {
+        self.rates.push((period_s, noise));
+    }
+
+    /// Whether anything was seen of a joint (0 to 2).
+    pub fn knows(&self, joint: usize) -> bool {
+        self.rates.iter().any(|(_, noise)| noise[joint].is_some())
+    }
+
+    /// The noise of a joint (0 to 2) at a sample period [s], from the nearest rate at which
+    /// it was seen.
+    pub fn of(&self, joint: usize, period_s: f64) -> Noise {
+        let apart = |rate_s: f64| (rate_s / period_s).ln().abs();
+        let seen = self.rates.iter().filter_map(|(rate_s, noise)| Some((*rate_s, noise[joint]?)));
+        let nearest = seen.min_by(|a, b| apart(a.0).total_cmp(&apart(b.0)));
+        nearest.map_or(NOTHING, |(rate_s, noise)| noise.at_another_rate(period_s / rate_s))
+    }
+}
+
 /// Length of a piece [s].
 const PIECE_S: f64 = 0.4;
 /// Lowest frequency that is looked at [Hz].
@@ -44,6 +76,17 @@ impl Noise {
         let quiet: Vec<(f64, f64)> =
             (first..=last).map(|bin| (bin as f64 * step_hz, quiet_power(&pieces, bin))).collect();
         Self::fitted(&quiet)
+    }
+
+    /// The noise, its growing part no smaller than this: an encoder that stands still shows
+    /// none of what its steps add once it moves.
+    pub fn growing_at_least(self, growing: f64) -> Self {
+        Self { growing: self.growing.max(growing), ..self }
+    }
+
+    /// The same noise where samples are `longer` times as far apart.
+    fn at_another_rate(self, longer: f64) -> Self {
+        Self { white: longer * self.white, growing: longer * self.growing }
     }
 
     /// Power density at a frequency [V^2/Hz].

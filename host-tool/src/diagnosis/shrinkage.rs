@@ -4,7 +4,7 @@ use rand_distr::{Distribution, Uniform};
 use rand_pcg::Pcg64Mcg;
 
 use super::evidence::{Evidence, Rows};
-use super::noise::Noise;
+use super::noise::NoiseByRate;
 use crate::files::Role;
 
 /// 1 - rms with / rms without, with its 95 % interval.
@@ -88,7 +88,7 @@ pub fn held_out_rms_v(evidence: &Evidence, rows: &Rows) -> Vec<f64> {
 }
 
 /// What noise alone would leave of each joint's rows held out, rms [V].
-pub fn held_out_floor_v(evidence: &Evidence, noise: &[Noise; 3]) -> Vec<f64> {
+pub fn held_out_floor_v(evidence: &Evidence, noise: &NoiseByRate) -> Vec<f64> {
     let one: Rows = [0, 1, 2].map(|joint| {
         let share = |(s, range): (usize, std::ops::Range<usize>)| {
             let floor = noise_floor_v(evidence, noise, joint, s) / evidence.floor_v(joint, s);
@@ -100,7 +100,8 @@ pub fn held_out_floor_v(evidence: &Evidence, noise: &[Noise; 3]) -> Vec<f64> {
 }
 
 /// What noise would leave of a joint's rows in a stretch, rms [V].
-pub fn noise_floor_v(evidence: &Evidence, noise: &[Noise; 3], joint: usize, s: usize) -> f64 {
+pub fn noise_floor_v(evidence: &Evidence, noise: &NoiseByRate, joint: usize, s: usize) -> f64 {
     let filter = evidence.filter(joint, s);
-    noise[joint].behind(|f| filter.gain(f), evidence.stretches[s].period_s)
+    let period_s = evidence.stretches[s].period_s;
+    noise.of(joint, period_s).behind(|f| filter.gain(f), period_s)
 }

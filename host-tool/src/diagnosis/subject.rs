@@ -35,6 +35,8 @@ pub struct Subject {
     pub one_joint: bool,
     /// What the manufacturer tells.
     pub known: Known,
+    /// Whether the model tells the stiffness of its bristles.
+    pub bristles_known: bool,
 }
 
 impl Subject {
@@ -52,9 +54,11 @@ impl Subject {
             robot,
             known_effects: Vec::new(),
             joints,
-            numbers,
             one_joint,
             known: campaign.known.clone(),
+            bristles_known: !one_joint
+                || file.friction_table(numbers[0])?.sigma0_v_per_rad.is_some(),
+            numbers,
         };
         for table in &file.effects {
             let (definition, values) = table.definition_and_values()?;

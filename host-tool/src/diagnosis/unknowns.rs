@@ -66,7 +66,7 @@ pub fn expected(subject: &Subject, period_s: f64) -> Vec<Expected> {
         all.extend((0..FRICTION_COUNT).map(|parameter| Expected {
             unknown: Unknown::Friction { joint, parameter },
             mean: values[parameter],
-            deviation: friction_deviation(&values, parameter),
+            deviation: friction_deviation(&values, parameter, subject.bristles_known),
         }));
         all.push(Expected {
             unknown: Unknown::Lag(joint),
@@ -77,12 +77,27 @@ pub fn expected(subject: &Subject, period_s: f64) -> Vec<Expected> {
     all
 }
 
-fn friction_deviation(values: &[f64; FRICTION_COUNT], parameter: usize) -> f64 {
+fn friction_deviation(
+    values: &[f64; FRICTION_COUNT],
+    parameter: usize,
+    bristles_known: bool,
+) -> f64 {
     const COULOMB: usize = 0;
     const STRIBECK_LEVEL: usize = 1;
+    const STRIBECK_VELOCITY: usize = 2;
+    const VISCOUS: usize = 3;
+    const STIFFNESS: usize = 4;
+    const DAMPING: usize = 5;
+    let own = 0.005 * values[parameter].abs();
     let least = match parameter {
         STRIBECK_LEVEL => 0.02 * values[COULOMB],
-        _ => 0.005 * values[parameter].abs(),
+        // Identification gives zero where it is small, which leaves doubt.
+        VISCOUS => own.max(0.002 * values[COULOMB]),
+        STIFFNESS if !bristles_known => values[STIFFNESS],
+        DAMPING if !bristles_known => 0.02 * values[STIFFNESS],
+        DAMPING => own.max(1e-5 * values[STIFFNESS]),
+        STRIBECK_VELOCITY => own.max(1e-6),
+        _ => own,
     };
     RELATIVE * values[parameter].abs() + least
 }

@@ -177,11 +177,20 @@ fn why_not(trace: &Trace, joint: u8, known: &Known) -> Option<String> {
         return Some(format!("joint {joint} never moved"));
     }
     if follows_position(&motion, &moving) {
-        let what = "its command is a function of the position alone: an outside force moved it";
-        return Some(what.to_owned());
+        return Some(MOVED_FROM_OUTSIDE.to_owned());
     }
     None
 }
+
+/// Whether the command of a log is a mere function of the joint's position, as under
+/// gravity compensation: then an outside force moved it.
+pub fn is_moved_from_outside(trace: &Trace, joint: u8, known: &Known) -> bool {
+    why_not(trace, joint, known).is_some_and(|why| why == MOVED_FROM_OUTSIDE)
+}
+
+/// What is said of such a log.
+pub const MOVED_FROM_OUTSIDE: &str =
+    "its command is a function of the position alone: an outside force moved it";
 
 /// Whether 1, sin q and cos q explain the command all but 2 %.
 fn follows_position(motion: &Motion, rows: &[usize]) -> bool {
