@@ -58,7 +58,11 @@ const RARER: [&str; 6] = [
     "tip_force:force_N=1 -2 0.5",
 ];
 
-fn tables(texts: &[&str]) -> Vec<EffectTable> {
+/// Effects as the command line writes them.
+///
+/// # Panics
+/// One of them is none.
+pub fn tables(texts: &[&str]) -> Vec<EffectTable> {
     texts.iter().map(|text| EffectTable::from_text(text).expect("an effect")).collect()
 }
 

@@ -33,6 +33,14 @@ pub struct Arguments {
 /// # Errors
 /// Files that cannot be used or written, or logs that do not fit the model's robot.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    diagnose(arguments).map(drop)
+}
+
+/// [`run`], for those who go on with the diagnosis.
+///
+/// # Errors
+/// Those of [`run`].
+pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
     refuse_to_replace(&arguments.model, &arguments.out.join(MODEL))?;
     let model = RobotFile::read(&arguments.model)?;
     let dataset = Dataset::read(&arguments.dataset)?;
@@ -45,7 +53,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     steps.finish();
     print!("{}", in_words(&diagnosis));
     println!("\nPictures: {}", arguments.out.join(PAGE).display());
-    Ok(())
+    Ok(diagnosis)
 }
 
 impl From<DiagnosisError> for Failure {
@@ -61,8 +69,10 @@ impl From<DiagnosisError> for Failure {
 }
 
 const REPORT: &str = "report.json";
-const PAGE: &str = "report.html";
-const MODEL: &str = "model.toml";
+/// The report's name in the directory of a diagnosis.
+pub const PAGE: &str = "report.html";
+/// The amended model's.
+pub const MODEL: &str = "model.toml";
 
 /// The amended model must not take the place of the one that is judged.
 fn refuse_to_replace(model: &Path, amended: &Path) -> Result<(), Failure> {

@@ -106,18 +106,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The rig that a model file describes.
-fn rig(file: &RobotFile) -> Result<Rig, Failure> {
-    let mut rig = Rig::new(file.robot()?);
-    let table = &file.robot;
-    if let Some(counts) = table.encoder_counts_per_rev {
-        rig.encoder_counts_per_turn = counts as u32;
-    }
-    rig.sample_period_s = table.sample_period_s.unwrap_or(rig.sample_period_s);
-    rig.command_limit_v = table.command_limit_v.unwrap_or(rig.command_limit_v);
-    Ok(rig)
-}
-
 impl Arguments {
     /// A data set recorded in this process, as it is by default.
     pub fn new(model: &Path, dataset: &str, out: &Path) -> Self {
@@ -138,9 +126,9 @@ impl Arguments {
     }
 
     /// The rig of the model file; says which effects it is to compensate and cannot.
-    fn rig(&self) -> Result<Rig, Failure> {
+    pub(super) fn rig(&self) -> Result<Rig, Failure> {
         let file = RobotFile::read(&self.model)?;
-        let rig = rig(&file)?;
+        let rig = Rig::of_file(&file)?;
         if !self.compensate {
             return Ok(rig);
         }

@@ -99,7 +99,7 @@ impl Assembly<'_> {
                 sentence::effect_words(effect.definition.name),
                 sentence::joint_words(self.subject.outer_joint(effect.joint))
             );
-            levels.push(level(&name, &step.linear.residual));
+            levels.push(level(&name, &self.within_doubt(&step.linear).residual));
         }
         let rms_v = held_out_floor_v(self.evidence, &self.noise);
         levels.push(Level { name: "noise".into(), rms_v });

@@ -26,7 +26,8 @@ pub struct BarTable {
     pub unit: String,
 }
 
-const WIDTH: f64 = 1080.0;
+/// Width of the picture [px].
+pub const WIDTH: f64 = 1080.0;
 const NAMES: f64 = 250.0;
 const ROW: f64 = 26.0;
 const TOP: f64 = 34.0;
@@ -36,7 +37,7 @@ const NUMBER: f64 = 78.0;
 impl BarTable {
     /// The table as an SVG element.
     pub fn to_svg(&self) -> String {
-        let height = TOP + ROW * self.rows.len() as f64 + 8.0;
+        let height = self.height();
         let mut body = String::new();
         for (index, name) in self.columns.iter().enumerate() {
             let x = self.left(index);
@@ -51,6 +52,11 @@ impl BarTable {
             body += &vertical(x, TOP - 4.0, height - 6.0, "#6e6e6e", true);
         }
         picture(WIDTH, height, &body)
+    }
+
+    /// Height of the picture [px].
+    pub fn height(&self) -> f64 {
+        TOP + ROW * self.rows.len() as f64 + 8.0
     }
 
     fn row(&self, row: &BarRow, y: f64) -> String {

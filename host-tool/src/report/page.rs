@@ -42,6 +42,13 @@ impl Page {
         self
     }
 
+    /// A paragraph that leads to another page.
+    pub fn link(&mut self, text: &str, address: &str) -> &mut Self {
+        let address = escape(address).replace('"', "&quot;");
+        let _ = writeln!(self.body, "<p><a href=\"{address}\">{}</a></p>", escape(text));
+        self
+    }
+
     /// Charts side by side where there is room.
     pub fn charts(&mut self, charts: &[Chart]) -> &mut Self {
         let drawn: Vec<String> = charts.iter().map(Chart::to_svg).collect();

@@ -63,6 +63,11 @@ pub(super) fn picture(width: f64, height: f64, body: &str) -> String {
     )
 }
 
+/// A picture as a part of another, its upper left corner at x and y.
+pub(super) fn placed(x: f64, y: f64, svg: &str) -> String {
+    svg.replacen("<svg ", &format!("<svg x=\"{x:.0}\" y=\"{y:.0}\" "), 1) + "\n"
+}
+
 /// Round values between two, about `count` of them.
 pub(super) fn ticks(lowest: f64, highest: f64, count: f64) -> Vec<f64> {
     let span = highest - lowest;

@@ -19,15 +19,23 @@ pub struct Run {
     pub instructions_per_tick: f64,
 }
 
-/// Two runs of the same motion side by side.
-pub fn tracking_page(plain: &Run, modelled: &Run) -> Page {
-    let ratios: Vec<f64> = plain
-        .tracking
-        .iter()
-        .zip(&modelled.tracking)
-        .map(|(without, with)| without.rms_rad() / with.rms_rad())
-        .collect();
-    let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
+/// A robot that does what its model does not know, before and after its diagnosis.
+#[derive(Clone, Debug)]
+pub struct Diagnosed {
+    /// What the diagnosis says.
+    pub sentence: String,
+    /// The address of its report.
+    pub report: String,
+    /// The run with the model as it was.
+    pub before: Run,
+    /// The run with the amended model.
+    pub after: Run,
+}
+
+/// Runs of the same motion side by side: without and with the model, before and after the
+/// diagnosis of a robot that changed.
+pub fn tracking_page(plain: &Run, modelled: &Run, diagnosed: &Diagnosed) -> Page {
+    let least = least_ratio(plain, modelled);
     let lead = format!(
         "With the model in the firmware, every joint follows the motion (20)-(21) at least \
          {least:.0} times closer than with PD alone."
@@ -37,7 +45,9 @@ pub fn tracking_page(plain: &Run, modelled: &Run) -> Page {
         &["Joint", "PD alone, rms [mrad]", "PD with the model, rms [mrad]", "ratio"],
         &rows(plain, modelled),
     );
-    page.heading("Tracking error").charts(&error_charts(plain, modelled));
+    add(&mut page, diagnosed);
+    page.heading("Tracking error without and with the model")
+        .charts(&error_charts(plain, modelled));
     page.heading("What remains with the model").paragraph(REMAINDER);
     page.charts(&remainder_charts(modelled));
     page.heading("Voltages").charts(&voltage_charts(plain, modelled));
@@ -47,6 +57,23 @@ pub fn tracking_page(plain: &Run, modelled: &Run) -> Page {
         modelled.instructions_per_tick, modelled.speed
     ));
     page
+}
+
+/// What became of the robot that changed.
+fn add(page: &mut Page, diagnosed: &Diagnosed) {
+    let Diagnosed { sentence, report, before, after } = diagnosed;
+    page.heading("The robot changes").paragraph(sentence).table(
+        &["Joint", "model as it was, rms [mrad]", "amended model, rms [mrad]", "ratio"],
+        &rows(before, after),
+    );
+    page.charts(&error_charts(before, after)).link("The diagnosis", report);
+}
+
+/// The least of the joints' ratios of errors.
+fn least_ratio(first: &Run, second: &Run) -> f64 {
+    let pairs = first.tracking.iter().zip(&second.tracking);
+    let ratios = pairs.map(|(without, with)| without.rms_rad() / with.rms_rad());
+    ratios.fold(f64::INFINITY, f64::min)
 }
 
 const REMAINDER: &str = "A count of the encoder is 0.0096 mrad. While the motion swells in the \

@@ -5,6 +5,7 @@ use firmware::{Gains, Mode, ParameterBlock};
 use model::{Posture, Robot};
 
 use crate::compensation::Compensations;
+use crate::files::{FileError, RobotFile};
 
 /// What is the same in all experiments of a rig.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +40,21 @@ impl Rig {
             velocity_bandwidth_rad_per_s: 300.0,
             compensations: Compensations::default(),
         }
+    }
+
+    /// The rig that a model file describes; its `[[effect]]` tables are not looked at.
+    ///
+    /// # Errors
+    /// The file lacks a part of the model.
+    pub fn of_file(file: &RobotFile) -> Result<Self, FileError> {
+        let mut rig = Self::new(file.robot()?);
+        let table = &file.robot;
+        if let Some(counts) = table.encoder_counts_per_rev {
+            rig.encoder_counts_per_turn = counts as u32;
+        }
+        rig.sample_period_s = table.sample_period_s.unwrap_or(rig.sample_period_s);
+        rig.command_limit_v = table.command_limit_v.unwrap_or(rig.command_limit_v);
+        Ok(rig)
     }
 
     /// A parameter block: this rig with these modes and this reference.

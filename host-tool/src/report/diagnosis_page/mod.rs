@@ -1,6 +1,7 @@
 //! `report.html` of `rrr diagnose`: what the gap is, what causes it, and what is left.
 
 mod commands;
+mod figure;
 mod maps;
 mod over_axis;
 mod spectra;
@@ -9,6 +10,8 @@ pub mod tables;
 #[cfg(test)]
 mod tests;
 mod waterfall;
+
+pub use figure::figure;
 
 use super::{Chart, Page};
 use crate::diagnosis::{Diagnosis, Verdict, sentence};

@@ -9,7 +9,7 @@ use crate::diagnosis::sentence::axis_words;
 use crate::diagnosis::{Axis, Diagnosis, Place};
 use crate::report::{Chart, Series, Stroke};
 
-const HALF: (u32, u32) = (535, 290);
+pub(super) const HALF: (u32, u32) = (535, 290);
 const BINS: usize = 72;
 const LEAST_IN_BIN: usize = 8;
 const MOST_CHARTS: usize = 4;

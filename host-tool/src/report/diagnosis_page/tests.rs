@@ -26,6 +26,8 @@ fn a_named_cause_is_said_and_drawn() {
     let sentence = "Joint 3: cogging, 8 per turn, 0.11 V, explains 95 % of the gap.";
     assert!(page.contains(sentence) && in_words(&diagnosis).starts_with(sentence));
     assert!(page.contains("Rivals, and why they lost") && !page.contains("NaN"));
+    let figure = crate::report::diagnosis_page::figure(&diagnosis);
+    assert!(figure.matches("<svg").count() >= 3 && figure.contains("per revolution"));
     assert!(page.len() < 2_000_000, "{} bytes", page.len());
     assert_eq!(report["verdict"], "effect");
     assert_eq!(report["where"][0]["axis"], "position");

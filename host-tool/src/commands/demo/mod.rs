@@ -1,4 +1,7 @@
-//! `rrr demo`: experiments, identification and the identified model at work, in QEMU.
+//! `rrr demo`: experiments, identification, the identified model at work in QEMU, and the
+//! diagnosis of a robot that is no longer what its model says.
+
+mod changed;
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -9,12 +12,12 @@ use model::reference_robot::reference_robot;
 
 use super::{Failure, create_directory, identify, simulate};
 use crate::board::{Qemu, QemuSettings};
-use crate::files::RobotFile;
+use crate::files::{EffectTable, RobotFile};
 use crate::progress::Progress;
 use crate::report::tracking_page::{Run, error_charts, tracking_page};
 use crate::simulation::plan::task;
 use crate::simulation::tracking::Tracking;
-use crate::simulation::{Rig, Settings, record};
+use crate::simulation::{Rig, Settings, SimulatedRobot, record_robot, start_of};
 
 /// Arguments of `rrr demo`.
 #[derive(Args, Debug)]
@@ -44,11 +47,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = RobotFile::read(arguments.out.join("model.toml"))?.robot()?;
     println!("\n3. The model goes into the firmware, which plays the motion (20)-(21).");
     let rig = Rig::new(model);
-    let plain = arguments.drive(&rig, Mode::Pd, "PD alone")?;
-    let modelled = arguments.drive(&rig, Mode::PdModel, "PD with the model")?;
+    let plain = arguments.drive(&rig, Mode::Pd, "PD alone", &[])?;
+    let modelled = arguments.drive(&rig, Mode::PdModel, "PD with the model", &[])?;
     print_table(&plain, &modelled);
+    let diagnosed = arguments.diagnosed(&rig)?;
     let path = arguments.out.join("index.html");
-    tracking_page(&plain, &modelled).write(&path)?;
+    tracking_page(&plain, &modelled, &diagnosed).write(&path)?;
     error_charts(&plain, &modelled)[1].write_svg(&arguments.out.join("tracking.svg"))?;
     println!("\nPictures: {}", path.display());
     Ok(())
@@ -86,21 +90,27 @@ impl Arguments {
         }
     }
 
-    /// Records the motion (20)-(21) with QEMU in the loop.
-    fn drive(&self, rig: &Rig, mode: Mode, name: &'static str) -> Result<Run, Failure> {
+    /// Records the motion (20)-(21) with QEMU in the loop, on the true robot with effects.
+    fn drive(
+        &self,
+        rig: &Rig,
+        mode: Mode,
+        name: &'static str,
+        effects: &[EffectTable],
+    ) -> Result<Run, Failure> {
         let plan = task(self.duration_s).with_mode(mode);
-        let ticks = plan.ticks(rig);
+        let (ticks, block) = (plan.ticks(rig), plan.block(rig));
+        let effects: Result<Vec<_>, _> = effects.iter().map(EffectTable::effect).collect();
+        let effects = effects.map_err(|error| Failure::new(error.to_string(), ""))?;
+        let start = start_of(&block);
+        let robot =
+            SimulatedRobot::with_effects(reference_robot(), effects, start, &Settings::default());
         let mut board = Qemu::start(&QemuSettings::new(&self.firmware))?;
         let progress = Progress::new(name, u64::from(ticks));
         let started = Instant::now();
-        let recording = record(
-            &mut board,
-            &plan.block(rig),
-            &reference_robot(),
-            &Settings::default(),
-            ticks,
-            &mut |tick| progress.at(u64::from(tick)),
-        )?;
+        let recording = record_robot(&mut board, &block, robot, ticks, &mut |tick| {
+            progress.at(u64::from(tick));
+        })?;
         let elapsed_s = started.elapsed().as_secs_f64();
         progress.finish();
         let counts_per_turn = f64::from(rig.encoder_counts_per_turn);
@@ -114,20 +124,20 @@ impl Arguments {
     }
 }
 
-fn print_table(plain: &Run, modelled: &Run) {
+fn print_table(first: &Run, second: &Run) {
     println!("Motion (20)-(21), firmware in QEMU around the simulated robot\n");
-    println!("  joint   rms tracking error [mrad]        ratio");
-    println!("          PD alone   PD with the model");
-    for (without, with) in plain.tracking.iter().zip(&modelled.tracking) {
+    println!("  joint   rms tracking error [mrad]                 ratio");
+    println!("          {:>17}   {:>17}", first.name, second.name);
+    for (without, with) in first.tracking.iter().zip(&second.tracking) {
         let (without_mrad, with_mrad) = (1e3 * without.rms_rad(), 1e3 * with.rms_rad());
         println!(
-            "  {}       {without_mrad:8.3}   {with_mrad:8.4}           {:6.0}",
+            "  {}       {without_mrad:17.3}   {with_mrad:17.4}   {:8.0}",
             without.joint,
             without_mrad / with_mrad
         );
     }
     println!(
         "\n  a tick takes {:.0} instructions; the loop ran {:.0} times as fast as real time",
-        modelled.instructions_per_tick, modelled.speed
+        second.instructions_per_tick, second.speed
     );
 }

@@ -1,0 +1,77 @@
+//! The second half of the demonstration: the robot changes, and the diagnosis finds how.
+
+use std::path::Path;
+
+use firmware::Mode;
+
+use super::super::{Failure, diagnose, simulate};
+use super::{Arguments, print_table};
+use crate::diagnosis::sentence;
+use crate::files::{EffectTable, Problem, replace::replace_file};
+use crate::report::diagnosis_page::figure;
+use crate::report::tracking_page::Diagnosed;
+use crate::simulation::Rig;
+
+/// What the robot does that the identified model does not know.
+const HIDDEN: [&str; 2] = [
+    "asymmetric_friction:1:relative_asymmetry=0.3",
+    "cogging:3:amplitude_V=0.15,harmonic=8,phase_rad=0.9",
+];
+
+/// Directory of the diagnosis.
+const DIAGNOSIS: &str = "diagnosis";
+
+impl Arguments {
+    /// Records a robot with hidden effects, diagnoses its logs against the model of the rig,
+    /// and drives it with that model and with the amended one.
+    pub(super) fn diagnosed(&self, rig: &Rig) -> Result<Diagnosed, Failure> {
+        println!("\n4. The robot changes, unknown to its model. Its logs are diagnosed.");
+        simulate::run(&self.gap())?;
+        let diagnosis = diagnose::diagnose(&self.diagnosis())?;
+        println!("Hidden were {}", HIDDEN.join(" and "));
+        write_figure(&figure(&diagnosis), &self.out.join("diagnosis.svg"))?;
+        println!("\n5. The amended model goes into the firmware, which plays the motion again.");
+        let amended = self.out.join(DIAGNOSIS).join(diagnose::MODEL);
+        let mut knowing = simulate::Arguments::new(&amended, "task", &self.out);
+        knowing.compensate = true;
+        let hidden = hidden()?;
+        let before = self.drive(rig, Mode::PdModel, "model as it was", &hidden)?;
+        let after = self.drive(&knowing.rig()?, Mode::PdModel, "amended model", &hidden)?;
+        print_table(&before, &after);
+        let report = format!("{DIAGNOSIS}/{}", diagnose::PAGE);
+        let sentence = format!("Hidden: {}. Found: {}", HIDDEN.join(" and "), sentence(&diagnosis));
+        Ok(Diagnosed { sentence, report, before, after })
+    }
+
+    fn gap(&self) -> simulate::Arguments {
+        simulate::Arguments {
+            qemu: Some(self.firmware.clone()),
+            effect: HIDDEN.map(String::from).to_vec(),
+            ..simulate::Arguments::new(
+                &self.out.join("true-robot.toml"),
+                "gap",
+                &self.out.join("gap"),
+            )
+        }
+    }
+
+    fn diagnosis(&self) -> diagnose::Arguments {
+        diagnose::Arguments {
+            dataset: self.out.join("gap"),
+            model: self.out.join("model.toml"),
+            out: self.out.join(DIAGNOSIS),
+        }
+    }
+}
+
+fn hidden() -> Result<Vec<EffectTable>, Failure> {
+    let tables = HIDDEN.iter().map(|text| EffectTable::from_text(text));
+    let tables: Result<Vec<_>, _> = tables.collect();
+    tables.map_err(|error| Failure::new(error.to_string(), ""))
+}
+
+fn write_figure(svg: &str, path: &Path) -> Result<(), Failure> {
+    use std::io::Write as _;
+    replace_file(path, |file| file.write_all(svg.as_bytes()).map_err(Problem::Unwritable))?;
+    Ok(())
+}

@@ -1,0 +1,203 @@
+//! The loop closed: a robot with hidden effects is recorded and diagnosed, and the firmware
+//! tracks with the amended model as if it had always known.
+#![allow(missing_docs)]
+
+use std::path::Path;
+
+use firmware::Mode;
+use host_tool::blind_trial::{Dice, robots::given_model};
+use host_tool::board::{Board, InProcess};
+use host_tool::commands::diagnose::{MODEL, write};
+use host_tool::compensation::Compensations;
+use host_tool::diagnosis::fit::fit_held;
+use host_tool::diagnosis::preparation::prepared;
+use host_tool::diagnosis::stretch::Stretch;
+use host_tool::diagnosis::subject::Subject;
+use host_tool::diagnosis::{Diagnosis, Verdict, diagnose};
+use host_tool::files::{EffectTable, Log, RobotFile};
+use host_tool::identification::{Campaign, Trace};
+use host_tool::progress::Steps;
+use host_tool::simulation::plan::{excitation, task};
+use host_tool::simulation::tracking::{Tracking, rms};
+use host_tool::simulation::{Plan, Recipe, Rig, Settings, SimulatedRobot, record_robot, start_of};
+use model::Robot;
+use model::reference_robot::reference_robot;
+use tests::{image, qemu, simulated, tables};
+
+/// A robot with effects; what is written of it is a model that is 2 % off and knows none.
+struct Case {
+    effects: Vec<EffectTable>,
+    given: Robot<f64>,
+}
+
+impl Case {
+    fn new(effects: &[&str]) -> Self {
+        let given = given_model(&reference_robot(), &mut Dice::new(1, 2));
+        Self { effects: tables(effects), given }
+    }
+
+    /// What a board of this rig makes the robot do.
+    fn record(&self, board: &mut dyn Board, rig: &Rig, plan: &Plan, seed: u64) -> Log {
+        let settings = Settings { seed, ..Settings::default() };
+        recorded(board, rig, plan, reference_robot(), &self.effects, &settings)
+    }
+
+    /// The recipe `gap`, with the model given.
+    fn campaign(&self) -> Campaign {
+        let rig = Rig::new(self.given);
+        let plans = Recipe::by_name("gap").unwrap().plans(&rig, 1);
+        let counts = f64::from(rig.encoder_counts_per_turn);
+        let trace = |(plan, seed): (&Plan, u64)| {
+            let log = self.record(&mut InProcess::default(), &rig, plan, seed);
+            Trace::of_log(log, plan.entry("csv"), counts)
+        };
+        let traces = plans.iter().zip(1..).map(trace).collect();
+        let file = RobotFile::from_robot(&self.given);
+        Campaign::new(file, Some(counts), traces).unwrap()
+    }
+
+    /// Tracking errors of the joints on the motion (20)-(21) with the model, rms [mrad].
+    fn errors_mrad(&self, board: &mut dyn Board, rig: &Rig) -> [f64; 3] {
+        let plan = task(20.0).with_mode(Mode::PdModel);
+        let log = self.record(board, rig, &plan, 9);
+        let tracking = Tracking::of(&log, f64::from(rig.encoder_counts_per_turn));
+        [0, 1, 2].map(|joint| 1e3 * tracking[joint].rms_rad())
+    }
+
+    /// How far a simulated robot of this model moves from where the robot does, both behind
+    /// the same controller without a model, on the motion held out, rms [mrad].
+    fn motion_gap_mrad(&self, model: Robot<f64>, effects: &[EffectTable]) -> [f64; 3] {
+        let rig = Rig::new(self.given);
+        let quiet = Settings { noise_v: 0.0, ..Settings::default() };
+        let moved = |robot, effects: &[EffectTable]| {
+            let plan = excitation(2, 10.0);
+            let log = recorded(&mut InProcess::default(), &rig, &plan, robot, effects, &quiet);
+            let angles = |joint: usize| {
+                log.joints[joint].position_rad(f64::from(rig.encoder_counts_per_turn))
+            };
+            [0, 1, 2].map(angles)
+        };
+        let (real, twin) = (moved(reference_robot(), &self.effects), moved(model, effects));
+        [0, 1, 2].map(|joint| {
+            let apart: Vec<f64> =
+                real[joint].iter().zip(&twin[joint]).map(|(a, b)| 1e3 * (a - b)).collect();
+            rms(&apart)
+        })
+    }
+}
+
+fn recorded(
+    board: &mut dyn Board,
+    rig: &Rig,
+    plan: &Plan,
+    robot: Robot<f64>,
+    effects: &[EffectTable],
+    settings: &Settings,
+) -> Log {
+    let block = plan.block(rig);
+    let robot = SimulatedRobot::with_effects(robot, simulated(effects), start_of(&block), settings);
+    record_robot(board, &block, robot, plan.ticks(rig), &mut |_| {}).unwrap().log
+}
+
+/// The model retuned to the same logs within its doubt, without any effect.
+fn refitted(campaign: &Campaign) -> Robot<f64> {
+    let subject = Subject::of(campaign).unwrap();
+    let logs = campaign.traces.iter().enumerate();
+    let stretches = logs.flat_map(|(log, trace)| Stretch::of(trace, log, &subject)).collect();
+    let (evidence, free) = prepared(&subject, stretches).unwrap();
+    fit_held(&evidence, &subject, free.point).unwrap().point.robot
+}
+
+/// The amended model, through its file.
+fn amended(diagnosis: &Diagnosis, name: &str) -> RobotFile {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    write(diagnosis, &directory).unwrap();
+    RobotFile::read(directory.join(MODEL)).unwrap()
+}
+
+/// Errors with the model as given, retuned, and amended; of the motion, likewise.
+struct Found {
+    diagnosis: Diagnosis,
+    tracking_mrad: [[f64; 3]; 3],
+    motion_mrad: [[f64; 3]; 3],
+}
+
+fn found(case: &Case, board: &mut dyn Board, name: &str) -> Found {
+    let campaign = case.campaign();
+    let diagnosis = diagnose(&campaign, &Steps::new()).unwrap();
+    let file = amended(&diagnosis, name);
+    let (compensations, left_out) = Compensations::of(&file.effects).unwrap();
+    assert_eq!(left_out, []);
+    let refitted = refitted(&campaign);
+    let knowing = Rig::of_file(&file).unwrap().with_compensations(compensations);
+    let tracking_mrad = [Rig::new(case.given), Rig::new(refitted), knowing]
+        .map(|rig| case.errors_mrad(board, &rig));
+    let motion_mrad = [
+        case.motion_gap_mrad(case.given, &[]),
+        case.motion_gap_mrad(refitted, &[]),
+        case.motion_gap_mrad(file.robot().unwrap(), &file.effects),
+    ];
+    println!(
+        "{name}\njoint  tracking: given refitted amended; motion: given refitted amended [mrad]"
+    );
+    for joint in 0..3 {
+        let [a, b, c] = tracking_mrad.map(|errors| errors[joint]);
+        let [d, e, f] = motion_mrad.map(|errors| errors[joint]);
+        println!("{}  {a:9.4} {b:9.4} {c:9.4}  {d:9.4} {e:9.4} {f:9.4}", joint + 1);
+    }
+    let gap = &diagnosis.report.gap;
+    let drift = [&gap.refitted_rad, &gap.with_effects_rad].map(|all| all.iter().map(|e| 1e3 * e));
+    let [before, after] = drift.map(Iterator::collect::<Vec<f64>>);
+    println!("drift [mrad]: refitted {before:.4?}, amended {after:.4?}");
+    Found { diagnosis, tracking_mrad, motion_mrad }
+}
+
+impl Found {
+    /// Asserts what is named.
+    fn names(&self, causes: &[(&str, u8)]) {
+        let report = &self.diagnosis.report;
+        assert_eq!(report.verdict, Verdict::Effect);
+        let mut named: Vec<_> =
+            report.causes.iter().map(|c| (c.effect.as_str(), c.joint)).collect();
+        named.sort_unstable();
+        assert_eq!(named, causes);
+    }
+
+    /// Asserts that a joint's errors shrink so many times, against the model as given and
+    /// against the model retuned without effects, and that little is left of its tracking.
+    fn shrinks(&self, joint: usize, times: f64) {
+        let gap = &self.diagnosis.report.gap;
+        let drift = [gap.refitted_rad[joint - 1], gap.with_effects_rad[joint - 1]];
+        assert!(drift[1] < drift[0] / times, "joint {joint}: drift {drift:?} rad");
+        for errors in [self.tracking_mrad, self.motion_mrad] {
+            let [given, retuned, amended] = errors.map(|errors| errors[joint - 1]);
+            let most = given.min(retuned) / times;
+            assert!(amended < most, "joint {joint}: {given} {retuned} {amended} mrad");
+        }
+        // That of an exact model, a count or two.
+        assert!(self.tracking_mrad[2][joint - 1] < 0.03, "{:?}", self.tracking_mrad);
+    }
+}
+
+#[test]
+fn cogging_and_asymmetric_friction_are_found_and_made_up_for_in_qemu() {
+    let Some(image) = image() else { return };
+    let case = Case::new(&[
+        "asymmetric_friction:1:relative_asymmetry=0.3",
+        "cogging:3:amplitude_V=0.15,harmonic=8,phase_rad=0.9",
+    ]);
+    let found = found(&case, &mut qemu(&image), "cogging-and-asymmetric-friction");
+    found.names(&[("asymmetric_friction", 1), ("cogging", 3)]);
+    found.shrinks(1, 40.0);
+    found.shrinks(3, 100.0);
+}
+
+#[test]
+fn a_payload_is_found_and_made_up_for_in_qemu() {
+    let Some(image) = image() else { return };
+    let case = Case::new(&["payload:mass_kg=0.5"]);
+    let found = found(&case, &mut qemu(&image), "payload");
+    found.names(&[("payload", 0)]);
+    found.shrinks(2, 40.0);
+    found.shrinks(3, 200.0);
+}
