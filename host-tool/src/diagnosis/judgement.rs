@@ -32,7 +32,8 @@ pub fn verdict(selection: &Selection) -> Verdict {
 /// Whether what is left is as good as noise.
 fn is_explained(gap: &Rest, rest: &Rest) -> bool {
     let small = rest.worst() <= EXPLAINED_RATIO.max(EXPLAINED_PART * gap.worst());
-    small && rest.excess <= (1.0 - EXPLAINED_EXCESS) * gap.excess
+    let believable = !rest.is_beyond_belief();
+    believable && small && rest.excess <= (1.0 - EXPLAINED_EXCESS) * gap.excess
 }
 
 /// How sure a cause is against its rivals, and those that are not ruled out.

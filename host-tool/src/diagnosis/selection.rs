@@ -52,6 +52,9 @@ const FINALIST_STEPS: usize = 2;
 const TAKEN_STEPS: usize = 4;
 /// Part of the excess that an effect must take away.
 const LEAST_PART: f64 = 0.2;
+/// Part of all squares, and of those held out, that it must take away: less is at the edge
+/// of what is an excess.
+const LEAST_OF_ALL: f64 = 0.05;
 
 impl Step {
     /// A model with what it leaves.
@@ -83,10 +86,8 @@ pub fn select(
         }
         let Some(untuned) = untuned(evidence, subject, &now.linear) else { break };
         let mut finalists = finalists(evidence, subject, &untuned);
-        let taken = match finalists.is_empty() {
-            true => None,
-            false => Some(finalists.remove(0)).filter(|best| pays(&now.rest, &best.1.rest)),
-        };
+        let paying = finalists.iter().position(|finalist| pays(&now.rest, &finalist.1.rest));
+        let taken = paying.map(|place| finalists.remove(place));
         let lost = finalists.into_iter().map(|(candidate, step)| Rivalry {
             round,
             candidate,
@@ -143,11 +144,17 @@ fn finalists(
     finalists
 }
 
-/// Whether an effect takes enough away.
+/// Whether an effect takes enough away, and does not do so by bending the model beyond
+/// belief: an amplifier that swallows every command "explains" any motion of a robot that
+/// weighs nothing.
 fn pays(before: &Rest, after: &Rest) -> bool {
+    if after.is_beyond_belief() && after.misses > before.misses {
+        return false;
+    }
     let by_rows = before.excess > 0.0
         && after.excess < (1.0 - LEAST_PART) * before.excess
-        && after.rows < before.rows;
+        && after.rows < (1.0 - LEAST_OF_ALL) * before.rows
+        && after.held_out < (1.0 - LEAST_OF_ALL) * before.held_out;
     let by_misses = before.misses - after.misses > MISSES.max(0.5 * before.misses)
         && after.rows < 1.01 * before.rows;
     by_rows || by_misses
