@@ -37,7 +37,7 @@ const STEPS: usize = 4;
 
 impl Assembly<'_> {
     /// The whole diagnosis.
-    pub fn diagnosis(&self, file: &RobotFile, remarks: Vec<String>) -> Diagnosis {
+    pub fn diagnosis(&self, file: &RobotFile, mut remarks: Vec<String>) -> Diagnosis {
         let verdict = verdict(self.selection);
         let named = verdict == Verdict::Effect;
         let steps = &self.selection.steps;
@@ -49,6 +49,7 @@ impl Assembly<'_> {
             detectable::detectable(&steps[0].linear, self.evidence, self.subject);
         let (causes, alternatives) =
             if named { self.causes(&refitted, last) } else { Default::default() };
+        remarks.extend(misfit::remark(self.subject, self.evidence, &steps[0].linear, verdict));
         let report = Report {
             format: 1,
             verdict,

@@ -32,7 +32,8 @@ pub fn verdict(selection: &Selection) -> Verdict {
 /// Whether what is left is as good as noise.
 fn is_explained(gap: &Rest, rest: &Rest) -> bool {
     let small = rest.worst() <= EXPLAINED_RATIO.max(EXPLAINED_PART * gap.worst());
-    small && rest.excess <= (1.0 - EXPLAINED_EXCESS) * gap.excess
+    let believable = !rest.is_beyond_belief();
+    believable && small && rest.excess <= (1.0 - EXPLAINED_EXCESS) * gap.excess
 }
 
 /// How sure a cause is against its rivals, and those that are not ruled out.
@@ -61,9 +62,15 @@ pub fn confidence(
     (1.0 / sum, alternatives)
 }
 
-/// Log-likelihood by which a rest is better than another.
+/// Log-likelihood by which a rest is better than another, on the joint where it is most so:
+/// another effect that is still missing weighs on both alike. What retuning had to move
+/// counts where the rows themselves are clean.
 fn advantage(taken: &Rest, rival: &Rest) -> f64 {
-    let by_rows = 0.5 * INDEPENDENT * (rival.rows / taken.rows).ln();
-    let by_misses = 0.125 * (rival.misses - taken.misses);
+    let by_joint = rival.rows_of.iter().zip(&taken.rows_of);
+    let by_rows = by_joint
+        .map(|(rival, taken)| 0.5 * INDEPENDENT * (rival / taken.max(1.0)).ln())
+        .fold(f64::NEG_INFINITY, f64::max);
+    let clean = taken.excess == 0.0 && rival.excess == 0.0;
+    let by_misses = if clean { 0.125 * (rival.misses - taken.misses) } else { 0.0 };
     (by_rows + by_misses).clamp(-50.0, 50.0)
 }

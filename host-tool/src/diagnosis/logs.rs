@@ -1,10 +1,10 @@
 //! Which logs a diagnosis can use, and what must be said of them.
 
+use super::log_checks::{cannot_be_judged, others_move};
 use super::stretch::Stretch;
 use super::subject::Subject;
 use crate::files::Role;
 use crate::identification::campaign::JointTrace;
-use crate::identification::one_joint::pendulum::{MOVED_FROM_OUTSIDE, is_moved_from_outside};
 use crate::identification::plausibility::examine;
 use crate::identification::{Campaign, StepError, Trace};
 
@@ -62,20 +62,27 @@ impl Usable {
             )));
         }
         let mut trace = trace.clone();
+        if let Some(why) = others_move(&trace, subject) {
+            return Err(unusable(why));
+        }
         trace.joints.retain(|joint| subject.numbers.contains(&joint.number));
         for joint in &mut trace.joints {
             self.remarks.extend(unwrap(&trace.file, joint));
         }
-        self.remarks.extend(examine(&trace, &subject.known)?);
-        if subject.one_joint && is_moved_from_outside(&trace, subject.numbers[0], &subject.known) {
-            return Err(unusable(format!("{MOVED_FROM_OUTSIDE}; record motion that the motor drives")));
+        let remarks = examine(&trace, &subject.known)?;
+        if let Some(why) = cannot_be_judged(&trace, subject) {
+            return Err(unusable(why));
         }
+        self.remarks.extend(remarks);
         let stretches = Stretch::of(&trace, index, subject);
         if stretches.is_empty() {
             return Err(unusable(
-                "no second and a half without a long gap; record it again".into(),
+                "no second and a half without a gap that matters, which under driven noise is \
+                 any; record it again"
+                    .into(),
             ));
         }
+        self.remarks.extend(lost(&trace, &stretches));
         Ok(stretches)
     }
 
@@ -116,10 +123,19 @@ fn no_log(campaign: &Campaign) -> StepError {
     StepError::Numerical { step: "diagnosis", what: format!("{what}; list one in dataset.toml") }
 }
 
+/// What is said where gaps cost a good part of a log.
+fn lost(trace: &Trace, stretches: &[Stretch]) -> Option<String> {
+    const WORTH_TELLING: f64 = 0.9;
+    let whole_s = trace.time_s.last()? - trace.time_s.first()?;
+    let used_s: f64 = stretches.iter().map(Stretch::duration_s).sum();
+    (used_s < WORTH_TELLING * whole_s).then(|| {
+        format!("{}: gaps leave {used_s:.1} s of {whole_s:.1} s that can be used", trace.file)
+    })
+}
+
 /// A stretch as one to train on and one held out, where it is long enough.
 fn parted(stretch: Stretch) -> Vec<Stretch> {
-    let duration_s = stretch.len() as f64 * stretch.period_s;
-    if duration_s < SHORTEST_TO_PART_S {
+    if stretch.duration_s() < SHORTEST_TO_PART_S {
         return vec![Stretch { role: Role::Train, ..stretch }];
     }
     let cut = ((1.0 - HELD_OUT) * stretch.len() as f64) as usize;

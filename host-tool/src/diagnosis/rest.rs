@@ -13,6 +13,10 @@ pub struct Rest {
     pub excess: f64,
     /// Squares of all rows, train and held out, in units of noise.
     pub rows: f64,
+    /// The same by joint of the rig.
+    pub rows_of: Vec<f64>,
+    /// Those of rows held out alone.
+    pub held_out: f64,
     /// Squares by which retuned parameters miss what is known of them, in deviations.
     pub misses: f64,
 }
@@ -23,29 +27,41 @@ pub const OWN_RATIO: f64 = 1.5;
 /// Squared misses of parameters that ask for a cause; some thirty parameters that are known
 /// to their deviation make thirty.
 pub const MISSES: f64 = 60.0;
+/// Squared misses with which a model is no longer the one that was given: parameters some
+/// ten deviations off, a quarter of their values.
+pub const BEYOND_BELIEF: f64 = 240.0;
 
 impl Rest {
     /// What a model leaves once retuned.
     pub fn of(evidence: &Evidence, linear: &Linearisation) -> Self {
-        let (mut ratios, mut excess, mut all) = (Vec::new(), 0.0, 0.0);
+        let (mut ratios, mut excess, mut held_out) = (Vec::new(), 0.0, 0.0);
+        let mut rows_of = Vec::new();
         for &joint in &evidence.joints {
-            let mut of_joint = Vec::new();
-            for range in evidence.ranges(joint) {
+            let (mut of_joint, mut all) = (Vec::new(), 0.0);
+            for (s, range) in evidence.ranges(joint).into_iter().enumerate() {
                 let rows = &linear.residual[joint][range];
                 let used = rows.iter().filter(|row| **row != 0.0).count().max(1) as f64;
                 let squares: f64 = rows.iter().map(|row| row * row).sum();
                 of_joint.push((squares / used).sqrt());
                 excess += (squares - OWN_RATIO * OWN_RATIO * used).max(0.0);
                 all += squares;
+                held_out += if s < evidence.train_stretches() { 0.0 } else { squares };
             }
             ratios.push(of_joint);
+            rows_of.push(all);
         }
-        Self { ratios, excess, rows: all, misses: misses(linear) }
+        let rows = rows_of.iter().sum();
+        Self { ratios, excess, rows, rows_of, held_out, misses: misses(linear) }
     }
 
     /// Whether nothing is left that asks for a cause.
     pub fn is_clean(&self) -> bool {
         self.excess == 0.0 && self.misses < MISSES
+    }
+
+    /// Whether the parameters are where nobody would look for them.
+    pub fn is_beyond_belief(&self) -> bool {
+        self.misses > BEYOND_BELIEF
     }
 
     /// The largest ratio to the noise.

@@ -28,7 +28,14 @@ pub fn candidates(
     evidence: &Evidence,
     subject: &Subject,
 ) -> Vec<Candidate> {
-    let starts: Vec<Vec<Start>> = places(subject)
+    let mut places = places(subject);
+    // A second spring on a joint would only be the first one searched for again.
+    places.retain(|&(definition, joint)| {
+        let same = |e: &Added| e.definition.name == definition.name && e.joint == joint;
+        let alone = matches!(definition.search, Search::From(_));
+        !(alone && linear.point.effects.iter().any(same))
+    });
+    let starts: Vec<Vec<Start>> = places
         .par_iter()
         .map(|&(definition, joint)| starts(linear, evidence, subject, definition, joint))
         .collect();

@@ -52,6 +52,9 @@ const FINALIST_STEPS: usize = 2;
 const TAKEN_STEPS: usize = 4;
 /// Part of the excess that an effect must take away.
 const LEAST_PART: f64 = 0.2;
+/// Part of all squares, and of those held out, that it must take away: less is at the edge
+/// of what is an excess.
+const LEAST_OF_ALL: f64 = 0.05;
 
 impl Step {
     /// A model with what it leaves.
@@ -77,15 +80,13 @@ pub fn select(
     for round in 0..MOST_EFFECTS {
         progress(&format!("trying every effect on every joint, round {}", round + 1));
         let now = &selection.steps[round];
-        if now.rest.is_clean() {
+        if now.rest.is_clean() || is_as_good_as_clean(&selection.steps[0].rest, &now.rest) {
             break;
         }
         let Some(untuned) = untuned(evidence, subject, &now.linear) else { break };
         let mut finalists = finalists(evidence, subject, &untuned);
-        let taken = match finalists.is_empty() {
-            true => None,
-            false => Some(finalists.remove(0)).filter(|best| pays(&now.rest, &best.1.rest)),
-        };
+        let paying = finalists.iter().position(|finalist| pays(&now.rest, &finalist.1.rest));
+        let taken = paying.map(|place| finalists.remove(place));
         let lost = finalists.into_iter().map(|(candidate, step)| Rivalry {
             round,
             candidate,
@@ -183,11 +184,25 @@ fn finalists(
     finalists
 }
 
-/// Whether an effect takes enough away.
+/// Whether so little is left of the gap that it may be the method's own: effects that are
+/// not linear are not undone to the last.
+fn is_as_good_as_clean(gap: &Rest, rest: &Rest) -> bool {
+    const RATIO: f64 = 3.0;
+    const PART: f64 = 5e-4;
+    rest.worst() < RATIO && rest.excess < PART * gap.excess && rest.misses < MISSES
+}
+
+/// Whether an effect takes enough away, and does not do so by bending the model beyond
+/// belief: an amplifier that swallows every command "explains" any motion of a robot that
+/// weighs nothing.
 fn pays(before: &Rest, after: &Rest) -> bool {
+    if after.is_beyond_belief() && after.misses > before.misses {
+        return false;
+    }
     let by_rows = before.excess > 0.0
         && after.excess < (1.0 - LEAST_PART) * before.excess
-        && after.rows < before.rows;
+        && after.rows < (1.0 - LEAST_OF_ALL) * before.rows
+        && after.held_out < (1.0 - LEAST_OF_ALL) * before.held_out;
     let by_misses = before.misses - after.misses > MISSES.max(0.5 * before.misses)
         && after.rows < 1.01 * before.rows;
     by_rows || by_misses

@@ -62,6 +62,8 @@ pub struct Stretch {
 const SHORTEST_S: f64 = 1.5;
 /// Gaps of fewer periods are filled, longer ones end a stretch.
 const LONGEST_GAP_PERIODS: f64 = 10.0;
+/// Under driven noise one missing sample ends a stretch: nobody knows what was put out then.
+const LONGEST_BRISK_GAP_PERIODS: f64 = 1.6;
 /// Highest cut-off of positions where they enter products and friction [Hz]. What encoder
 /// steps add to the velocity blurs friction around reversals; what a filter takes away is
 /// missed where noise drives the joints.
@@ -71,10 +73,22 @@ const BRISK_CUTOFF_HZ: f64 = 200.0;
 impl Stretch {
     /// The stretches of a log that holds all joints of the rig.
     pub fn of(trace: &Trace, log: usize, subject: &Subject) -> Vec<Self> {
-        unbroken(&trace.time_s, trace.period_s)
-            .into_iter()
-            .map(|range| Self::of_range(trace, log, subject, range))
-            .collect()
+        let whole = |longest: f64| {
+            unbroken(&trace.time_s, longest * trace.period_s)
+                .into_iter()
+                .map(|range| Self::of_range(trace, log, subject, range))
+                .collect::<Vec<Self>>()
+        };
+        let stretches = whole(LONGEST_GAP_PERIODS);
+        match stretches.iter().any(|stretch| stretch.brisk) {
+            true => whole(LONGEST_BRISK_GAP_PERIODS),
+            false => stretches,
+        }
+    }
+
+    /// Its duration [s].
+    pub fn duration_s(&self) -> f64 {
+        self.len() as f64 * self.period_s
     }
 
     fn of_range(
@@ -221,11 +235,11 @@ fn settled(q_rad: &[f64], subject: &Subject, joint: usize) -> usize {
 }
 
 /// Ranges of samples without a long gap, none of them short.
-fn unbroken(time_s: &[f64], period_s: f64) -> Vec<std::ops::Range<usize>> {
+fn unbroken(time_s: &[f64], longest_gap_s: f64) -> Vec<std::ops::Range<usize>> {
     let mut ranges = Vec::new();
     let mut begin = 0;
     for k in 1..=time_s.len() {
-        let ends = k == time_s.len() || time_s[k] - time_s[k - 1] > LONGEST_GAP_PERIODS * period_s;
+        let ends = k == time_s.len() || time_s[k] - time_s[k - 1] > longest_gap_s;
         if ends {
             if time_s[k - 1] - time_s[begin] >= SHORTEST_S {
                 ranges.push(begin..k);
