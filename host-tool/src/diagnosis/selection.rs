@@ -52,6 +52,8 @@ const FINALIST_STEPS: usize = 2;
 const TAKEN_STEPS: usize = 4;
 /// Part of the excess that an effect must take away.
 const LEAST_PART: f64 = 0.2;
+/// A model that leaves less of the noise than this takes it for motion.
+const BELOW_NOISE: f64 = 0.7;
 /// Part of all squares, and of those held out, that it must take away: less is at the edge
 /// of what is an excess.
 const LEAST_OF_ALL: f64 = 0.05;
@@ -95,7 +97,14 @@ pub fn select(
         });
         selection.rivals.extend(lost);
         match taken {
-            Some((_, step)) => selection.steps.push(finished(evidence, subject, step)),
+            Some((_, step)) => {
+                let finished = finished(evidence, subject, step);
+                // What fits better in the end may yet foretell worse.
+                if !pays(&selection.steps[round].rest, &finished.rest) {
+                    break;
+                }
+                selection.steps.push(finished);
+            }
             None => break,
         }
     }
@@ -146,9 +155,12 @@ fn finalists(
 
 /// Whether an effect takes enough away, and does not do so by bending the model beyond
 /// belief: an amplifier that swallows every command "explains" any motion of a robot that
-/// weighs nothing.
+/// weighs nothing. Nor by taking away noise: a soft spring smooths what encoder steps add.
 fn pays(before: &Rest, after: &Rest) -> bool {
     if after.is_beyond_belief() && after.misses > before.misses {
+        return false;
+    }
+    if after.quietest < BELOW_NOISE && after.quietest < 0.9 * before.quietest {
         return false;
     }
     let by_rows = before.excess > 0.0
@@ -156,6 +168,7 @@ fn pays(before: &Rest, after: &Rest) -> bool {
         && after.rows < (1.0 - LEAST_OF_ALL) * before.rows
         && after.held_out < (1.0 - LEAST_OF_ALL) * before.held_out;
     let by_misses = before.misses - after.misses > MISSES.max(0.5 * before.misses)
-        && after.rows < 1.01 * before.rows;
+        && after.rows < 1.01 * before.rows
+        && after.held_out < 1.05 * before.held_out;
     by_rows || by_misses
 }
