@@ -13,8 +13,9 @@ pub struct Rest {
     pub excess: f64,
     /// Squares of all rows, train and held out, in units of noise.
     pub rows: f64,
-    /// Root mean square over that of noise, of the joint where it is smallest.
-    pub quietest: f64,
+    /// Root mean square over what the encoder's steps must leave, of the joint where it is
+    /// smallest.
+    pub of_steps: f64,
     /// Those of rows held out alone.
     pub held_out: f64,
     /// Squares by which retuned parameters miss what is known of them, in deviations.
@@ -35,9 +36,9 @@ impl Rest {
     /// What a model leaves once retuned.
     pub fn of(evidence: &Evidence, linear: &Linearisation) -> Self {
         let (mut ratios, mut excess, mut all, mut held_out) = (Vec::new(), 0.0, 0.0, 0.0);
-        let mut quietest = f64::INFINITY;
+        let mut of_steps = f64::INFINITY;
         for &joint in &evidence.joints {
-            let (mut own, mut count) = (0.0, 1.0);
+            let (mut own, mut least) = (0.0, 0.0);
             let mut of_joint = Vec::new();
             for (s, range) in evidence.ranges(joint).into_iter().enumerate() {
                 let rows = &linear.residual[joint][range];
@@ -46,14 +47,14 @@ impl Rest {
                 of_joint.push((squares / used).sqrt());
                 excess += (squares - OWN_RATIO * OWN_RATIO * used).max(0.0);
                 all += squares;
-                own += squares;
-                count += used;
+                own += squares * evidence.floor_v(joint, s).powi(2);
+                least += used * evidence.steps_v(joint, s).powi(2);
                 held_out += if s < evidence.train_stretches() { 0.0 } else { squares };
             }
             ratios.push(of_joint);
-            quietest = f64::min(quietest, (own / count).sqrt());
+            of_steps = f64::min(of_steps, (own / least.max(1e-300)).sqrt());
         }
-        Self { ratios, excess, rows: all, quietest, held_out, misses: misses(linear) }
+        Self { ratios, excess, rows: all, of_steps, held_out, misses: misses(linear) }
     }
 
     /// Whether nothing is left that asks for a cause.
