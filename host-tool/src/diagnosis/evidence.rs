@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use rayon::prelude::*;
 
-use super::noise::NoiseByRate;
+use super::noise::{Noise, NoiseByRate};
 use super::row_filter::RowFilter;
 use super::stretch::Stretch;
 use super::voltage::{Point, Trial};
@@ -21,6 +21,8 @@ pub struct Evidence {
     filters: [Vec<RowFilter>; 3],
     /// Noise of a joint's rows in a stretch, rms [V], by joint.
     floors_v: [Vec<f64>; 3],
+    /// What encoder steps alone leave of them, rms [V], by joint.
+    steps_v: [Vec<f64>; 3],
     /// Stretches of train logs.
     train: usize,
     /// Rows of the regressor along the measured motion, by stretch and joint, once asked for.
@@ -32,6 +34,10 @@ pub type Columns = Vec<Vec<f64>>;
 
 /// Rows of the three joints, each in units of its noise; empty where a joint has none.
 pub type Rows = [Vec<f64>; 3];
+
+/// Part of a command too fast for the sampling that is not accounted for: how the joint
+/// moves between samples is not known, nor what its friction does meanwhile.
+const BETWEEN_SAMPLES: f64 = 0.03;
 
 impl Evidence {
     /// Stretches as rows that are white for this noise.
@@ -45,14 +51,24 @@ impl Evidence {
             };
             stretches.iter().map(filter).collect::<Vec<_>>()
         });
+        let behind = |filter: &RowFilter, s: &Stretch, noise: Noise| {
+            noise.behind(|f| filter.gain(f), s.period_s)
+        };
         let floors_v = [0, 1, 2].map(|joint| {
             let floor = |(s, filter): (&Stretch, &RowFilter)| {
-                noise.of(joint, s.period_s).behind(|f| filter.gain(f), s.period_s)
+                let seen_v = behind(filter, s, noise.of(joint, s.period_s));
+                seen_v.hypot(BETWEEN_SAMPLES * s.fast_command_v(joint))
             };
             stretches.iter().zip(&filters[joint]).map(floor).collect()
         });
+        let steps_v = [0, 1, 2].map(|joint| {
+            let steps = |(s, filter): (&Stretch, &RowFilter)| {
+                behind(filter, s, noise.of_steps(joint, s.period_s))
+            };
+            stretches.iter().zip(&filters[joint]).map(steps).collect()
+        });
         let regressors = stretches.iter().map(|_| Default::default()).collect();
-        Self { stretches, joints, filters, floors_v, train, regressors }
+        Self { stretches, joints, filters, floors_v, steps_v, train, regressors }
     }
 
     /// Rows of a model under trial, on some joints.
@@ -97,6 +113,11 @@ impl Evidence {
     /// Noise of a joint's rows in a stretch, rms [V].
     pub fn floor_v(&self, joint: usize, s: usize) -> f64 {
         self.floors_v[joint][s]
+    }
+
+    /// What the encoder's steps must leave of a joint's rows in a stretch, rms [V].
+    pub fn steps_v(&self, joint: usize, s: usize) -> f64 {
+        self.steps_v[joint][s]
     }
 
     /// Rows of a joint in a stretch.

@@ -25,6 +25,8 @@ pub struct Noise {
 pub struct NoiseByRate {
     /// Sample periods [s] with the noise of each joint of the arm.
     rates: Vec<(f64, [Option<Noise>; 3])>,
+    /// The part of the encoder's steps alone.
+    steps: Vec<(f64, [f64; 3])>,
 }
 
 /// Noise of a joint that has none, or of which nothing is known.
@@ -32,8 +34,21 @@ const NOTHING: Noise = Noise { white: 1e-12, growing: 1e-18 };
 
 impl NoiseByRate {
     /// Adds what was seen of each joint at a sample period [s].
-    pub fn push(&mut self, period_s: f64, noise: [Option<Noise>; 3]) {
-        self.rates.push((period_s, noise));
+    ///
+    /// What encoder steps add to each, per Hz^4, is known beforehand: an encoder that stands
+    /// still shows none of what its steps add once it moves.
+    pub fn push(&mut self, period_s: f64, noise: [Option<Noise>; 3], steps: [f64; 3]) {
+        let joint = |i: usize| noise[i].map(|noise| noise.growing_at_least(steps[i]));
+        self.rates.push((period_s, [0, 1, 2].map(joint)));
+        self.steps.push((period_s, steps));
+    }
+
+    /// What encoder steps alone make at a sample period [s].
+    pub fn of_steps(&self, joint: usize, period_s: f64) -> Noise {
+        let apart = |rate_s: f64| (rate_s / period_s).ln().abs();
+        let nearest = self.steps.iter().min_by(|a, b| apart(a.0).total_cmp(&apart(b.0)));
+        let growing = nearest.map_or(0.0, |(rate_s, steps)| steps[joint] * period_s / rate_s);
+        Noise { white: 0.0, growing }
     }
 
     /// Whether anything was seen of a joint (0 to 2).
@@ -78,9 +93,8 @@ impl Noise {
         Self::fitted(&quiet)
     }
 
-    /// The noise, its growing part no smaller than this: an encoder that stands still shows
-    /// none of what its steps add once it moves.
-    pub fn growing_at_least(self, growing: f64) -> Self {
+    /// The noise, its growing part no smaller than this.
+    fn growing_at_least(self, growing: f64) -> Self {
         Self { growing: self.growing.max(growing), ..self }
     }
 

@@ -98,10 +98,12 @@ fn noise(stretches: &[Stretch], point: &Point, step_rad: f64) -> NoiseByRate {
         let of_joint = |joint: usize| {
             let left: Vec<Vec<f64>> = trials.iter().map(|trial| trial.shortfall(joint)).collect();
             let left: Vec<&[f64]> = left.iter().map(|rows| &rows[..]).collect();
-            let of_steps = of_encoder(step_rad, period_s) * lightest(stretch, point, joint).powi(2);
-            Noise::of(&left, period_s).map(|noise| noise.growing_at_least(of_steps))
+            Noise::of(&left, period_s)
         };
-        noise.push(period_s, [0, 1, 2].map(of_joint));
+        let of_steps = |joint: usize| {
+            of_encoder(step_rad, period_s) * lightest(stretch, point, joint).powi(2)
+        };
+        noise.push(period_s, [0, 1, 2].map(of_joint), [0, 1, 2].map(of_steps));
     }
     noise
 }

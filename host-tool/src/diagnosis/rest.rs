@@ -15,6 +15,9 @@ pub struct Rest {
     pub rows: f64,
     /// The same by joint of the rig.
     pub rows_of: Vec<f64>,
+    /// Root mean square over what the encoder's steps must leave, of the joint where it is
+    /// smallest.
+    pub of_steps: f64,
     /// Those of rows held out alone.
     pub held_out: f64,
     /// Squares by which retuned parameters miss what is known of them, in deviations.
@@ -35,9 +38,10 @@ impl Rest {
     /// What a model leaves once retuned.
     pub fn of(evidence: &Evidence, linear: &Linearisation) -> Self {
         let (mut ratios, mut excess, mut held_out) = (Vec::new(), 0.0, 0.0);
-        let mut rows_of = Vec::new();
+        let (mut rows_of, mut of_steps) = (Vec::new(), f64::INFINITY);
         for &joint in &evidence.joints {
-            let (mut of_joint, mut all) = (Vec::new(), 0.0);
+            let (mut own, mut least, mut all) = (0.0, 0.0, 0.0);
+            let mut of_joint = Vec::new();
             for (s, range) in evidence.ranges(joint).into_iter().enumerate() {
                 let rows = &linear.residual[joint][range];
                 let used = rows.iter().filter(|row| **row != 0.0).count().max(1) as f64;
@@ -45,13 +49,16 @@ impl Rest {
                 of_joint.push((squares / used).sqrt());
                 excess += (squares - OWN_RATIO * OWN_RATIO * used).max(0.0);
                 all += squares;
+                own += squares * evidence.floor_v(joint, s).powi(2);
+                least += used * evidence.steps_v(joint, s).powi(2);
                 held_out += if s < evidence.train_stretches() { 0.0 } else { squares };
             }
             ratios.push(of_joint);
             rows_of.push(all);
+            of_steps = f64::min(of_steps, (own / least.max(1e-300)).sqrt());
         }
         let rows = rows_of.iter().sum();
-        Self { ratios, excess, rows, rows_of, held_out, misses: misses(linear) }
+        Self { ratios, excess, rows, rows_of, of_steps, held_out, misses: misses(linear) }
     }
 
     /// Whether nothing is left that asks for a cause.

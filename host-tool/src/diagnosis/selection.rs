@@ -44,6 +44,8 @@ pub struct Rivalry {
 const MOST_EFFECTS: usize = 3;
 /// Candidates that are retuned with everything else before one is taken.
 const FINALISTS: usize = 5;
+/// How often others are retuned where none of them is any good.
+const MOST_BATCHES: usize = 4;
 /// A finalist has gained at least this part of the best candidate's gain.
 const FINALIST_GAIN: f64 = 0.4;
 /// Steps of a fit of a finalist.
@@ -52,6 +54,10 @@ const FINALIST_STEPS: usize = 2;
 const TAKEN_STEPS: usize = 4;
 /// Part of the excess that an effect must take away.
 const LEAST_PART: f64 = 0.2;
+/// A model that leaves less than this of what encoder steps must leave takes it for motion,
+/// where there was hardly more than that before.
+const BELOW_NOISE: f64 = 0.7;
+const NEAR_NOISE: f64 = 2.0;
 /// Part of all squares, and of those held out, that it must take away: less is at the edge
 /// of what is an excess.
 const LEAST_OF_ALL: f64 = 0.05;
@@ -84,7 +90,7 @@ pub fn select(
             break;
         }
         let Some(untuned) = untuned(evidence, subject, &now.linear) else { break };
-        let mut finalists = finalists(evidence, subject, &untuned);
+        let mut finalists = finalists(evidence, subject, &untuned, now.total());
         let paying = finalists.iter().position(|finalist| pays(&now.rest, &finalist.1.rest));
         let taken = paying.map(|place| finalists.remove(place));
         let lost = finalists.into_iter().map(|(candidate, step)| Rivalry {
@@ -94,7 +100,14 @@ pub fn select(
         });
         selection.rivals.extend(lost);
         match taken {
-            Some((_, step)) => selection.steps.push(finished(evidence, subject, step)),
+            Some((_, step)) => {
+                let finished = finished(evidence, subject, step);
+                // What fits better in the end may yet foretell worse.
+                if !pays(&selection.steps[round].rest, &finished.rest) {
+                    break;
+                }
+                selection.steps.push(finished);
+            }
             None => break,
         }
     }
@@ -159,19 +172,45 @@ fn untuned(
     Linearisation::of(evidence, point, retuned.expected.clone())
 }
 
-/// The best candidates, retuned with everything else, the best first.
+/// The best candidates, retuned with everything else, the best first: of those that promise
+/// most, and where none of them keeps its promise to get below `total`, of those that
+/// promise less.
 fn finalists(
     evidence: &Evidence,
     subject: &Subject,
     now: &Linearisation,
+    total: f64,
 ) -> Vec<(Candidate, Step)> {
     let before = now.score().total();
-    let mut best = candidates(now, evidence, subject);
+    let mut promising = candidates(now, evidence, subject);
+    promising.retain(|candidate| candidate.score.total() < before);
+    let mut finalists = Vec::new();
+    for _ in 0..MOST_BATCHES {
+        let batch = next_batch(&mut promising, before);
+        finalists.extend(retuned(evidence, subject, now, batch));
+        if promising.is_empty() || finalists.iter().any(|(_, step)| step.total() < total) {
+            break;
+        }
+    }
+    finalists.sort_by(|a, b| a.1.total().total_cmp(&b.1.total()));
+    finalists
+}
+
+/// Takes the best of those that are left, and those that promise nearly as much.
+fn next_batch(promising: &mut Vec<Candidate>, before: f64) -> Vec<Candidate> {
     let gain = |candidate: &Candidate| before - candidate.score.total();
-    let largest = best.first().map(gain).unwrap_or(0.0);
-    best.retain(|candidate| gain(candidate) > (FINALIST_GAIN * largest).max(0.0));
-    best.truncate(FINALISTS);
-    let mut finalists: Vec<(Candidate, Step)> = best
+    let least = FINALIST_GAIN * promising.first().map_or(0.0, gain);
+    let alike = promising.iter().take_while(|candidate| gain(candidate) > least).count();
+    promising.drain(..alike.clamp(1, FINALISTS).min(promising.len())).collect()
+}
+
+fn retuned(
+    evidence: &Evidence,
+    subject: &Subject,
+    now: &Linearisation,
+    batch: Vec<Candidate>,
+) -> Vec<(Candidate, Step)> {
+    batch
         .into_par_iter()
         .filter_map(|mut candidate| {
             let start = now.point.with(candidate.effect.clone());
@@ -179,9 +218,7 @@ fn finalists(
             candidate.effect = step.linear.point.effects.last()?.clone();
             Some((candidate, step))
         })
-        .collect();
-    finalists.sort_by(|a, b| a.1.total().total_cmp(&b.1.total()));
-    finalists
+        .collect()
 }
 
 /// Whether so little is left of the gap that it may be the method's own: effects that are
@@ -194,9 +231,12 @@ fn is_as_good_as_clean(gap: &Rest, rest: &Rest) -> bool {
 
 /// Whether an effect takes enough away, and does not do so by bending the model beyond
 /// belief: an amplifier that swallows every command "explains" any motion of a robot that
-/// weighs nothing.
+/// weighs nothing. Nor by taking away noise: a soft spring smooths what encoder steps add.
 fn pays(before: &Rest, after: &Rest) -> bool {
     if after.is_beyond_belief() && after.misses > before.misses {
+        return false;
+    }
+    if after.of_steps < BELOW_NOISE && before.of_steps < NEAR_NOISE {
         return false;
     }
     let by_rows = before.excess > 0.0
@@ -204,6 +244,7 @@ fn pays(before: &Rest, after: &Rest) -> bool {
         && after.rows < (1.0 - LEAST_OF_ALL) * before.rows
         && after.held_out < (1.0 - LEAST_OF_ALL) * before.held_out;
     let by_misses = before.misses - after.misses > MISSES.max(0.5 * before.misses)
-        && after.rows < 1.01 * before.rows;
+        && after.rows < 1.01 * before.rows
+        && after.held_out < 1.05 * before.held_out;
     by_rows || by_misses
 }

@@ -70,6 +70,9 @@ const LONGEST_BRISK_GAP_PERIODS: f64 = 1.6;
 const CALM_CUTOFF_HZ: f64 = 90.0;
 const BRISK_CUTOFF_HZ: f64 = 200.0;
 
+/// What is faster is hardly seen from sample to sample, in parts of the sampling rate.
+const FAST: f64 = 0.2;
+
 impl Stretch {
     /// The stretches of a log that holds all joints of the rig.
     pub fn of(trace: &Trace, log: usize, subject: &Subject) -> Vec<Self> {
@@ -84,6 +87,14 @@ impl Stretch {
             true => whole(LONGEST_BRISK_GAP_PERIODS),
             false => stretches,
         }
+    }
+
+    /// Root mean square of a command (joint 0 to 2) above a fifth of the sampling rate [V].
+    pub fn fast_command_v(&self, joint: usize) -> f64 {
+        let command_v = &self.command_v[joint];
+        let slow = LowPass::new(FAST / self.period_s, self.period_s).zero_phase(command_v);
+        let fast: Vec<f64> = command_v.iter().zip(&slow).map(|(u, s)| u - s).collect();
+        crate::simulation::tracking::rms(&fast)
     }
 
     /// Its duration [s].
@@ -194,7 +205,7 @@ impl Kinematics {
 fn motion_cutoff_hz(q_rad: &[f64], period_s: f64, step_rad: f64, highest_hz: f64) -> f64 {
     const SHARE: f64 = 0.01;
     const LOWEST_HZ: f64 = 8.0;
-    let highest_hz = highest_hz.min(0.2 / period_s);
+    let highest_hz = highest_hz.min(FAST / period_s);
     let speed = crate::simulation::tracking::rms(&derivative::first(q_rad, period_s));
     let noise_rad = step_rad / 12f64.sqrt();
     // Noise of the velocity up to f: 2 pi noise sqrt(2 period / 3) f^(3/2).

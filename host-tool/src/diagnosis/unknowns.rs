@@ -106,7 +106,12 @@ fn friction_deviation(
 fn base_scales(base: &BaseParameters<f64>) -> [f64; COUNT] {
     let (first, second) = (base.zz1r.abs().min(1e3), base.zz2r.abs().min(1e3));
     let third = (base.zz3r + base.ia3).abs();
-    let (moment2, moment3) = (base.mx2r.hypot(base.my2r), base.mx3r.hypot(base.my3r));
+    let moment2 = base.mx2r.hypot(base.my2r);
+    let moment3 = match base.mx3r.hypot(base.my3r) {
+        // A balanced link may yet be off balance by a trifle, as if 1 m from its inertia.
+        moment if moment == 0.0 => third,
+        moment => moment,
+    };
     BaseParameters {
         zz1r: first,
         xx2r: second,
