@@ -48,8 +48,7 @@ impl Rig {
         let mut base = [0.0; model::base::COUNT];
         base[12] = INERTIA;
         base[13] = self.gravity_nm / robot.geometry.gravity_m_s2;
-        robot.base =
-            BaseParameters { zz1r: 1e6, zz2r: 1e6, ..BaseParameters::from_array(base) };
+        robot.base = BaseParameters { zz1r: 1e6, zz2r: 1e6, ..BaseParameters::from_array(base) };
         robot.geometry.a2_m = 0.0;
         robot.geometry.a3_m = 0.4;
         robot
@@ -128,8 +127,7 @@ impl Rig {
             }
             ticks += held;
         }
-        let joints =
-            vec![JointTrace { number: self.joint, q_rad, command_v, reference_rad: None }];
+        let joints = vec![JointTrace { number: self.joint, q_rad, command_v, reference_rad: None }];
         Trace {
             file: format!("log-{}.csv", log.seed),
             experiment: Experiment::Task,

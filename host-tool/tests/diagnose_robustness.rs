@@ -33,8 +33,7 @@ fn trace(rig: &Rig, plan: &Plan, seed: u64) -> Trace {
     let robot =
         SimulatedRobot::with_effects(reference_robot(), effects, start_of(&block), &settings);
     let mut board = InProcess::default();
-    let recording =
-        record_robot(&mut board, &block, robot, plan.ticks(rig), &mut |_| {}).unwrap();
+    let recording = record_robot(&mut board, &block, robot, plan.ticks(rig), &mut |_| {}).unwrap();
     Trace::of_log(recording.log, plan.entry("csv"), COUNTS_PER_TURN)
 }
 
@@ -52,10 +51,7 @@ fn file(robot: &Robot<f64>) -> RobotFile {
     file
 }
 
-fn diagnose_with(
-    robot_file: RobotFile,
-    traces: Vec<Trace>,
-) -> Result<Diagnosis, DiagnosisError> {
+fn diagnose_with(robot_file: RobotFile, traces: Vec<Trace>) -> Result<Diagnosis, DiagnosisError> {
     let campaign = Campaign::new(robot_file, Some(COUNTS_PER_TURN), traces).unwrap();
     let found = diagnosis::diagnose(&campaign, &Steps::new());
     if let Ok(diagnosis) = &found {
@@ -154,7 +150,10 @@ fn moving_arms_are_not_judged_by_the_model_of_one_joint() {
 #[test]
 fn logs_of_one_joint_are_not_judged_by_the_model_of_three() {
     let one = changed(|trace| trace.joints.retain(|joint| joint.number == 3));
-    assert_refused(diagnose(one), &["excitation-3.csv", "q1 and u1 are not in the log", "3 joints"]);
+    assert_refused(
+        diagnose(one),
+        &["excitation-3.csv", "q1 and u1 are not in the log", "3 joints"],
+    );
 }
 
 #[test]

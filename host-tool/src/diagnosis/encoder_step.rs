@@ -13,7 +13,8 @@ pub fn find(known: &mut Known, traces: &[Trace]) {
     }
     let columns = traces.iter().flat_map(|trace| &trace.joints);
     let columns = columns.filter(|joint| known.joints.contains(&joint.number));
-    let smallest = columns.filter_map(|joint| smallest_step(&joint.q_rad)).fold(f64::INFINITY, f64::min);
+    let smallest =
+        columns.filter_map(|joint| smallest_step(&joint.q_rad)).fold(f64::INFINITY, f64::min);
     if smallest.is_finite() {
         known.encoder_step_rad = smallest;
     }
@@ -38,7 +39,9 @@ mod tests {
     #[test]
     fn a_coarse_encoder_shows_its_step() {
         let step = std::f64::consts::TAU / 4096.0;
-        let rounded = |k: u32| ((2.0 * (0.02 * f64::from(k)).sin() / step).round() * step * 1e8).round() / 1e8;
+        let rounded = |k: u32| {
+            ((2.0 * (0.02 * f64::from(k)).sin() / step).round() * step * 1e8).round() / 1e8
+        };
         let q: Vec<f64> = (0..2000).map(rounded).collect();
         assert!((smallest_step(&q).unwrap() / step - 1.0).abs() < 1e-4);
         assert_eq!(smallest_step(&[0.5; 9]), None);

@@ -46,7 +46,8 @@ impl Evidence {
         let train = stretches.iter().filter(|s| s.role == Role::Train).count();
         let filters = [0, 1, 2].map(|joint| {
             let filter = |s: &Stretch| {
-                let corner_hz = noise.of(joint, s.period_s).corner_hz().clamp(2.0, 0.4 / s.period_s);
+                let corner_hz =
+                    noise.of(joint, s.period_s).corner_hz().clamp(2.0, 0.4 / s.period_s);
                 RowFilter::new(s.period_s, s.brisk, corner_hz)
             };
             stretches.iter().map(filter).collect::<Vec<_>>()

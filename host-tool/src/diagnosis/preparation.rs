@@ -57,11 +57,7 @@ fn with_noise(
 
 /// Noise in what the last model of a selection leaves: a gap that is always there passes for
 /// noise until its cause is found.
-pub fn noise_left(
-    subject: &Subject,
-    evidence: &Evidence,
-    selection: &Selection,
-) -> NoiseByRate {
+pub fn noise_left(subject: &Subject, evidence: &Evidence, selection: &Selection) -> NoiseByRate {
     let point = selection.steps.last().map(|step| step.linear.point.clone());
     let point = point.unwrap_or_else(|| as_given(subject));
     noise(&evidence.stretches, &point, subject.known.encoder_step_rad)
@@ -100,9 +96,8 @@ fn noise(stretches: &[Stretch], point: &Point, step_rad: f64) -> NoiseByRate {
             let left: Vec<&[f64]> = left.iter().map(|rows| &rows[..]).collect();
             Noise::of(&left, period_s)
         };
-        let of_steps = |joint: usize| {
-            of_encoder(step_rad, period_s) * lightest(stretch, point, joint).powi(2)
-        };
+        let of_steps =
+            |joint: usize| of_encoder(step_rad, period_s) * lightest(stretch, point, joint).powi(2);
         noise.push(period_s, [0, 1, 2].map(of_joint), [0, 1, 2].map(of_steps));
     }
     noise

@@ -15,9 +15,7 @@ pub(super) const DEFINITION: Definition = Definition {
     ],
     couples_joints: true,
     touches: Touches::READING,
-    search: Search::From(|_| {
-        [0.0, 1.5, 3.0, -1.5].map(|phase_rad| vec![2e-3, phase_rad]).to_vec()
-    }),
+    search: Search::From(|_| [0.0, 1.5, 3.0, -1.5].map(|phase_rad| vec![2e-3, phase_rad]).to_vec()),
     size: Size::grows(|_| 0.05),
     experiment: "`rrr run excitation`: fast turns",
     build: |joint, values| {
