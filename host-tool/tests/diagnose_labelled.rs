@@ -47,8 +47,9 @@ fn assert_cause(cause: &Cause, effect: &str, joint: u8, parameters: &[(&str, f64
 
 #[test]
 fn single_causes_are_found_with_their_parameters() {
-    let truths: [(u32, &str, u8, &[(&str, f64)]); 4] = [
-        (1, "cogging", 3, &[("amplitude_V", 0.11), ("harmonic", 8.0), ("phase_rad", 0.9)]),
+    let cogging = [("amplitude_V", 0.11), ("harmonic", 8.0), ("phase_rad", 0.9)];
+    let truths = [
+        (1, "cogging", 3, &cogging[..]),
         (2, "asymmetric_friction", 1, &[("relative_asymmetry", 0.3)]),
         (3, "payload", 0, &[("mass_kg", 0.3)]),
         (4, "actuator_lag", 2, &[("time_constant_s", 0.006)]),

@@ -4,7 +4,6 @@ use model::{Posture, Robot};
 use nalgebra::{Matrix2, RowVector2};
 
 use super::stretch::Kinematics;
-use super::voltage::at_samples;
 use crate::signal::derivative;
 use crate::simulation::transmission::Transmission;
 

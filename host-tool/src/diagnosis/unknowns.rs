@@ -109,7 +109,7 @@ fn base_scales(base: &BaseParameters<f64>) -> [f64; COUNT] {
     let moment2 = base.mx2r.hypot(base.my2r);
     let moment3 = match base.mx3r.hypot(base.my3r) {
         // A balanced link may yet be off balance by a trifle, as if 1 m from its inertia.
-        moment if moment == 0.0 => third,
+        0.0 => third,
         moment => moment,
     };
     BaseParameters {
