@@ -40,7 +40,7 @@ fn trace(rig: &Rig, plan: &Plan, seed: u64) -> Trace {
 /// These logs, recorded once.
 fn logs() -> Vec<Trace> {
     static LOGS: OnceLock<Vec<Trace>> = OnceLock::new();
-    LOGS.get_or_init(|| recorded()).clone()
+    LOGS.get_or_init(recorded).clone()
 }
 
 fn file(robot: &Robot<f64>) -> RobotFile {
