@@ -35,9 +35,9 @@ pub type Columns = Vec<Vec<f64>>;
 /// Rows of the three joints, each in units of its noise; empty where a joint has none.
 pub type Rows = [Vec<f64>; 3];
 
-/// Part of a command too fast for the sampling that is not accounted for: how the joint
-/// moves between samples is not known, nor what its friction does meanwhile.
-const BETWEEN_SAMPLES: f64 = 0.03;
+/// Part of a command too fast for the sampling that is not accounted for, per second between
+/// samples: how the joint moves meanwhile is not known, nor what its friction does.
+const BETWEEN_SAMPLES_PER_S: f64 = 10.0;
 
 impl Evidence {
     /// Stretches as rows that are white for this noise.
@@ -58,7 +58,7 @@ impl Evidence {
         let floors_v = [0, 1, 2].map(|joint| {
             let floor = |(s, filter): (&Stretch, &RowFilter)| {
                 let seen_v = behind(filter, s, noise.of(joint, s.period_s));
-                seen_v.hypot(BETWEEN_SAMPLES * s.fast_command_v(joint))
+                seen_v.hypot(BETWEEN_SAMPLES_PER_S * s.period_s * s.fast_command_v(joint))
             };
             stretches.iter().zip(&filters[joint]).map(floor).collect()
         });

@@ -6,12 +6,13 @@ use rayon::prelude::*;
 use super::candidate::Candidate;
 use super::evidence::Evidence;
 use super::fit::fit;
-use super::linearisation::Linearisation;
+use super::linearisation::{Linearisation, Which};
 use super::preparation::as_given;
 use super::rest::{MISSES, Rest};
-use super::search::candidates;
+use super::search::{candidates, places, starts};
 use super::subject::Subject;
 use super::voltage::Point;
+use crate::effects::Definition;
 
 /// The model after each step, and what competed.
 pub struct Selection {
@@ -90,7 +91,7 @@ pub fn select(
             break;
         }
         let Some(untuned) = untuned(evidence, subject, &now.linear) else { break };
-        let mut finalists = finalists(evidence, subject, &untuned, now.total());
+        let mut finalists = finalists(evidence, subject, &untuned, &now.rest);
         let paying = finalists.iter().position(|finalist| pays(&now.rest, &finalist.1.rest));
         let taken = paying.map(|place| finalists.remove(place));
         let lost = finalists.into_iter().map(|(candidate, step)| Rivalry {
@@ -173,13 +174,12 @@ fn untuned(
 }
 
 /// The best candidates, retuned with everything else, the best first: of those that promise
-/// most, and where none of them keeps its promise to get below `total`, of those that
-/// promise less.
+/// most, and where none of them keeps its promise and pays, of those that promise less.
 fn finalists(
     evidence: &Evidence,
     subject: &Subject,
     now: &Linearisation,
-    total: f64,
+    rest: &Rest,
 ) -> Vec<(Candidate, Step)> {
     let before = now.score().total();
     let mut promising = candidates(now, evidence, subject);
@@ -188,12 +188,43 @@ fn finalists(
     for _ in 0..MOST_BATCHES {
         let batch = next_batch(&mut promising, before);
         finalists.extend(retuned(evidence, subject, now, batch));
-        if promising.is_empty() || finalists.iter().any(|(_, step)| step.total() < total) {
+        if promising.is_empty() || finalists.iter().any(|(_, step)| pays(rest, &step.rest)) {
             break;
         }
     }
+    if !finalists.iter().any(|(_, step)| pays(rest, &step.rest)) {
+        let batch = overlooked(evidence, subject, now, &finalists);
+        finalists.extend(retuned(evidence, subject, now, batch));
+    }
     finalists.sort_by(|a, b| a.1.total().total_cmp(&b.1.total()));
     finalists
+}
+
+/// Effects that were not searched because others promised more than they kept.
+fn overlooked(
+    evidence: &Evidence,
+    subject: &Subject,
+    now: &Linearisation,
+    tried: &[(Candidate, Step)],
+) -> Vec<Candidate> {
+    const STEPS: usize = 3;
+    let is_new = |place: &(&'static Definition, u8)| {
+        let same =
+            |c: &Candidate| (c.effect.definition.name, c.effect.joint) == (place.0.name, place.1);
+        !tried.iter().any(|(candidate, _)| same(candidate))
+    };
+    let places: Vec<(&'static Definition, u8)> =
+        places(subject).into_iter().filter(is_new).collect();
+    let searched = |(definition, joint): (&'static Definition, u8)| {
+        let start = starts(now, evidence, subject, definition, joint).into_iter().next()?;
+        let begun = Candidate::of(now, evidence, start.effect, Which::TRAIN).0;
+        let best = begun.refined(now, evidence, STEPS, Which::TRAIN);
+        Some(Candidate::of(now, evidence, best.effect, Which::ALL).0)
+    };
+    let mut found: Vec<Candidate> = places.into_par_iter().filter_map(searched).collect();
+    found.sort_by(|a, b| a.score.total().total_cmp(&b.score.total()));
+    found.truncate(FINALISTS);
+    found
 }
 
 /// Takes the best of those that are left, and those that promise nearly as much.
