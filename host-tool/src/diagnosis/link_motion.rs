@@ -4,7 +4,6 @@ use model::{Posture, Robot};
 use nalgebra::{Matrix2, RowVector2};
 
 use super::stretch::Kinematics;
-use super::voltage::at_samples;
 use crate::signal::derivative;
 use crate::simulation::transmission::Transmission;
 
@@ -48,6 +47,7 @@ pub fn behind(
     let drive = Drive::of(motor, joint, period_s);
     let mut link = Link { q_rad: drive.angle(0, 0.0) - spring.hold(felt[0].bias_nm), qd_rad_per_s: 0.0 };
     let step_s = period_s / STEPS as f64;
+    let along = -RowVector2::new(spring.stiffness_nm_per_rad, spring.damping_nm_s_per_rad);
     let mut doubt = Doubt::at_first(spring);
     let mut before = Mean { torque_nm: 0.5 * felt[0].bias_nm, acceleration: 0.0 };
     for k in 0..count {
@@ -61,7 +61,8 @@ pub fn behind(
             let here = felt[k].towards(&felt[next], x);
             let passed = link.advance(spring, theta, speed, &here, step_s);
             if push_nm.is_some() {
-                doubt.advance(spring, passed != 0.0, here.inertia_kg_m2, step_s, x);
+                let slope = if passed == 0.0 { RowVector2::zeros() } else { along };
+                doubt.advance(slope, here.inertia_kg_m2, step_s, x);
             }
             let acceleration = here.acceleration(passed);
             early.add(passed, acceleration, 1.0 - x);
@@ -71,7 +72,8 @@ pub fn behind(
         if let Some(push_nm) = push_nm {
             let own = spring.motor_inertia_kg_m2 * motor.qdd_rad_per_s2[joint][k];
             let passed = 0.5 * (push_nm[k.saturating_sub(1)] + push_nm[k]) - own;
-            doubt.correct(&mut link, passed - before.torque_nm - early.torque_nm);
+            let missed_nm = passed - before.torque_nm - early.torque_nm;
+            doubt.correct(&mut link, missed_nm, felt[k].inertia_kg_m2, period_s);
         }
         before = late;
     }
@@ -91,53 +93,63 @@ impl Mean {
     }
 }
 
-/// How little is known of where a link is: the covariance of its angle and velocity in units
-/// of that of the measured torque, and the slopes of the interval's torque along both.
+/// How little is known of where a link is, carried along as an extended Kalman filter does:
+/// the covariance of its angle and velocity in units of that of the measured torque.
 #[derive(Clone, Copy, Debug)]
 struct Doubt {
     spread: Matrix2<f64>,
-    /// Slopes of the torque over the interval now and before, along the state now.
+    /// Slopes of the state now along that at the begin of the interval.
+    moved: Matrix2<f64>,
+    /// Slopes along the state at the begin of the interval of what a torque adds to the means
+    /// at the sample there and at the next.
     early: RowVector2<f64>,
     late: RowVector2<f64>,
+    /// Slope of what the interval before added, along the same.
+    before: RowVector2<f64>,
 }
 
 impl Doubt {
+    /// A torque's worth of angle at the begin.
     fn at_first(spring: &Transmission) -> Self {
         let angle = (3.0 / spring.stiffness_nm_per_rad).powi(2);
-        let speed = angle * 1e3;
         Self {
-            spread: Matrix2::new(angle, 0.0, 0.0, speed),
+            spread: Matrix2::new(angle, 0.0, 0.0, 1e3 * angle),
+            moved: Matrix2::identity(),
             early: RowVector2::zeros(),
             late: RowVector2::zeros(),
+            before: RowVector2::zeros(),
         }
     }
 
-    fn advance(&mut self, spring: &Transmission, touches: bool, inertia: f64, step_s: f64, x: f64) {
-        let slope = match touches {
-            true => -RowVector2::new(spring.stiffness_nm_per_rad, spring.damping_nm_s_per_rad),
-            false => RowVector2::zeros(),
+    /// One step of the link, by the slopes of its torque along angle and velocity.
+    fn advance(&mut self, slope: RowVector2<f64>, inertia_kg_m2: f64, step_s: f64, x: f64) {
+        let drift = |moved: &mut Matrix2<f64>| {
+            moved[(0, 0)] += 0.5 * step_s * moved[(1, 0)];
+            moved[(0, 1)] += 0.5 * step_s * moved[(1, 1)];
         };
-        let half = Matrix2::new(1.0, 0.5 * step_s, 0.0, 1.0);
-        let kick = Matrix2::new(0.0, 0.0, slope[0], slope[1]) * (step_s / inertia);
-        let moved = half * (Matrix2::identity() + kick) * half;
-        self.early += slope * half * ((1.0 - x) / STEPS as f64);
-        self.late += slope * half * (x / STEPS as f64);
-        if let Some(back) = moved.try_inverse() {
-            self.early *= back;
-            self.late *= back;
-        }
-        self.spread = moved * self.spread * moved.transpose();
-        self.spread[(1, 1)] += (UNKNOWN_TORQUE / inertia).powi(2) * step_s * step_s * STEPS as f64;
+        drift(&mut self.moved);
+        let torque = slope * self.moved;
+        self.early += torque * ((1.0 - x) / STEPS as f64);
+        self.late += torque * (x / STEPS as f64);
+        self.moved[(1, 0)] += step_s / inertia_kg_m2 * torque[0];
+        self.moved[(1, 1)] += step_s / inertia_kg_m2 * torque[1];
+        drift(&mut self.moved);
     }
 
-    fn correct(&mut self, link: &mut Link, missed_nm: f64) {
-        let slope = self.early;
+    /// Moves the link by what the torque at the sample at the begin of the interval missed.
+    fn correct(&mut self, link: &mut Link, missed_nm: f64, inertia_kg_m2: f64, period_s: f64) {
+        let back = self.moved.try_inverse().unwrap_or_else(Matrix2::identity);
+        self.spread = self.moved * self.spread * self.moved.transpose();
+        self.spread[(1, 1)] += (UNKNOWN_TORQUE * period_s / inertia_kg_m2).powi(2);
+        let slope = (self.before + self.early) * back;
         let across = self.spread * slope.transpose();
         let gain = across / (1.0 + (slope * across)[0]);
         link.q_rad += gain[0] * missed_nm;
         link.qd_rad_per_s += gain[1] * missed_nm;
         self.spread -= gain * across.transpose();
-        self.early = self.late;
+        self.before = self.late * back;
+        self.moved = Matrix2::identity();
+        self.early = RowVector2::zeros();
         self.late = RowVector2::zeros();
     }
 }

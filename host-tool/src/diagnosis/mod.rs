@@ -10,6 +10,7 @@ pub mod linearisation;
 mod link_motion;
 pub mod noise;
 pub mod places;
+pub mod parts;
 pub mod preparation;
 pub mod quantity;
 mod reading;
