@@ -8,7 +8,7 @@ use crate::signal::derivative;
 use crate::simulation::transmission::Transmission;
 
 /// Integration steps per sample.
-const STEPS: usize = 8;
+const STEPS: usize = 6;
 /// Torque on a link that no model tells, in parts of the noise of the measured torque.
 const UNKNOWN_TORQUE: f64 = 0.5;
 
