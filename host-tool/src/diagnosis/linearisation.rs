@@ -154,8 +154,7 @@ impl Linearisation {
                 .sum()
         };
         let half_gradient = DVector::from_fn(count, |i, _| {
-            train(&slopes[i], &self.residual) + train(&slopes[i], about)
-                - solved[i].dot(&gradient)
+            train(&slopes[i], &self.residual) + train(&slopes[i], about) - solved[i].dot(&gradient)
         });
         let curvature = DMatrix::from_fn(count, count, |i, k| {
             train(&slopes[i], &slopes[k]) - against[i].dot(&solved[k])
@@ -172,7 +171,8 @@ impl Linearisation {
         };
         let others = &self.point.effects;
         let point = self.point.with(effect.clone());
-        let count = if which.held_out { evidence.stretches.len() } else { evidence.train_stretches() };
+        let count =
+            if which.held_out { evidence.stretches.len() } else { evidence.train_stretches() };
         let mut rows: Rows = Default::default();
         for (s, parts) in self.parts.iter().enumerate().take(count) {
             changed(evidence, s, parts, &point, (effect, others), &joints, &mut rows);
@@ -231,18 +231,10 @@ fn changed(
 }
 
 /// Squares of train rows and of the expectations' misses.
-pub fn objective(
-    residual: &Rows,
-    train: &[usize; 3],
-    point: &Point,
-    expected: &[Expected],
-) -> f64 {
-    let rows: f64 =
-        (0..3).flat_map(|j| residual[j].iter().take(train[j])).map(|r| r * r).sum();
-    let misses: f64 = expected
-        .iter()
-        .map(|e| ((e.unknown.get(point) - e.mean) / e.deviation).powi(2))
-        .sum();
+pub fn objective(residual: &Rows, train: &[usize; 3], point: &Point, expected: &[Expected]) -> f64 {
+    let rows: f64 = (0..3).flat_map(|j| residual[j].iter().take(train[j])).map(|r| r * r).sum();
+    let misses: f64 =
+        expected.iter().map(|e| ((e.unknown.get(point) - e.mean) / e.deviation).powi(2)).sum();
     rows + misses
 }
 

@@ -2,6 +2,7 @@
 //! away when the cause is added.
 
 pub mod candidate;
+pub mod doubt;
 pub mod even_clock;
 pub mod evidence;
 pub mod fit;
@@ -9,8 +10,8 @@ pub mod harmonics;
 pub mod linearisation;
 mod link_motion;
 pub mod noise;
-pub mod places;
 pub mod parts;
+pub mod places;
 pub mod preparation;
 pub mod quantity;
 mod reading;

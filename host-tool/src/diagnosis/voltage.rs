@@ -131,7 +131,9 @@ impl<'a> Trial<'a> {
         let mut robot = point.robot;
         effects.iter().for_each(|effect| effect.change_robot(&mut robot));
         let springs: Vec<_> = effects.iter().filter_map(|effect| effect.transmission()).collect();
-        let links = springs.iter().fold(robot, |links, (joint, spring)| spring.without_motor(*joint, &links));
+        let links = springs
+            .iter()
+            .fold(robot, |links, (joint, spring)| spring.without_motor(*joint, &links));
         Self {
             stretch,
             point,
@@ -300,7 +302,8 @@ impl<'a> Trial<'a> {
     /// The middle of an interval, as effects see it.
     fn moment(&self, k: usize) -> Moment {
         let next = (k + 1).min(self.stretch.len() - 1);
-        let middle = |signal: &[Vec<f64>; 3]| [0, 1, 2].map(|i| 0.5 * (signal[i][k] + signal[i][next]));
+        let middle =
+            |signal: &[Vec<f64>; 3]| [0, 1, 2].map(|i| 0.5 * (signal[i][k] + signal[i][next]));
         let q_rad = middle(&self.motor.q_rad);
         let qd_rad_per_s = middle(&self.motor.qd_rad_per_s);
         let load_nm = match self.feels_load {
