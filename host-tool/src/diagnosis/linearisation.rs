@@ -6,10 +6,9 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use rayon::prelude::*;
 
 use super::evidence::{Columns, Evidence, Rows};
-use super::link_motion::Felt;
+use super::parts::{Parts, same, touched};
 use super::unknowns::{Expected, Unknown};
-use super::voltage::{Added, Point, Same, Trial, at_samples};
-use crate::effects::Touches;
+use super::voltage::{Added, Point, Trial, at_samples};
 
 /// A model with its residuals and their slopes.
 #[derive(Clone)]
@@ -24,26 +23,11 @@ pub struct Linearisation {
     pub objective: f64,
     /// What the model's equation consists of, stretch by stretch, joint by joint.
     parts: Vec<[Parts; 3]>,
-    /// What joints feel of the rest of the arm, stretch by stretch.
-    felt: Vec<[Vec<Felt>; 3]>,
-    /// What drives joints less friction, stretch by stretch.
-    net: Vec<[Vec<f64>; 3]>,
     joints: Vec<JointSlopes>,
     /// Half the gradient of the objective.
     gradient: DVector<f64>,
     normal: Cholesky<f64, Dyn>,
     train: [usize; 3],
-}
-
-/// The equation of a joint over a stretch, on the log's clock [V].
-#[derive(Clone, Default)]
-struct Parts {
-    /// What drives the joint, by intervals.
-    drive: Vec<f64>,
-    /// Friction, by intervals.
-    friction: Vec<f64>,
-    /// What the rigid body needs, by samples.
-    needed: Vec<f64>,
 }
 
 /// Slopes of one joint's rows.
@@ -76,36 +60,13 @@ impl Linearisation {
     /// Linearises a model; `expected` must name its effects' parameters too.
     /// `None` where the numbers do not work out.
     pub fn of(evidence: &Evidence, point: Point, expected: Vec<Expected>) -> Option<Self> {
-        let residual = evidence.shortfall(&point, &evidence.joints);
         let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
-        let (parts, joints) = slopes(evidence, &point, &expected, &residual);
+        let (parts, residual, joints) = slopes(evidence, &point, &expected);
         let objective = objective(&residual, &train, &point, &expected);
         let (normal, gradient) = normal_equations(&joints, &residual, &train, &point, &expected);
         let normal = Cholesky::new(normal)?;
         objective.is_finite().then_some(())?;
-        let felt = evidence.stretches.par_iter().map(|stretch| {
-            let trial = Trial::of(stretch, &point);
-            let of = |joint| match evidence.joints.contains(&joint) {
-                true => trial.felt(joint),
-                false => Vec::new(),
-            };
-            [0, 1, 2].map(of)
-        });
-        let felt = felt.collect();
-        let net = parts.iter().map(|joints| [0, 1, 2].map(|joint| joints[joint].net())).collect();
-        Some(Self {
-            point,
-            expected,
-            residual,
-            objective,
-            parts,
-            felt,
-            net,
-            joints,
-            gradient,
-            normal,
-            train,
-        })
+        Some(Self { point, expected, residual, objective, parts, joints, gradient, normal, train })
     }
 
     /// The change of what is open that fits best, by the slopes.
@@ -210,24 +171,13 @@ impl Linearisation {
             true => evidence.joints.clone(),
             false => vec![own],
         };
+        let others = &self.point.effects;
         let point = self.point.with(effect.clone());
-        let mut touches = effect.definition.touches;
-        // What is in the model already may feel a body or a motion that changes.
-        touches.drive |= touches.body && !self.point.effects.is_empty();
-        touches.friction |= touches.body && !self.point.effects.is_empty();
-        // A link with play is kept on its track by what drives its motor.
-        touches.body |= self.point.effects.iter().any(Added::has_play);
-        let mut rows: Rows = Default::default();
-        let stretches =
+        let count =
             if which.held_out { evidence.stretches.len() } else { evidence.train_stretches() };
-        for s in 0..stretches {
-            let same = Same { felt: &self.felt[s], net: &self.net[s] };
-            let same = (!touches.drive).then_some(same);
-            let trial = Trial::beside(&evidence.stretches[s], &point, same);
-            for &joint in &joints {
-                let change = self.parts[s][joint].change_to(&trial, joint, touches);
-                rows[joint].extend(evidence.weighted(s, joint, &change));
-            }
+        let mut rows: Rows = Default::default();
+        for (s, parts) in self.parts.iter().enumerate().take(count) {
+            changed(evidence, s, parts, &point, (effect, others), &joints, &mut rows);
         }
         rows
     }
@@ -263,39 +213,22 @@ impl Which {
     pub const OWN: Self = Self { joints: false, held_out: false };
 }
 
-impl Parts {
-    fn of(trial: &Trial, joint: usize) -> Self {
-        Self {
-            drive: trial.drive(joint),
-            friction: trial.friction(joint, trial.robot()),
-            needed: trial.needed(joint),
-        }
-    }
-
-    /// What drives the joint less friction, by intervals.
-    fn net(&self) -> Vec<f64> {
-        self.drive.iter().zip(&self.friction).map(|(drive, friction)| drive - friction).collect()
-    }
-
-    /// Change of the shortfall at the samples when a trial takes these parts' place.
-    fn change_to(&self, trial: &Trial, joint: usize, touches: Touches) -> Vec<f64> {
-        let mut net = vec![0.0; self.drive.len()];
-        let mut add = |after: Vec<f64>, before: &[f64], sign: f64| {
-            let both = after.iter().zip(before);
-            net.iter_mut().zip(both).for_each(|(net, (a, b))| *net += sign * (a - b));
-        };
-        if touches.drive {
-            add(trial.drive(joint), &self.drive, 1.0);
-        }
-        if touches.friction {
-            add(trial.friction(joint, trial.robot()), &self.friction, -1.0);
-        }
-        let mut change = at_samples(&net);
-        if touches.body {
-            let both = trial.needed(joint).into_iter().zip(&self.needed);
-            change.iter_mut().zip(both).for_each(|(change, (a, b))| *change -= a - b);
-        }
-        change
+/// Appends the change of joints' rows in a stretch once a model becomes `point`, which
+/// differs in an effect beside others.
+fn changed(
+    evidence: &Evidence,
+    s: usize,
+    parts: &[Parts; 3],
+    point: &Point,
+    (effect, others): (&Added, &[Added]),
+    joints: &[usize],
+    rows: &mut Rows,
+) {
+    let touches = touched(effect, others);
+    let trial = Trial::beside(&evidence.stretches[s], point, same(parts, effect));
+    for &joint in joints {
+        let change = parts[joint].change_to(&trial, joint, touches);
+        rows[joint].extend(evidence.weighted(s, joint, &change));
     }
 }
 
@@ -341,57 +274,88 @@ fn normal_equations(
 /// A column of rows of one joint, with its place among what is open.
 type Column = (usize, Vec<f64>);
 
-/// The parts of the equation, and the slopes of every joint.
+/// A joint's equation in a stretch, its rows, and their slopes that need no whole model.
+type Piece = (Parts, Vec<f64>, Vec<Column>);
+
+/// The parts of the equation, the rows, and the slopes of every joint.
 fn slopes(
     evidence: &Evidence,
     point: &Point,
     expected: &[Expected],
-    residual: &Rows,
-) -> (Vec<[Parts; 3]>, Vec<JointSlopes>) {
-    let of_effects: Vec<(usize, Rows)> = (0..expected.len())
+) -> (Vec<[Parts; 3]>, Rows, Vec<JointSlopes>) {
+    let pieces: Vec<[Piece; 3]> = (0..evidence.stretches.len())
         .into_par_iter()
-        .filter(|&place| matches!(expected[place].unknown, Unknown::Effect { .. }))
-        .map(|place| (place, effect_slope(evidence, point, expected[place].unknown, residual)))
+        .map(|s| stretch_slopes(evidence, s, point, expected))
         .collect();
-    let mut parts: Vec<[Parts; 3]> =
-        evidence.stretches.iter().map(|_| Default::default()).collect();
-    let mut joints = Vec::new();
-    for &joint in &evidence.joints {
-        let pieces: Vec<(Parts, Vec<Column>)> = (0..evidence.stretches.len())
-            .into_par_iter()
-            .map(|s| stretch_slopes(evidence, s, joint, point, expected))
-            .collect();
-        let mut columns: Vec<Column> =
-            pieces[0].1.iter().map(|(place, _)| (*place, Vec::new())).collect();
-        for (s, (own, stretch_columns)) in pieces.into_iter().enumerate() {
-            parts[s][joint] = own;
-            for (column, (_, rows)) in columns.iter_mut().zip(stretch_columns) {
-                column.1.extend(rows);
-            }
-        }
-        let of_effects =
-            of_effects.iter().filter(|(_, rows)| rows[joint].iter().any(|&x| x != 0.0));
-        columns.extend(of_effects.map(|(place, rows)| (*place, rows[joint].clone())));
-        let count = residual[joint].len();
-        let flat = columns.iter().flat_map(|(_, rows)| rows.iter().copied());
-        let matrix = DMatrix::from_iterator(count, columns.len(), flat);
-        let places = columns.iter().map(|(place, _)| *place).collect();
-        joints.push(JointSlopes { joint, places, matrix });
+    let mut parts = Vec::new();
+    let mut residual: Rows = Default::default();
+    let mut columns: [Vec<Column>; 3] = Default::default();
+    for piece in pieces {
+        let mut joint = 0;
+        parts.push(piece.map(|(parts, rows, of_stretch)| {
+            residual[joint].extend(rows);
+            append(&mut columns[joint], of_stretch);
+            joint += 1;
+            parts
+        }));
     }
-    (parts, joints)
+    for (place, rows) in effect_slopes(evidence, &parts, point, expected) {
+        for (joint, rows) in rows.into_iter().enumerate().filter(|(_, rows)| !rows.is_empty()) {
+            columns[joint].push((place, rows));
+        }
+    }
+    let of_joint = |&joint: &usize| JointSlopes::of(joint, &columns[joint], residual[joint].len());
+    let joints = evidence.joints.iter().map(of_joint).collect();
+    (parts, residual, joints)
 }
 
-/// A joint's equation in a stretch, and the slopes that need no whole model.
+/// Puts the rows of a stretch behind those of the stretches before.
+fn append(columns: &mut Vec<Column>, of_stretch: Vec<Column>) {
+    if columns.is_empty() {
+        *columns = of_stretch;
+        return;
+    }
+    columns.iter_mut().zip(of_stretch).for_each(|(column, (_, rows))| column.1.extend(rows));
+}
+
+impl JointSlopes {
+    fn of(joint: usize, columns: &[Column], count: usize) -> Self {
+        let flat = columns.iter().flat_map(|(_, rows)| rows.iter().copied());
+        let matrix = DMatrix::from_iterator(count, columns.len(), flat);
+        Self { joint, places: columns.iter().map(|(place, _)| *place).collect(), matrix }
+    }
+}
+
+/// What the joints of the rig have in a stretch.
 fn stretch_slopes(
     evidence: &Evidence,
     s: usize,
-    joint: usize,
     point: &Point,
     expected: &[Expected],
-) -> (Parts, Vec<Column>) {
+) -> [Piece; 3] {
     let trial = Trial::of(&evidence.stretches[s], point);
+    [0, 1, 2].map(|joint| {
+        if !evidence.joints.contains(&joint) {
+            return Piece::default();
+        }
+        let parts = Parts::of(&trial, joint);
+        let rows = evidence.weighted(s, joint, &trial.left(joint, &parts.net));
+        let columns = own_slopes(evidence, s, joint, (&trial, &parts), point, expected);
+        (parts, rows, columns)
+    })
+}
+
+/// Slopes of a joint's rows in a stretch that need no whole model.
+fn own_slopes(
+    evidence: &Evidence,
+    s: usize,
+    joint: usize,
+    (trial, parts): (&Trial, &Parts),
+    point: &Point,
+    expected: &[Expected],
+) -> Vec<Column> {
     let rows = |signal: &[f64]| evidence.weighted(s, joint, signal);
-    let make = || base_columns(evidence, s, joint, &trial);
+    let make = || base_columns(evidence, s, joint, trial);
     let own: Columns;
     let base = match trial.moves_as_measured() {
         true => evidence.regressor(s, joint, make),
@@ -400,7 +364,6 @@ fn stretch_slopes(
             &own
         }
     };
-    let parts = Parts::of(&trial, joint);
     let mut columns = Vec::new();
     for (place, e) in expected.iter().enumerate() {
         match e.unknown {
@@ -422,7 +385,7 @@ fn stretch_slopes(
             _ => {}
         }
     }
-    (parts, columns)
+    columns
 }
 
 /// Rows of the regressor, what is needed counted as negative.
@@ -459,22 +422,45 @@ fn friction_moved(point: &Point, joint: usize, parameter: usize) -> (model::Robo
     (moved.robot, step)
 }
 
-/// Slope of all rows along a parameter of an effect.
-fn effect_slope(evidence: &Evidence, point: &Point, unknown: Unknown, residual: &Rows) -> Rows {
-    let Unknown::Effect { index, value } = unknown else { return Default::default() };
+/// Slopes of all rows along the open parameters of effects.
+fn effect_slopes(
+    evidence: &Evidence,
+    parts: &[[Parts; 3]],
+    point: &Point,
+    expected: &[Expected],
+) -> Vec<(usize, Rows)> {
+    let slope = |place: usize| match expected[place].unknown {
+        Unknown::Effect { index, value } => {
+            Some((place, effect_slope(evidence, parts, point, index, value)))
+        }
+        _ => None,
+    };
+    (0..expected.len()).into_par_iter().filter_map(slope).collect()
+}
+
+/// Slope of all rows along a value of an effect.
+fn effect_slope(
+    evidence: &Evidence,
+    parts: &[[Parts; 3]],
+    point: &Point,
+    index: usize,
+    value: usize,
+) -> Rows {
     let effect = &point.effects[index];
     let step = step_of(effect, value);
     let mut moved = point.clone();
     moved.effects[index].values[value] += step;
-    let joints = if effect.definition.couples_joints {
-        evidence.joints.clone()
-    } else {
-        vec![usize::from(effect.joint) - 1]
+    let mut others = point.effects.clone();
+    others.remove(index);
+    let joints = match effect.definition.couples_joints {
+        true => evidence.joints.clone(),
+        false => vec![usize::from(effect.joint) - 1],
     };
-    let mut slope = evidence.shortfall(&moved, &joints);
-    for (rows, before) in slope.iter_mut().zip(residual) {
-        rows.iter_mut().zip(before).for_each(|(row, before)| *row = (*row - before) / step);
+    let mut slope: Rows = Default::default();
+    for (s, parts) in parts.iter().enumerate() {
+        changed(evidence, s, parts, &moved, (effect, &others), &joints, &mut slope);
     }
+    slope.iter_mut().flatten().for_each(|row| *row /= step);
     slope
 }
 

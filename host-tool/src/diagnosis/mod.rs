@@ -4,6 +4,7 @@
 mod assembly;
 pub mod candidate;
 mod detectable;
+mod doubt;
 mod encoder_step;
 pub mod even_clock;
 pub mod evidence;
@@ -17,6 +18,7 @@ mod logs;
 mod misfit;
 mod motion_gap;
 pub mod noise;
+mod parts;
 pub mod places;
 pub mod preparation;
 pub mod quantity;

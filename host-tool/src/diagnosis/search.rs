@@ -14,7 +14,10 @@ use crate::simulation::tracking::rms;
 /// Harmonics that are followed up of those that look best.
 const HARMONICS: usize = 3;
 /// Most steps of a search.
-const MOST_STEPS: usize = 6;
+const MOST_STEPS: usize = 8;
+/// A link with play that is kept on its track hides up to two fifths of the squares of
+/// whatever is missed, so play must leave less than this part of them.
+const LEFT_BY_PLAY: f64 = 0.6;
 /// Starts of one effect that are searched from.
 const BEST_STARTS: usize = 2;
 /// Effects that promise less than this part of the best one's promise are not searched.
@@ -98,6 +101,7 @@ pub(super) fn starts(
     starts
 }
 
+/// What the change of rows by an effect would gain if it were scaled as suits best.
 pub(super) fn promise(linear: &Linearisation, evidence: &Evidence, effect: &Added) -> f64 {
     let change = linear.change_by(evidence, effect, Which::OWN);
     let (gradient, curvature) = linear.along(&Default::default(), &[change]);
@@ -119,6 +123,10 @@ fn searched(
             begun.refined(linear, evidence, MOST_STEPS, Which::TRAIN)
         })
         .min_by(|a, b| a.score.train.total_cmp(&b.score.train))
+        .filter(|best| {
+            let most = if best.effect.has_play() { LEFT_BY_PLAY } else { f64::INFINITY };
+            best.score.train < most * linear.score().train
+        })
         .map(|best| Candidate::of(linear, evidence, best.effect, Which::ALL).0)
 }
 

@@ -9,7 +9,7 @@ use super::fit::fit;
 use super::linearisation::{Linearisation, Which};
 use super::preparation::as_given;
 use super::rest::{MISSES, Rest};
-use super::search::{candidates, places, starts};
+use super::search::{Start, candidates, places, starts};
 use super::subject::Subject;
 use super::voltage::Point;
 use crate::effects::Definition;
@@ -47,6 +47,8 @@ const MOST_EFFECTS: usize = 3;
 const FINALISTS: usize = 5;
 /// How often others are retuned where none of them is any good.
 const MOST_BATCHES: usize = 4;
+/// Effects that are looked at where those that promised most do not keep it.
+const MOST_OVERLOOKED: usize = 10;
 /// A finalist has gained at least this part of the best candidate's gain.
 const FINALIST_GAIN: f64 = 0.4;
 /// Steps of a fit of a finalist.
@@ -213,15 +215,20 @@ fn overlooked(
             |c: &Candidate| (c.effect.definition.name, c.effect.joint) == (place.0.name, place.1);
         !tried.iter().any(|(candidate, _)| same(candidate))
     };
+    let first = |(definition, joint): (&'static Definition, u8)| {
+        starts(now, evidence, subject, definition, joint).into_iter().next()
+    };
     let places: Vec<(&'static Definition, u8)> =
         places(subject).into_iter().filter(is_new).collect();
-    let searched = |(definition, joint): (&'static Definition, u8)| {
-        let start = starts(now, evidence, subject, definition, joint).into_iter().next()?;
+    let mut promising: Vec<Start> = places.into_par_iter().filter_map(first).collect();
+    promising.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+    promising.truncate(MOST_OVERLOOKED);
+    let searched = |start: Start| {
         let begun = Candidate::of(now, evidence, start.effect, Which::TRAIN).0;
         let best = begun.refined(now, evidence, STEPS, Which::TRAIN);
-        Some(Candidate::of(now, evidence, best.effect, Which::ALL).0)
+        Candidate::of(now, evidence, best.effect, Which::ALL).0
     };
-    let mut found: Vec<Candidate> = places.into_par_iter().filter_map(searched).collect();
+    let mut found: Vec<Candidate> = promising.into_par_iter().map(searched).collect();
     found.sort_by(|a, b| a.score.total().total_cmp(&b.score.total()));
     found.truncate(FINALISTS);
     found

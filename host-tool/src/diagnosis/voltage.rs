@@ -7,12 +7,13 @@
 //! noise.
 
 use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::f64::consts::{PI, TAU};
 
 use model::friction::FrictionScale;
 use model::{FrictionState, Posture, Robot};
 
-use super::link_motion::{self, Felt};
+use super::link_motion::{self, Felt, JointMotion};
 use super::reading;
 use super::stretch::{Kinematics, Stretch};
 use crate::effects::{Definition, Effect, Moment};
@@ -39,6 +40,11 @@ impl Added {
     /// Whether it leaves play between a motor and its link.
     pub fn has_play(&self) -> bool {
         self.definition.parameters.iter().any(|parameter| parameter.name == "gap_rad")
+    }
+
+    /// Whether it is a spring between a motor and its link.
+    pub fn is_spring(&self) -> bool {
+        self.build().is_some_and(|effect| effect.transmission().is_some())
     }
 
     /// Turns a negative amplitude into half a turn of phase, and keeps values in bounds.
@@ -86,29 +92,35 @@ impl Point {
 pub struct Trial<'a> {
     stretch: &'a Stretch,
     point: &'a Point,
+    same: Option<Same<'a>>,
     /// The robot with what effects change in it, motors of elastic joints included.
     robot: Robot<f64>,
     /// What moves with the links.
     links: Robot<f64>,
+    /// Joints (0 to 2) with a spring between motor and link.
+    springs: Vec<(usize, Transmission)>,
     /// Motion of the motors.
     motor: Cow<'a, Kinematics>,
-    /// Motion of the links.
-    link: Cow<'a, Kinematics>,
-    /// Sines and cosines of the links' angles.
-    postures: Cow<'a, [Posture<f64>]>,
-    /// Inertia that elastic joints' motors have of their own [kg m^2].
-    motor_inertia_kg_m2: [f64; 3],
+    /// Motion of the links behind springs, once asked for.
+    link: OnceCell<Kinematics>,
+    /// Sines and cosines of the links' angles, where those move otherwise than measured.
+    postures: OnceCell<Vec<Posture<f64>>>,
+    /// What drives the joints in the intervals, once asked for [V].
+    drive_v: OnceCell<[Vec<f64>; 3]>,
+    /// Voltages that the rigid body needs at the samples, once asked for.
+    needed_v: OnceCell<[Vec<f64>; 3]>,
     /// Whether an effect needs to know the load.
     feels_load: bool,
 }
 
-/// What a model shares with one that has one spring more.
+/// What a model shares with one that has another spring: the motors' motion and what drives
+/// them.
 #[derive(Clone, Copy, Debug)]
 pub struct Same<'a> {
     /// What joints feel of the rest of the arm, by samples.
-    pub felt: &'a [Vec<Felt>; 3],
+    pub felt: [&'a [Felt]; 3],
     /// What drives joints less friction, by intervals [V].
-    pub net: &'a [Vec<f64>; 3],
+    pub net_v: [&'a [f64]; 3],
 }
 
 impl<'a> Trial<'a> {
@@ -117,51 +129,70 @@ impl<'a> Trial<'a> {
         Self::beside(stretch, point, None)
     }
 
-    /// The same where an effect more changes neither the motors' motion nor what drives them.
-    pub fn beside(stretch: &'a Stretch, point: &'a Point, same: Option<Same>) -> Self {
+    /// The same where it differs from another model in its springs alone.
+    pub fn beside(stretch: &'a Stretch, point: &'a Point, same: Option<Same<'a>>) -> Self {
         let effects = built(&point.effects);
         let mut robot = point.robot;
         effects.iter().for_each(|effect| effect.change_robot(&mut robot));
-        let motor = reading::corrected(&stretch.motion, &effects);
-        let link = motor.clone();
-        let feels_load = effects.iter().any(|effect| effect.feels_load());
-        let motor_inertia_kg_m2 = [0.0; 3];
-        let mut trial = Self {
+        let springs: Vec<_> = effects.iter().filter_map(|effect| effect.transmission()).collect();
+        let links = springs
+            .iter()
+            .fold(robot, |links, (joint, spring)| spring.without_motor(*joint, &links));
+        Self {
             stretch,
             point,
+            same,
             robot,
-            links: robot,
-            motor,
-            link,
-            postures: Cow::Borrowed(&stretch.postures[..]),
-            motor_inertia_kg_m2,
-            feels_load,
-        };
-        for (joint, spring) in effects.iter().filter_map(|effect| effect.transmission()) {
-            trial.move_link(joint, &spring, same);
+            links,
+            springs,
+            motor: reading::corrected(&stretch.motion, &effects),
+            link: OnceCell::new(),
+            postures: OnceCell::new(),
+            drive_v: OnceCell::new(),
+            needed_v: OnceCell::new(),
+            feels_load: effects.iter().any(|effect| effect.feels_load()),
         }
-        if let Cow::Owned(link) = &trial.link {
-            trial.postures = Cow::Owned(link.postures());
-        }
-        trial
     }
 
-    /// Puts a spring between a joint's motor and its link.
-    fn move_link(&mut self, joint: usize, spring: &Transmission, same: Option<Same>) {
-        self.links = spring.without_motor(joint, &self.links);
-        self.motor_inertia_kg_m2[joint] = spring.motor_inertia_kg_m2;
-        let felt = match same {
-            Some(same) => Cow::Borrowed(&same.felt[joint]),
+    /// Motion of the links.
+    fn link(&self) -> &Kinematics {
+        if self.springs.is_empty() {
+            return &self.motor;
+        }
+        self.link.get_or_init(|| {
+            let mut link = self.motor.as_ref().clone();
+            for (joint, spring) in &self.springs {
+                link.take_joint(*joint, self.behind(*joint, spring));
+            }
+            link
+        })
+    }
+
+    /// Sines and cosines of the links' angles.
+    fn postures(&self) -> &[Posture<f64>] {
+        match self.moves_as_measured() {
+            true => &self.stretch.postures,
+            false => self.postures.get_or_init(|| self.link().postures()),
+        }
+    }
+
+    /// Whether the links move as the encoders tell.
+    pub fn moves_as_measured(&self) -> bool {
+        self.springs.is_empty() && matches!(self.motor, Cow::Borrowed(_))
+    }
+
+    /// Motion of a joint's link behind a spring.
+    fn behind(&self, joint: usize, spring: &Transmission) -> JointMotion {
+        let felt = match self.same {
+            Some(same) => Cow::Borrowed(same.felt[joint]),
             None => Cow::Owned(self.felt(joint)),
         };
-        let push_nm = (spring.gap_rad > 0.0).then(|| match same {
-            Some(same) => self.push_nm(joint, &same.net[joint]),
+        let push_nm = (spring.gap_rad > 0.0).then(|| match self.same {
+            Some(same) => self.push_nm(joint, same.net_v[joint]),
             None => self.push_nm(joint, &self.net(joint)),
         });
         let period_s = self.stretch.period_s;
-        let motion =
-            link_motion::behind(spring, joint, &self.motor, &felt, push_nm.as_deref(), period_s);
-        self.link.to_mut().take_joint(joint, motion);
+        link_motion::behind(spring, joint, &self.motor, &felt, push_nm.as_deref(), period_s)
     }
 
     /// Torque that pushes a joint in the interval after each sample [Nm].
@@ -174,11 +205,6 @@ impl<'a> Trial<'a> {
         Felt::along(joint, &self.motor, &self.robot)
     }
 
-    /// Whether the links move as the encoders tell.
-    pub fn moves_as_measured(&self) -> bool {
-        matches!(self.link, Cow::Borrowed(_))
-    }
-
     /// The robot with what effects change in it.
     pub fn robot(&self) -> &Robot<f64> {
         &self.robot
@@ -186,7 +212,12 @@ impl<'a> Trial<'a> {
 
     /// What the motor of a joint (0 to 2) gave less what was needed, at the samples [V].
     pub fn shortfall(&self, joint: usize) -> Vec<f64> {
-        let given = at_samples(&self.net(joint));
+        self.left(joint, &self.net(joint))
+    }
+
+    /// The same, by what drives the joint less friction [V].
+    pub fn left(&self, joint: usize, net_v: &[f64]) -> Vec<f64> {
+        let given = at_samples(net_v);
         let needed = self.needed(joint);
         let lag_s = self.point.lag_s[joint];
         let slope = self.command_slope(joint);
@@ -199,30 +230,35 @@ impl<'a> Trial<'a> {
     }
 
     /// Voltage that the rigid body needs at the samples, eq. (5).
-    pub fn needed(&self, joint: usize) -> Vec<f64> {
-        let k_t = self.robot.torque_constant_nm_per_v[joint];
-        let at = |k: usize| {
-            let (_, qd, qdd) = self.link.state(k);
-            let torque = self.postures[k].inverse_dynamics(
-                &self.links.base,
-                &self.links.geometry,
-                &qd,
-                &qdd,
-            )[joint];
-            let own = self.motor_inertia_kg_m2[joint] * self.motor.qdd_rad_per_s2[joint][k];
-            (torque + own) / k_t
-        };
-        (0..self.stretch.len()).map(at).collect()
+    pub fn needed(&self, joint: usize) -> &[f64] {
+        &self.needed_v.get_or_init(|| self.needed_by_all())[joint]
+    }
+
+    fn needed_by_all(&self) -> [Vec<f64>; 3] {
+        let k_t = &self.robot.torque_constant_nm_per_v;
+        let mut needed_v = [0, 1, 2].map(|_| Vec::with_capacity(self.stretch.len()));
+        let (link, postures) = (self.link(), self.postures());
+        for (k, posture) in postures.iter().enumerate() {
+            let (_, qd, qdd) = link.state(k);
+            let mut torque_nm =
+                posture.inverse_dynamics(&self.links.base, &self.links.geometry, &qd, &qdd);
+            for (joint, spring) in &self.springs {
+                let qdd = self.motor.qdd_rad_per_s2[*joint][k];
+                torque_nm[*joint] += spring.motor_inertia_kg_m2 * qdd;
+            }
+            (0..3).for_each(|joint| needed_v[joint].push(torque_nm[joint] / k_t[joint]));
+        }
+        needed_v
     }
 
     /// A row of the regressor at the samples, in volts per unit of the base parameter.
     pub fn regressor_row(&self, joint: usize) -> Vec<[f64; model::base::COUNT]> {
         let k_t = self.robot.torque_constant_nm_per_v[joint];
+        let (link, postures) = (self.link(), self.postures());
         let at = |k: usize| {
-            let (_, qd, qdd) = self.link.state(k);
+            let (_, qd, qdd) = link.state(k);
             let geometry = &self.links.geometry;
-            model::regressor::regressor(&self.postures[k], geometry, &qd, &qdd)[joint]
-                .map(|r| r / k_t)
+            model::regressor::regressor(&postures[k], geometry, &qd, &qdd)[joint].map(|r| r / k_t)
         };
         (0..self.stretch.len()).map(at).collect()
     }
@@ -239,13 +275,18 @@ impl<'a> Trial<'a> {
     /// The command as the motor feels it in the interval after each sample, with the
     /// voltages and torques that effects add [V].
     pub fn drive(&self, joint: usize) -> Vec<f64> {
-        let mut effects = built(&self.point.effects);
-        if effects.is_empty() {
-            return self.stretch.command_v[joint].clone();
+        match self.point.effects.is_empty() {
+            true => self.stretch.command_v[joint].clone(),
+            false => self.drive_v.get_or_init(|| self.driven_by_effects())[joint].clone(),
         }
+    }
+
+    fn driven_by_effects(&self) -> [Vec<f64>; 3] {
+        let mut effects = built(&self.point.effects);
         effects.iter_mut().for_each(|effect| effect.set_step(self.stretch.period_s));
-        let k_t = self.robot.torque_constant_nm_per_v[joint];
-        let mut interval = |k: usize| {
+        let k_t = self.robot.torque_constant_nm_per_v;
+        let mut drive_v = [0, 1, 2].map(|_| Vec::with_capacity(self.stretch.len()));
+        for k in 0..self.stretch.len() {
             let moment = self.moment(k);
             let mut command_v = [0, 1, 2].map(|i| self.stretch.command_v[i][k]);
             let mut torque_nm = [0.0; 3];
@@ -254,9 +295,9 @@ impl<'a> Trial<'a> {
                 effect.add_voltage(&moment, &mut command_v);
                 effect.add_torque(&moment, &self.robot, &mut torque_nm);
             }
-            command_v[joint] + torque_nm[joint] / k_t
-        };
-        (0..self.stretch.len()).map(&mut interval).collect()
+            (0..3).for_each(|i| drive_v[i].push(command_v[i] + torque_nm[i] / k_t[i]));
+        }
+        drive_v
     }
 
     /// Friction of a robot's joint in the interval after each sample [V].

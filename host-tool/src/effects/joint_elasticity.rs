@@ -31,14 +31,9 @@ pub(super) const DEFINITION: Definition = Definition {
 
 /// Resonances with the motor held, as the logs may show them, lightly damped.
 fn starts(typical: &Typical) -> Vec<Vec<f64>> {
-    let mut starts = Vec::new();
-    for motor_part in [0.1, 0.3] {
-        for resonance_hz in [7.0, 12.0, 20.0, 35.0] {
-            let spring = typical.spring(resonance_hz, motor_part);
-            starts.push(spring.to_vec());
-        }
-    }
-    starts
+    const MOTOR_PART: f64 = 0.17;
+    let spring = |resonance_hz| typical.spring(resonance_hz, MOTOR_PART).to_vec();
+    [7.0, 12.0, 20.0, 35.0].map(spring).to_vec()
 }
 
 #[derive(Clone, Debug)]
