@@ -192,7 +192,6 @@ fn assert_named(report: &Report, effect: &str, joint: u8) {
 }
 
 #[test]
-#[ignore = "open: at 100 Hz an effect is named where there is none"]
 fn nothing_is_found_where_nothing_is() {
     for rate_hz in [100.0, 200.0, 1000.0, 5000.0] {
         let report = Rig { rate_hz, ..PENDULUM }.diagnosed(&[]);

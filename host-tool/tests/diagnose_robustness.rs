@@ -246,7 +246,6 @@ fn an_encoder_may_wrap() {
 }
 
 #[test]
-#[ignore = "open: without the excitation a second, spurious cogging is named"]
 fn a_stuck_encoder_costs_its_log() {
     let mut traces = logs();
     let stuck = &mut traces[0].joints[1].q_rad;
@@ -268,7 +267,6 @@ fn all_encoders_stuck_are_refused() {
 }
 
 #[test]
-#[ignore = "open: without the excitation a second, spurious cogging is named"]
 fn commands_at_the_limit_cost_their_log() {
     let mut traces = logs();
     for u in &mut traces[0].joints[2].command_v {

@@ -1,6 +1,8 @@
 //! All rows of a model linearised in what is open, and how well a change of them fits once
 //! everything open is retuned.
 
+use std::ops::Range;
+
 use model::base::COUNT;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use rayon::prelude::*;
@@ -185,6 +187,20 @@ impl Linearisation {
     /// Rows of a joint that belong to train logs.
     pub fn train_rows(&self, joint: usize) -> usize {
         self.train[joint]
+    }
+
+    /// Squares that a joint's rows in `range` are expected to have beyond noise, because what
+    /// is open is known no better than the train logs tell: the trace of J P J'.
+    pub fn spread(&self, joint: usize, range: Range<usize>) -> f64 {
+        let Some(slopes) = self.joints.iter().find(|slopes| slopes.joint == joint) else {
+            return 0.0;
+        };
+        let rows = slopes.matrix.rows_range(range);
+        let products = rows.tr_mul(&rows);
+        let mut unit = DMatrix::zeros(self.expected.len(), slopes.places.len());
+        slopes.places.iter().enumerate().for_each(|(k, &place)| unit[(place, k)] = 1.0);
+        let covariance = unit.tr_mul(&self.normal.solve(&unit));
+        covariance.component_mul(&products).sum()
     }
 
     /// Standard deviation of an open parameter, for residuals that are noise alone.

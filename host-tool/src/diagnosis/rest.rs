@@ -7,7 +7,8 @@ use super::unknowns::Unknown;
 /// What a model leaves, against the noise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rest {
-    /// Root mean square over that of noise, by joint of the rig and stretch.
+    /// Root mean square over what noise, and what is not known of the model, make of it; by joint of the
+    /// rig and stretch.
     pub ratios: Vec<Vec<f64>>,
     /// Squares above what the method itself may leave, in units of noise, all rows.
     pub excess: f64,
@@ -43,11 +44,16 @@ impl Rest {
             let (mut own, mut least, mut all) = (0.0, 0.0, 0.0);
             let mut of_joint = Vec::new();
             for (s, range) in evidence.ranges(joint).into_iter().enumerate() {
-                let rows = &linear.residual[joint][range];
+                let rows = &linear.residual[joint][range.clone()];
                 let used = rows.iter().filter(|row| **row != 0.0).count().max(1) as f64;
                 let squares: f64 = rows.iter().map(|row| row * row).sum();
-                of_joint.push((squares / used).sqrt());
-                excess += (squares - OWN_RATIO * OWN_RATIO * used).max(0.0);
+                // Motions that the train logs do not hold show what is not known of the model.
+                let expected = match s < evidence.train_stretches() {
+                    true => used,
+                    false => used + linear.spread(joint, range),
+                };
+                of_joint.push((squares / expected).sqrt());
+                excess += (squares - OWN_RATIO * OWN_RATIO * expected).max(0.0);
                 all += squares;
                 own += squares * evidence.floor_v(joint, s).powi(2);
                 least += used * evidence.steps_v(joint, s).powi(2);
