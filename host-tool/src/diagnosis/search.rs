@@ -149,14 +149,12 @@ pub(super) fn typical(
         .iter()
         .flat_map(|stretch| Trial::of(stretch, &linear.point).load_nm(joint))
         .collect();
-    let stretched = model::Posture::new(0.0, 0.0);
-    let base = &subject.robot.base;
     Typical {
         command_v: largest(&mut all(|s, j| &s.command_v[j])),
         friction_v: robot.friction[joint].alpha0_v,
         load_nm: rms(&load).max(1e-6),
         speed_rad_per_s: largest(&mut all(|s, j| &s.motion.qd_rad_per_s[j])),
         position_rad: angles.iter().sum::<f64>() / angles.len().max(1) as f64,
-        inertia_kg_m2: stretched.mass_matrix(base, &subject.robot.geometry)[joint][joint],
+        inertia_kg_m2: subject.inertia_kg_m2(joint),
     }
 }

@@ -11,7 +11,7 @@ use super::preparation::as_given;
 use super::rest::{MISSES, Rest};
 use super::search::{Start, candidates, places, starts};
 use super::subject::Subject;
-use super::voltage::Point;
+use super::voltage::{Added, Point};
 use crate::effects::Definition;
 
 /// The model after each step, and what competed.
@@ -106,7 +106,9 @@ pub fn select(
             Some((_, step)) => {
                 let finished = finished(evidence, subject, step);
                 // What fits better in the end may yet foretell worse.
-                if !pays(&selection.steps[round].rest, &finished.rest) {
+                let effects = &finished.linear.point.effects;
+                let physical = effects.iter().all(|effect| has_a_motor(effect, subject));
+                if !physical || !pays(&selection.steps[round].rest, &finished.rest) {
                     break;
                 }
                 selection.steps.push(finished);
@@ -254,9 +256,19 @@ fn retuned(
             let start = now.point.with(candidate.effect.clone());
             let step = Step::of(evidence, fit(evidence, subject, start, FINALIST_STEPS)?);
             candidate.effect = step.linear.point.effects.last()?.clone();
-            Some((candidate, step))
+            has_a_motor(&candidate.effect, subject).then_some((candidate, step))
         })
         .collect()
+}
+
+/// Whether a spring leaves its motor some inertia: without, it would only smooth what the
+/// encoder reads.
+fn has_a_motor(effect: &Added, subject: &Subject) -> bool {
+    const LEAST_PART: f64 = 0.02;
+    let parameters = effect.definition.parameters.iter();
+    let place = parameters.clone().position(|p| p.name == "motor_inertia_kg_m2");
+    let joint = usize::from(effect.joint.max(1)) - 1;
+    place.is_none_or(|p| effect.values[p] > LEAST_PART * subject.inertia_kg_m2(joint))
 }
 
 /// Whether so little is left of the gap that it may be the method's own: effects that are

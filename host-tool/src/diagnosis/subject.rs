@@ -40,6 +40,12 @@ pub struct Subject {
 }
 
 impl Subject {
+    /// Inertia of a joint (0 to 2) with the arm stretched, motor included.
+    pub fn inertia_kg_m2(&self, joint: usize) -> f64 {
+        let stretched = model::Posture::new(0.0, 0.0);
+        stretched.mass_matrix(&self.robot.base, &self.robot.geometry)[joint][joint]
+    }
+
     /// The rig of a campaign.
     ///
     /// # Errors
