@@ -1,12 +1,15 @@
 //! What the selection amounts to: effect, none or unknown, and how sure.
 
 use super::rest::Rest;
-use super::selection::{Rivalry, Selection};
+use super::selection::{Rivalry, Selection, Step};
+use super::voltage::Added;
 use super::{Alternative, Verdict};
 use crate::diagnosis::subject::Subject;
 
 /// A rest up to so many times the noise is explained, whatever the gap was.
 const EXPLAINED_RATIO: f64 = 3.0;
+/// The same where a link bounces in its play: small errors of its model grow at each impact.
+const EXPLAINED_BOUNCING: f64 = 6.0;
 /// So is one up to this part of the gap's.
 const EXPLAINED_PART: f64 = 0.03;
 /// Part of the gap's excess that the causes must take away.
@@ -24,14 +27,17 @@ pub fn verdict(selection: &Selection) -> Verdict {
     let named = selection.steps.len() > 1;
     match named {
         false if first.rest.excess == 0.0 || first.rest.worst() < NO_GAP_RATIO => Verdict::None,
-        true if is_explained(&first.rest, &last.rest) => Verdict::Effect,
+        true if is_explained(first, last) => Verdict::Effect,
         _ => Verdict::Unknown,
     }
 }
 
 /// Whether what is left is as good as noise.
-fn is_explained(gap: &Rest, rest: &Rest) -> bool {
-    let small = rest.worst() <= EXPLAINED_RATIO.max(EXPLAINED_PART * gap.worst());
+fn is_explained(gap: &Step, last: &Step) -> bool {
+    let bounces = last.linear.point.effects.iter().any(Added::has_play);
+    let ratio = if bounces { EXPLAINED_BOUNCING } else { EXPLAINED_RATIO };
+    let (gap, rest) = (&gap.rest, &last.rest);
+    let small = rest.worst() <= ratio.max(EXPLAINED_PART * gap.worst());
     let believable = !rest.is_beyond_belief();
     believable && small && rest.excess <= (1.0 - EXPLAINED_EXCESS) * gap.excess
 }

@@ -15,6 +15,8 @@ use crate::simulation::tracking::rms;
 const HARMONICS: usize = 3;
 /// Most steps of a search.
 const MOST_STEPS: usize = 8;
+/// The same for springs, whose values are far from linear.
+const SPRING_STEPS: usize = 14;
 /// A link with play that is kept on its track hides up to two fifths of the squares of
 /// whatever is missed, so play must leave less than this part of them.
 const LEFT_BY_PLAY: f64 = 0.6;
@@ -120,7 +122,8 @@ fn searched(
         .filter(|start| start.gain > least)
         .map(|start| {
             let begun = Candidate::of(linear, evidence, start.effect, Which::TRAIN).0;
-            begun.refined(linear, evidence, MOST_STEPS, Which::TRAIN)
+            let steps = if begun.effect.is_spring() { SPRING_STEPS } else { MOST_STEPS };
+            begun.refined(linear, evidence, steps, Which::TRAIN)
         })
         .min_by(|a, b| a.score.train.total_cmp(&b.score.train))
         .filter(|best| {

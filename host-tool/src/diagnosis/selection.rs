@@ -55,12 +55,16 @@ const FINALIST_GAIN: f64 = 0.4;
 const FINALIST_STEPS: usize = 2;
 /// Steps of a fit of the one that is taken.
 const TAKEN_STEPS: usize = 4;
+/// The same where that is a spring, whose values are far from linear.
+const SPRING_STEPS: usize = 10;
 /// Part of the excess that an effect must take away.
 const LEAST_PART: f64 = 0.2;
 /// A model that leaves less than this of what encoder steps must leave takes it for motion,
 /// where there was hardly more than that before.
 const BELOW_NOISE: f64 = 0.7;
 const NEAR_NOISE: f64 = 2.0;
+/// An effect takes parameters further beyond belief when it multiplies their misses by this.
+const FURTHER: f64 = 1.2;
 /// Part of all squares, and of those held out, that it must take away: less is at the edge
 /// of what is an excess.
 const LEAST_OF_ALL: f64 = 0.05;
@@ -107,7 +111,7 @@ pub fn select(
                 let finished = finished(evidence, subject, step);
                 // What fits better in the end may yet foretell worse.
                 let effects = &finished.linear.point.effects;
-                let physical = effects.iter().all(|effect| has_a_motor(effect, subject));
+                let physical = effects.iter().all(|e| is_physical(e, subject, evidence));
                 if !physical || !pays(&selection.steps[round].rest, &finished.rest) {
                     break;
                 }
@@ -162,7 +166,10 @@ impl Selection {
 
 /// A step whose fit is carried on to its end.
 fn finished(evidence: &Evidence, subject: &Subject, step: Step) -> Step {
-    let fitted = fit(evidence, subject, step.linear.point.clone(), TAKEN_STEPS);
+    let point = step.linear.point.clone();
+    let steps =
+        if point.effects.last().is_some_and(Added::is_spring) { SPRING_STEPS } else { TAKEN_STEPS };
+    let fitted = fit(evidence, subject, point, steps);
     fitted.map_or(step, |linear| Step::of(evidence, linear))
 }
 
@@ -256,19 +263,25 @@ fn retuned(
             let start = now.point.with(candidate.effect.clone());
             let step = Step::of(evidence, fit(evidence, subject, start, FINALIST_STEPS)?);
             candidate.effect = step.linear.point.effects.last()?.clone();
-            has_a_motor(&candidate.effect, subject).then_some((candidate, step))
+            is_physical(&candidate.effect, subject, evidence).then_some((candidate, step))
         })
         .collect()
 }
 
-/// Whether a spring leaves its motor some inertia: without, it would only smooth what the
-/// encoder reads.
-fn has_a_motor(effect: &Added, subject: &Subject) -> bool {
-    const LEAST_PART: f64 = 0.02;
-    let parameters = effect.definition.parameters.iter();
-    let place = parameters.clone().position(|p| p.name == "motor_inertia_kg_m2");
-    let joint = usize::from(effect.joint.max(1)) - 1;
-    place.is_none_or(|p| effect.values[p] > LEAST_PART * subject.inertia_kg_m2(joint))
+/// Whether a spring leaves its motor some inertia, without which it would only smooth what
+/// the encoder reads, and whether its play, if it has some, is more than the spring gives.
+fn is_physical(effect: &Added, subject: &Subject, evidence: &Evidence) -> bool {
+    const LEAST_INERTIA: f64 = 0.02;
+    const LEAST_PLAY: f64 = 0.02;
+    let Some((joint, spring)) = effect.build().and_then(|effect| effect.transmission()) else {
+        return true;
+    };
+    let command_v = evidence.stretches.iter().flat_map(|stretch| &stretch.command_v[joint]);
+    let largest_v = command_v.fold(0.0, |largest, u| f64::max(largest, u.abs()));
+    let largest_nm = subject.robot.torque_constant_nm_per_v[joint] * largest_v;
+    let has_motor = spring.motor_inertia_kg_m2 > LEAST_INERTIA * subject.inertia_kg_m2(joint);
+    let is_free = spring.gap_rad * spring.stiffness_nm_per_rad > LEAST_PLAY * largest_nm;
+    has_motor && (is_free || !effect.has_play())
 }
 
 /// Whether so little is left of the gap that it may be the method's own: effects that are
@@ -283,7 +296,7 @@ fn is_as_good_as_clean(gap: &Rest, rest: &Rest) -> bool {
 /// belief: an amplifier that swallows every command "explains" any motion of a robot that
 /// weighs nothing. Nor by taking away noise: a soft spring smooths what encoder steps add.
 fn pays(before: &Rest, after: &Rest) -> bool {
-    if after.is_beyond_belief() && after.misses > before.misses {
+    if after.is_beyond_belief() && after.misses > FURTHER * before.misses {
         return false;
     }
     if after.of_steps < BELOW_NOISE && before.of_steps < NEAR_NOISE {

@@ -13,7 +13,9 @@ pub(super) const DEFINITION: Definition = Definition {
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::From(|typical| {
-        [0.93, 0.8, 0.65, 0.5].map(|part| vec![part * typical.command_v]).to_vec()
+        // A controller that fights the limit asks for many times what it gets.
+        let parts = [0.93, 0.8, 0.65, 0.5, 0.38, 0.28, 0.2, 0.14, 0.1];
+        parts.map(|part| vec![part * typical.command_v]).to_vec()
     }),
     size: Size::shrinks(|typical| 0.3 * typical.command_v),
     experiment: "`rrr run excitation`, faster, so that the limit is reached",
