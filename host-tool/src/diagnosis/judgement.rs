@@ -8,10 +8,12 @@ use crate::diagnosis::subject::Subject;
 
 /// A rest up to so many times the noise is explained, whatever the gap was.
 const EXPLAINED_RATIO: f64 = 3.0;
-/// The same where a link bounces in its play: small errors of its model grow at each impact.
-const EXPLAINED_BOUNCING: f64 = 6.0;
 /// So is one up to this part of the gap's.
 const EXPLAINED_PART: f64 = 0.03;
+/// The same where a spring lets motor or link bounce: how they move between samples is not
+/// known, nor what friction does meanwhile.
+const SPRUNG_RATIO: f64 = 6.0;
+const SPRUNG_PART: f64 = 0.06;
 /// Part of the gap's excess that the causes must take away.
 const EXPLAINED_EXCESS: f64 = 0.9;
 /// A gap up to so many times the noise that no effect explains is none.
@@ -34,10 +36,13 @@ pub fn verdict(selection: &Selection) -> Verdict {
 
 /// Whether what is left is as good as noise.
 fn is_explained(gap: &Step, last: &Step) -> bool {
-    let bounces = last.linear.point.effects.iter().any(Added::has_play);
-    let ratio = if bounces { EXPLAINED_BOUNCING } else { EXPLAINED_RATIO };
+    let sprung = last.linear.point.effects.iter().any(Added::is_spring);
+    let (ratio, part) = match sprung {
+        true => (SPRUNG_RATIO, SPRUNG_PART),
+        false => (EXPLAINED_RATIO, EXPLAINED_PART),
+    };
     let (gap, rest) = (&gap.rest, &last.rest);
-    let small = rest.worst() <= ratio.max(EXPLAINED_PART * gap.worst());
+    let small = rest.worst() <= ratio.max(part * gap.worst());
     let believable = !rest.is_beyond_belief();
     believable && small && rest.excess <= (1.0 - EXPLAINED_EXCESS) * gap.excess
 }

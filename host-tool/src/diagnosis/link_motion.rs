@@ -11,6 +11,9 @@ use crate::simulation::transmission::Transmission;
 /// Integration steps per sample.
 const STEPS: usize = 6;
 
+/// Difference for slopes of what a joint feels [rad, rad/s].
+const STEP: f64 = 1e-4;
+
 /// Motion of one joint at the samples.
 #[derive(Clone, Debug, Default)]
 pub struct JointMotion {
@@ -108,7 +111,7 @@ impl Follower {
         for step in 0..STEPS {
             let x = (step as f64 + 0.5) / STEPS as f64;
             let (theta, speed, felt) = inside(x);
-            let torque_nm = self.link.advance(spring, theta, speed, &felt, step_s);
+            let (torque_nm, felt) = self.link.advance(spring, theta, speed, &felt, step_s);
             if doubts {
                 let slope = slope(spring, torque_nm) / STEPS as f64;
                 let kick = step_s * STEPS as f64 / felt.inertia_kg_m2;
@@ -160,9 +163,12 @@ impl<'a> Drive<'a> {
         a + da * x + (3.0 * (b - a) - 2.0 * da - db) * x2 + (2.0 * (a - b) + da + db) * x3
     }
 
+    /// The slope of the cubic.
     fn speed(&self, k: usize, x: f64) -> f64 {
         let next = (k + 1).min(self.q_rad.len() - 1);
-        self.qd_rad_per_s[k] + x * (self.qd_rad_per_s[next] - self.qd_rad_per_s[k])
+        let mean = (self.q_rad[next] - self.q_rad[k]) / self.period_s;
+        let (va, vb) = (self.qd_rad_per_s[k], self.qd_rad_per_s[next]);
+        va + (6.0 * mean - 4.0 * va - 2.0 * vb) * x + 3.0 * (va + vb - 2.0 * mean) * x * x
     }
 }
 
@@ -170,8 +176,12 @@ impl<'a> Drive<'a> {
 #[derive(Clone, Copy, Debug)]
 pub struct Felt {
     inertia_kg_m2: f64,
-    /// Torque that it needs without acceleration of its own.
+    /// Torque that it needs without acceleration of its own, where the motor is.
     bias_nm: f64,
+    /// Slopes of that torque along the joint's own angle and velocity: a link is a little
+    /// away from its motor, and gravity's slope shifts the resonance.
+    along_angle_nm: f64,
+    along_velocity_nm_s: f64,
 }
 
 impl Felt {
@@ -185,9 +195,19 @@ impl Felt {
         qdd[joint] = 0.0;
         let posture = Posture::new(q[1], q[2]);
         let (base, geometry) = (&robot.base, &robot.geometry);
+        let bias_nm = |posture: &Posture<f64>, qd: &[f64; 3]| {
+            posture.inverse_dynamics(base, geometry, qd, &qdd)[joint]
+        };
+        let (mut q_moved, mut qd_moved) = (q, qd);
+        q_moved[joint] += STEP;
+        qd_moved[joint] += STEP;
+        let here_nm = bias_nm(&posture, &qd);
+        let moved = Posture::new(q_moved[1], q_moved[2]);
         Self {
             inertia_kg_m2: posture.mass_matrix(base, geometry)[joint][joint],
-            bias_nm: posture.inverse_dynamics(base, geometry, &qd, &qdd)[joint],
+            bias_nm: here_nm,
+            along_angle_nm: (bias_nm(&moved, &qd) - here_nm) / STEP,
+            along_velocity_nm_s: (bias_nm(&posture, &qd_moved) - here_nm) / STEP,
         }
     }
 
@@ -197,10 +217,21 @@ impl Felt {
     }
 
     fn towards(&self, other: &Self, x: f64) -> Self {
+        let between = |here: f64, there: f64| here + x * (there - here);
         Self {
-            inertia_kg_m2: self.inertia_kg_m2 + x * (other.inertia_kg_m2 - self.inertia_kg_m2),
-            bias_nm: self.bias_nm + x * (other.bias_nm - self.bias_nm),
+            inertia_kg_m2: between(self.inertia_kg_m2, other.inertia_kg_m2),
+            bias_nm: between(self.bias_nm, other.bias_nm),
+            along_angle_nm: between(self.along_angle_nm, other.along_angle_nm),
+            along_velocity_nm_s: between(self.along_velocity_nm_s, other.along_velocity_nm_s),
         }
+    }
+
+    /// Where and as fast as the link moves, its motor's `theta_rad` and `theta_rad_per_s`.
+    fn with_link(&self, link: &Link, theta_rad: f64, theta_rad_per_s: f64) -> Self {
+        let bias_nm = self.bias_nm
+            + self.along_angle_nm * (link.q_rad - theta_rad)
+            + self.along_velocity_nm_s * (link.qd_rad_per_s - theta_rad_per_s);
+        Self { bias_nm, ..*self }
     }
 
     fn acceleration(&self, torque_nm: f64) -> f64 {
@@ -220,7 +251,7 @@ impl Link {
     }
 
     /// Half a step of drift, a whole one of acceleration, half a step of drift; returns the
-    /// torque that the spring passes on.
+    /// torque that the spring passes on, and what the link feels of the arm.
     fn advance(
         &mut self,
         spring: &Transmission,
@@ -228,12 +259,13 @@ impl Link {
         speed: f64,
         felt: &Felt,
         step_s: f64,
-    ) -> f64 {
+    ) -> (f64, Felt) {
         self.q_rad += 0.5 * step_s * self.qd_rad_per_s;
         let torque_nm = self.torque(spring, theta, speed);
+        let felt = felt.with_link(self, theta, speed);
         self.qd_rad_per_s += step_s * felt.acceleration(torque_nm);
         self.q_rad += 0.5 * step_s * self.qd_rad_per_s;
-        torque_nm
+        (torque_nm, felt)
     }
 }
 

@@ -29,6 +29,7 @@ pub mod row_filter;
 pub mod search;
 pub mod selection;
 pub mod sentence;
+mod shake;
 mod shrinkage;
 pub mod stretch;
 pub mod subject;

@@ -10,6 +10,7 @@ use super::linearisation::{Linearisation, Which};
 use super::preparation::as_given;
 use super::rest::{MISSES, Rest};
 use super::search::{Start, candidates, places, starts};
+use super::shake::shaken;
 use super::subject::Subject;
 use super::voltage::{Added, Point};
 use crate::effects::Definition;
@@ -56,13 +57,18 @@ const FINALIST_STEPS: usize = 2;
 /// Steps of a fit of the one that is taken.
 const TAKEN_STEPS: usize = 4;
 /// The same where that is a spring, whose values are far from linear.
-const SPRING_STEPS: usize = 10;
+pub(super) const SPRING_STEPS: usize = 10;
+/// How often play is searched for anew from near where it was found.
+const MOST_SHAKES: usize = 3;
 /// Part of the excess that an effect must take away.
 const LEAST_PART: f64 = 0.2;
 /// A model that leaves less than this of what encoder steps must leave takes it for motion,
 /// where there was hardly more than that before.
 const BELOW_NOISE: f64 = 0.7;
 const NEAR_NOISE: f64 = 2.0;
+/// What an effect that brings parameters back to what is known of them may cost in rows: those
+/// parameters had been bent to fit every detail.
+const ROWS_FOR_MISSES: f64 = 1.15;
 /// An effect takes parameters further beyond belief when it multiplies their misses by this.
 const FURTHER: f64 = 1.2;
 /// Part of all squares, and of those held out, that it must take away: less is at the edge
@@ -166,11 +172,17 @@ impl Selection {
 
 /// A step whose fit is carried on to its end.
 fn finished(evidence: &Evidence, subject: &Subject, step: Step) -> Step {
-    let point = step.linear.point.clone();
-    let steps =
-        if point.effects.last().is_some_and(Added::is_spring) { SPRING_STEPS } else { TAKEN_STEPS };
-    let fitted = fit(evidence, subject, point, steps);
-    fitted.map_or(step, |linear| Step::of(evidence, linear))
+    let is_spring = step.linear.point.effects.last().is_some_and(Added::is_spring);
+    let steps = if is_spring { SPRING_STEPS } else { TAKEN_STEPS };
+    let fitted = fit(evidence, subject, step.linear.point.clone(), steps);
+    let mut best = fitted.map_or(step, |linear| Step::of(evidence, linear));
+    for _ in 0..MOST_SHAKES {
+        match shaken(evidence, subject, &best) {
+            Some(better) => best = better,
+            None => break,
+        }
+    }
+    best
 }
 
 /// The effects of a retuned model in the model as given. Effects are searched for from
@@ -307,7 +319,7 @@ fn pays(before: &Rest, after: &Rest) -> bool {
         && after.rows < (1.0 - LEAST_OF_ALL) * before.rows
         && after.held_out < (1.0 - LEAST_OF_ALL) * before.held_out;
     let by_misses = before.misses - after.misses > MISSES.max(0.5 * before.misses)
-        && after.rows < 1.01 * before.rows
-        && after.held_out < 1.05 * before.held_out;
+        && after.rows < ROWS_FOR_MISSES * before.rows
+        && after.held_out < ROWS_FOR_MISSES * before.held_out;
     by_rows || by_misses
 }
