@@ -69,6 +69,7 @@ const NEAR_NOISE: f64 = 2.0;
 /// What an effect that brings parameters back to what is known of them may cost in rows: those
 /// parameters had been bent to fit every detail.
 const ROWS_FOR_MISSES: f64 = 1.15;
+const HELD_OUT_FOR_MISSES: f64 = 1.5;
 /// An effect takes parameters further beyond belief when it multiplies their misses by this.
 const FURTHER: f64 = 1.2;
 /// Part of all squares, and of those held out, that it must take away: less is at the edge
@@ -320,6 +321,6 @@ fn pays(before: &Rest, after: &Rest) -> bool {
         && after.held_out < (1.0 - LEAST_OF_ALL) * before.held_out;
     let by_misses = before.misses - after.misses > MISSES.max(0.5 * before.misses)
         && after.rows < ROWS_FOR_MISSES * before.rows
-        && after.held_out < ROWS_FOR_MISSES * before.held_out;
+        && after.held_out < HELD_OUT_FOR_MISSES * before.held_out;
     by_rows || by_misses
 }
