@@ -13,7 +13,7 @@ const EXPLAINED_PART: f64 = 0.03;
 /// The same where a spring lets motor or link bounce: how they move between samples is not
 /// known, nor what friction does meanwhile.
 const SPRUNG_RATIO: f64 = 6.0;
-const SPRUNG_PART: f64 = 0.06;
+const SPRUNG_PART: f64 = 0.08;
 /// Part of the gap's excess that the causes must take away.
 const EXPLAINED_EXCESS: f64 = 0.9;
 /// A gap up to so many times the noise that no effect explains is none.

@@ -33,14 +33,7 @@ pub fn candidates(
     evidence: &Evidence,
     subject: &Subject,
 ) -> Vec<Candidate> {
-    let mut places = places(subject);
-    // A second spring on a joint would only be the first one searched for again.
-    places.retain(|&(definition, joint)| {
-        let same = |e: &Added| e.definition.name == definition.name && e.joint == joint;
-        let alone = matches!(definition.search, Search::From(_));
-        !(alone && linear.point.effects.iter().any(same))
-    });
-    let starts: Vec<Vec<Start>> = places
+    let starts: Vec<Vec<Start>> = places_open(subject, &linear.point.effects)
         .par_iter()
         .map(|&(definition, joint)| starts(linear, evidence, subject, definition, joint))
         .collect();
@@ -73,6 +66,18 @@ pub(super) fn places(subject: &Subject) -> Vec<(&'static Definition, u8)> {
         }
     };
     CATALOGUE.into_iter().flat_map(of).collect()
+}
+
+/// Those that a model with effects leaves: a second spring on a joint would only be the first
+/// one searched for again.
+pub(super) fn places_open(subject: &Subject, effects: &[Added]) -> Vec<(&'static Definition, u8)> {
+    let mut places = places(subject);
+    places.retain(|&(definition, joint)| {
+        let same = |e: &Added| e.definition.name == definition.name && e.joint == joint;
+        let alone = matches!(definition.search, Search::From(_));
+        !(alone && effects.iter().any(same))
+    });
+    places
 }
 
 /// The most promising starts of an effect, the best first.

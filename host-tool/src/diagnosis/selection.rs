@@ -9,7 +9,7 @@ use super::fit::fit;
 use super::linearisation::{Linearisation, Which};
 use super::preparation::as_given;
 use super::rest::{MISSES, Rest};
-use super::search::{Start, candidates, places, starts};
+use super::search::{Start, candidates, places_open, starts};
 use super::shake::shaken;
 use super::subject::Subject;
 use super::voltage::{Added, Point};
@@ -241,7 +241,7 @@ fn overlooked(
         starts(now, evidence, subject, definition, joint).into_iter().next()
     };
     let places: Vec<(&'static Definition, u8)> =
-        places(subject).into_iter().filter(is_new).collect();
+        places_open(subject, &now.point.effects).into_iter().filter(is_new).collect();
     let mut promising: Vec<Start> = places.into_par_iter().filter_map(first).collect();
     promising.sort_by(|a, b| b.gain.total_cmp(&a.gain));
     promising.truncate(MOST_OVERLOOKED);
