@@ -13,6 +13,7 @@
 //! | [`reference`] | the motions and voltages that the board plays by itself |
 //! | [`velocity`] | the velocity estimate |
 //! | [`angle`], [`encoder`], [`dac`] | machine units: where SI begins and ends |
+//! | [`store`] | what is kept without power: parameters, the latched fault, the key |
 //! | [`lockstep`] | the records exchanged with a simulated robot |
 //! | [`ad5754r`] | the converter's frames |
 //! | [`frame`], [`message`] | what goes over the serial line |
@@ -31,6 +32,7 @@ pub mod frame;
 pub mod lockstep;
 pub mod message;
 pub mod reference;
+pub mod store;
 pub mod velocity;
 
 pub use angle::Angle;
