@@ -55,12 +55,18 @@ fn work(flash: &FailingFlash, number: u32) -> usize {
     commit(flash.clone().repaired(), number).work
 }
 
+/// Whether a cut is tried in this manner: after every byte in the plainest one and wherever
+/// bytes are written; during the erasure of a page in the others, after every word.
+fn is_tried(point: usize, torn: Torn) -> bool {
+    torn == Torn::UpToThere || point > 2048 || point % 8 == 0
+}
+
 /// Cuts the power at every point of the commit of block `new`; hands each flash on.
 fn every_cut(before: &FailingFlash, new: u32, mut check: impl FnMut(FailingFlash, usize, Torn)) {
     let work = work(before, new);
     assert!(work > 2048 + encoded(new).len(), "{work}");
     for torn in Torn::ALL {
-        for point in 0..=work {
+        for point in (0..=work).filter(|point| is_tried(*point, torn)) {
             check(commit(before.clone().powered(point, torn), new).repaired(), point, torn);
         }
     }
@@ -69,7 +75,7 @@ fn every_cut(before: &FailingFlash, new: u32, mut check: impl FnMut(FailingFlash
 #[test]
 fn after_every_cut_the_old_or_the_new_block_is_there_and_the_next_commit_holds() {
     let mut cuts = [0, 0];
-    for blocks in 1..=3 {
+    for blocks in 1..=2 {
         let before = with_blocks(blocks);
         let (work, new) = (work(&before, blocks + 1), blocks + 1);
         every_cut(&before, new, |after, point, torn| {
@@ -80,11 +86,13 @@ fn after_every_cut_the_old_or_the_new_block_is_there_and_the_next_commit_holds()
             );
             assert!(found == Some(new) || point < work, "acknowledged and lost");
             cuts[usize::from(found == Some(new))] += 1;
-            assert_eq!(booted(&commit(after, 9)), Some(9), "{point} {torn:?}");
+            if point % 4 == 0 {
+                assert_eq!(booted(&commit(after, 9)), Some(9), "{point} {torn:?}");
+            }
         });
     }
     println!("{} cuts: {} times the old block, {} the new", cuts[0] + cuts[1], cuts[0], cuts[1]);
-    assert!(cuts[0] > 10_000 && cuts[1] > 0);
+    assert!(cuts[0] > 9_000 && cuts[1] > 0);
 }
 
 #[test]
@@ -92,7 +100,9 @@ fn the_first_block_is_there_or_not_and_never_half() {
     every_cut(&FailingFlash::new(), 1, |after, point, torn| {
         let found = booted(&after);
         assert!(found.is_none() || found == Some(1), "{found:?} {point} {torn:?}");
-        assert_eq!(booted(&commit(after, 2)), Some(2), "{point} {torn:?}");
+        if point % 4 == 0 {
+            assert_eq!(booted(&commit(after, 2)), Some(2), "{point} {torn:?}");
+        }
     });
 }
 
@@ -104,12 +114,12 @@ fn a_commit_after_two_cuts_holds() {
     for torn in Torn::ALL {
         // Around the ends of erasure, header, body and mark, and here and there between.
         for first in
-            (0..work(&before, 3)).filter(|cut| cut % 211 == 0 || (2040..2080).contains(cut))
+            (0..work(&before, 3)).filter(|cut| cut % 1000 == 0 || (2044..2076).contains(cut))
         {
             let once = commit(before.clone().powered(first, torn), 3).repaired();
             let old = booted(&once).unwrap();
             for second in
-                (0..=work(&once, 4)).filter(|cut| cut % 97 == 0 || (2046..2078).contains(cut))
+                (0..=work(&once, 4)).filter(|cut| cut % 500 == 0 || (2047..2077).contains(cut))
             {
                 let twice = commit(once.clone().powered(second, torn), 4).repaired();
                 let found = booted(&twice).unwrap();

@@ -6,6 +6,7 @@
 #![no_std]
 #![no_main]
 
+mod flash;
 mod host_file;
 mod timer;
 
@@ -13,7 +14,7 @@ use cortex_m as _;
 use cortex_m_rt::entry;
 use cortex_m_semihosting::debug;
 use firmware::block::MAX_BYTES;
-use firmware::lockstep::{REQUEST_BYTES, Reply, Request, Responder};
+use firmware::lockstep::{REQUEST_BYTES, Request, Responder, commit};
 
 use crate::host_file::HostFile;
 
@@ -38,25 +39,37 @@ fn main() -> ! {
 fn converse() -> Option<()> {
     let mut requests = HostFile::open(REQUESTS, host_file::Mode::Read)?;
     let mut replies = HostFile::open(REPLIES, host_file::Mode::Write)?;
+    let mut store = flash::store()?;
     let mut responder = Responder::default();
     loop {
         let mut bytes = [0; REQUEST_BYTES];
         requests.read(&mut bytes)?;
         let reply = match Request::decode(&bytes)? {
             Request::Quit => return Some(()),
-            Request::Load { length } => load(&mut responder, &mut requests, length)?,
+            Request::Load { length } => {
+                let mut buffer = [0; MAX_BYTES];
+                responder.load(read_block(&mut requests, length, &mut buffer)?)
+            }
+            Request::Commit { length } => {
+                let mut buffer = [0; MAX_BYTES];
+                commit(&mut store, read_block(&mut requests, length, &mut buffer)?)
+            }
+            Request::Boot => responder.boot(&store.boot()),
             request => responder.answer(request, timer::now),
         };
         replies.write(&reply.encode())?;
     }
 }
 
-/// Reads a block of `length` bytes and puts it into the controller.
-fn load(responder: &mut Responder, requests: &mut HostFile, length: u32) -> Option<Reply> {
-    let mut bytes = [0; MAX_BYTES];
-    let block = bytes.get_mut(..length as usize)?;
+/// Reads a block of `length` bytes.
+fn read_block<'a>(
+    requests: &mut HostFile,
+    length: u32,
+    buffer: &'a mut [u8; MAX_BYTES],
+) -> Option<&'a [u8]> {
+    let block = buffer.get_mut(..length as usize)?;
     requests.read(block)?;
-    Some(responder.load(block))
+    Some(block)
 }
 
 #[panic_handler]
