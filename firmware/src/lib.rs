@@ -29,10 +29,12 @@ pub mod controller;
 pub mod dac;
 pub mod encoder;
 pub mod frame;
+pub mod link;
 pub mod lockstep;
 pub mod message;
 pub mod reference;
 pub mod store;
+pub mod supervisor;
 pub mod velocity;
 
 pub use angle::Angle;

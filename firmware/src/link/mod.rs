@@ -1,0 +1,39 @@
+//! What goes between host and board: one definition for both ends.
+//!
+//! | module | what it holds |
+//! | --- | --- |
+//! | [`request`], [`answer`], [`telemetry`] | the messages' types |
+//! | [`hello`], [`schema`] | how two builds find out that they do not fit |
+//! | [`messages`], [`checked`] | messages to frames with a checksum, and back |
+//! | [`key`] | the proof that a request comes from somebody with the key |
+//!
+//! A conversation: Hello, answered by the board's Hello; `Challenge` where the board
+//! has a key; requests one at a time, each sent again, unchanged, until it is answered.
+//! Telemetry comes in between, once `Stream` has asked for it.
+
+pub mod answer;
+pub mod checked;
+pub mod hello;
+pub mod key;
+pub mod messages;
+pub mod request;
+pub mod schema;
+pub mod telemetry;
+
+pub use answer::{
+    Answer, BlockRefusal, Counters, Origin, Parameters, Refusal, Reply, Report, StoreRefusal,
+};
+pub use checked::MAX_FRAME_BYTES;
+pub use hello::{Hello, PROTOCOL_VERSION};
+pub use key::{Key, Nonce, Proof};
+pub use messages::{FrameError, ToBoard, ToHost};
+pub use request::{Command, PIECE_BYTES, Request, Source};
+pub use telemetry::Telemetry;
+
+/// Which build of the firmware this is.
+pub const BUILD_ID: &str = match option_env!("RRR_BUILD_ID") {
+    Some(id) => id,
+    None => env!("CARGO_PKG_VERSION"),
+};
+/// Speed of the serial line [baud], 8 data bits, no parity, one stop bit.
+pub const BAUD: u32 = 921_600;
