@@ -39,6 +39,8 @@ pub struct TickOutput {
     pub velocity_rad_per_s: [f32; 3],
     /// Whether the command of each joint was cut at the limit.
     pub saturated: [bool; 3],
+    /// Whether the command of each joint was no finite number; its code is then of no meaning.
+    pub not_finite: [bool; 3],
 }
 
 /// What one joint's estimators and references remember from tick to tick.
@@ -83,6 +85,17 @@ impl Controller {
         }
     }
 
+    /// The block that it works with.
+    pub fn block(&self) -> &ParameterBlock {
+        &self.block
+    }
+
+    /// Where each joint shall be at the first tick of the reference.
+    pub fn start_of_reference(&self) -> [Angle; 3] {
+        let half_s = 0.5 * self.block.sample_period_s;
+        self.reference_ahead(0).map(|ahead| ahead.earlier(half_s).angle)
+    }
+
     /// Begins the reference at the next tick.
     pub fn start(&mut self) {
         for (joint, injection) in self.joints.iter_mut().zip(&self.block.reference.injection) {
@@ -122,7 +135,7 @@ impl Controller {
     /// The control law, see the head of this file.
     #[inline]
     fn control(&mut self, measured: &[Measured; 3], output: &mut TickOutput) {
-        let ahead = self.reference_ahead();
+        let ahead = self.reference_ahead(self.tick);
         let inverse_dynamics_v = self.inverse_dynamics(&ahead);
         let injected_v = self.injected();
         for i in 0..3 {
@@ -135,6 +148,7 @@ impl Controller {
             let limit_v = self.block.command_limit_v;
             output.codes[i] = DacCode::from_volts(limited(wanted_v, limit_v));
             output.saturated[i] = wanted_v.abs() > limit_v;
+            output.not_finite[i] = !wanted_v.is_finite();
             output.reference[i] = now.angle;
         }
         self.tick = self.tick.saturating_add(1);
@@ -164,12 +178,12 @@ impl Controller {
         }
     }
 
-    /// The setpoints in the middle of the interval that begins with this tick.
+    /// The setpoints in the middle of the interval that begins with a tick of the reference.
     #[inline]
-    fn reference_ahead(&self) -> [Setpoint; 3] {
-        let tick = if self.tick < self.last_tick { self.tick } else { self.last_tick };
+    fn reference_ahead(&self, now: u32) -> [Setpoint; 3] {
+        let tick = if now < self.last_tick { now } else { self.last_tick };
         let time = Time::new(tick, self.block.sample_period_s, self.rate_per_s);
-        let since_end_s = (self.tick - tick) as f32 * self.block.sample_period_s;
+        let since_end_s = (now - tick) as f32 * self.block.sample_period_s;
         self.block.reference.motion.each_ref().map(|motion| {
             let setpoint = motion.at(time);
             if tick < self.last_tick { setpoint } else { setpoint.brought_to_rest(since_end_s) }

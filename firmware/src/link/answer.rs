@@ -102,7 +102,9 @@ pub struct Counters {
 /// Why a request was not carried out. Nothing has changed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Refusal {
-    /// The number is below that of a request already answered.
+    /// No Hello since the board's last reset: begin the conversation anew.
+    HelloFirst,
+    /// The number is not above that of a request already answered.
     OldNumber {
         /// The newest number so far.
         newest: u32,

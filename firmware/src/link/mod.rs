@@ -5,6 +5,9 @@
 //! | [`request`], [`answer`], [`telemetry`] | the messages' types |
 //! | [`hello`], [`schema`] | how two builds find out that they do not fit |
 //! | [`messages`], [`checked`] | messages to frames with a checksum, and back |
+//! | [`handler`], [`upload`] | the board's end: bytes in, answers out |
+//! | [`desk`] | what the handler works on: the supervisor and the store |
+//! | [`outbox`] | what waits to be sent |
 //! | [`key`] | the proof that a request comes from somebody with the key |
 //!
 //! A conversation: Hello, answered by the board's Hello; `Challenge` where the board
@@ -13,17 +16,24 @@
 
 pub mod answer;
 pub mod checked;
+pub mod desk;
+pub mod handler;
 pub mod hello;
 pub mod key;
 pub mod messages;
+pub mod outbox;
 pub mod request;
 pub mod schema;
 pub mod telemetry;
+pub mod upload;
+mod words;
 
 pub use answer::{
     Answer, BlockRefusal, Counters, Origin, Parameters, Refusal, Reply, Report, StoreRefusal,
 };
 pub use checked::MAX_FRAME_BYTES;
+pub use desk::{BlockStore, Desk, Standing};
+pub use handler::{Beginning, Handler};
 pub use hello::{Hello, PROTOCOL_VERSION};
 pub use key::{Key, Nonce, Proof};
 pub use messages::{FrameError, ToBoard, ToHost};

@@ -30,6 +30,7 @@ pub fn block(mode: Mode) -> ParameterBlock {
         },
         compensations: Default::default(),
         outside: Default::default(),
+        safety: Default::default(),
     }
 }
 
