@@ -162,13 +162,13 @@ pub enum BlockRefusal {
     /// A value that no robot or not this board can have.
     Value {
         /// Its name.
-        name: String<40>,
+        name: String<32>,
         /// The joint, 1 to 3, or 0 for the whole robot.
         joint: u8,
         /// The value found.
         value: f32,
         /// What it must.
-        must: String<64>,
+        must: String<56>,
     },
 }
 

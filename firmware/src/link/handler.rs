@@ -6,20 +6,17 @@
 
 use heapless::Vec;
 
-use super::answer::{
-    Answer, BlockRefusal, Counters, Origin, Parameters, Refusal, Reply, Report, StoreRefusal,
-};
+use super::answer::{Answer, Origin, Parameters, Refusal};
 use super::checked::{CHECKSUM, MAX_FRAME_BYTES};
+use super::commands::parameters;
 use super::desk::{BlockStore, Desk};
 use super::hello::Hello;
-use super::key::{Key, Nonce, Nonces, is_proven};
+use super::key::{Key, Nonce, Nonces};
 use super::messages::{ToBoard, ToHost};
-use super::request::{Command, PIECE_BYTES, Request, Source};
+use super::request::PIECE_BYTES;
 use super::upload::{Block, Upload};
-use crate::block::MAX_BYTES;
 use crate::frame::FrameReader;
-use crate::supervisor::{FaultRecord, HardLimits, Order, State};
-use crate::{BlockError, ParameterBlock};
+use crate::supervisor::{FaultRecord, HardLimits};
 
 /// What the handler begins with, found by the boot.
 #[derive(Clone, Debug)]
@@ -47,35 +44,35 @@ pub struct Handler<S> {
 
 /// All but the reader, whose frames are handled.
 #[derive(Debug)]
-struct Conversation<S> {
-    hello: Hello,
-    limits: HardLimits,
-    store: S,
-    key: Option<Key>,
-    kept_fault: Option<FaultRecord>,
-    nonces: Nonces,
-    nonce: Option<Nonce>,
+pub(super) struct Conversation<S> {
+    pub(super) hello: Hello,
+    pub(super) limits: HardLimits,
+    pub(super) store: S,
+    pub(super) key: Option<Key>,
+    pub(super) kept_fault: Option<FaultRecord>,
+    pub(super) nonces: Nonces,
+    pub(super) nonce: Option<Nonce>,
     /// `None` until there was a Hello, then the newest request of this conversation.
     newest: Option<Option<Newest>>,
     /// The answer to it.
-    answer: Vec<u8, MAX_FRAME_BYTES>,
+    pub(super) answer: Vec<u8, MAX_FRAME_BYTES>,
     /// An answer to a request out of its turn.
-    aside: Vec<u8, MAX_FRAME_BYTES>,
-    upload: Upload,
-    in_use: Block,
-    parameters: Option<Parameters>,
-    streaming: bool,
-    heard: bool,
-    telemetry_dropped: u32,
-    requests: u32,
-    foreign: u32,
+    pub(super) aside: Vec<u8, MAX_FRAME_BYTES>,
+    pub(super) upload: Upload,
+    pub(super) in_use: Block,
+    pub(super) parameters: Option<Parameters>,
+    pub(super) streaming: bool,
+    pub(super) heard: bool,
+    pub(super) telemetry_dropped: u32,
+    pub(super) requests: u32,
+    pub(super) foreign: u32,
 }
 
-/// A request that was answered: its number, and the checksum of its frame's content.
+/// A request that was answered: its number, and its frame's checksum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Newest {
     number: u32,
-    checksum: u32,
+    checksum: Option<[u8; 4]>,
 }
 
 impl<S: BlockStore> Handler<S> {
@@ -164,7 +161,7 @@ impl<S: BlockStore> Conversation<S> {
             ToBoard::Hello { .. } => return Some(self.greet()),
             ToBoard::Request(request) => request,
         };
-        let newest = Newest { number: request.number, checksum: CHECKSUM.checksum(content) };
+        let newest = Newest { number: request.number, checksum: content.last_chunk().copied() };
         match self.newest {
             None => return Some(self.deny(request.number, Refusal::HelloFirst)),
             Some(Some(last)) if last == newest => return Some(&self.answer),
@@ -194,165 +191,6 @@ impl<S: BlockStore> Conversation<S> {
         write(&ToHost::Answer(Answer { number, result: Err(why) }), &mut self.aside);
         &self.aside
     }
-
-    /// Whether the request may be carried out as far as the key is concerned.
-    fn is_allowed(&self, request: &Request<'_>) -> bool {
-        match (&self.key, &self.nonce) {
-            (None, _) => true,
-            _ if !request.command.needs_proof() => true,
-            (Some(_), None) => false,
-            (Some(key), Some(nonce)) => is_proven(key, nonce, request),
-        }
-    }
-
-    fn carry_out<'p>(
-        &mut self,
-        request: &Request<'_>,
-        dropped: u32,
-        piece: &'p mut [u8; PIECE_BYTES],
-        board: &mut impl Desk,
-    ) -> Result<Reply<'p>, Refusal> {
-        if !self.is_allowed(request) {
-            return Err(Refusal::Proof);
-        }
-        match request.command {
-            Command::Query => return Ok(Reply::Report(self.report(dropped, board))),
-            Command::Stream { on } => self.streaming = on,
-            Command::Challenge => return Ok(Reply::Challenge { nonce: self.challenge() }),
-            Command::UploadBegin { length, checksum } => {
-                only_disarmed(board)?;
-                self.upload.begin(length, checksum)?;
-            }
-            Command::UploadPiece { offset, bytes } => self.upload.add(offset, bytes)?,
-            Command::Use => return self.put_into_use(Origin::Uploaded, board),
-            Command::Commit => return self.put_into_use(Origin::Newest, board),
-            Command::Download { source, offset } => return self.download(source, offset, piece),
-            Command::Arm => board.order(Order::Arm)?,
-            Command::Run { host_timeout_ms } => board.order(self.run(host_timeout_ms))?,
-            Command::Stop => board.order(Order::Stop)?,
-            Command::Disarm => board.order(Order::Disarm)?,
-            Command::ClearFault => self.clear_fault(board)?,
-            Command::SetKey { key } => self.set_key(key, board)?,
-        }
-        Ok(Reply::Done)
-    }
-
-    fn report(&self, dropped: u32, board: &impl Desk) -> Report {
-        let standing = board.standing();
-        Report {
-            state: standing.state,
-            fault: standing.fault,
-            parameters: self.parameters,
-            has_key: self.key.is_some(),
-            counters: Counters {
-                telemetry_dropped: self.telemetry_dropped,
-                frames_broken: dropped.wrapping_add(self.foreign),
-                requests: self.requests,
-                ..standing.counters
-            },
-        }
-    }
-
-    fn challenge(&mut self) -> Nonce {
-        let nonce = self.nonces.next_nonce();
-        self.nonce = Some(nonce);
-        nonce
-    }
-
-    /// Checks the upload as a whole; stores it if it is to be the newest; then uses it.
-    fn put_into_use<'p>(
-        &mut self,
-        origin: Origin,
-        board: &mut impl Desk,
-    ) -> Result<Reply<'p>, Refusal> {
-        only_disarmed(board)?;
-        let bytes = self.upload.whole()?;
-        let block = ParameterBlock::decode(bytes).map_err(BlockRefusal::from)?;
-        self.limits.check(&block).map_err(|error| BlockRefusal::from(BlockError::from(error)))?;
-        if origin == Origin::Newest {
-            self.store.commit(bytes)?;
-            read_back(&mut self.store, bytes)?;
-        }
-        board.replace(&block)?;
-        let parameters = parameters(bytes, origin);
-        self.parameters = Some(parameters);
-        self.in_use = Block::from_slice(bytes).unwrap_or_default();
-        Ok(Reply::InUse(parameters))
-    }
-
-    fn download<'p>(
-        &mut self,
-        source: Source,
-        offset: u16,
-        piece: &'p mut [u8; PIECE_BYTES],
-    ) -> Result<Reply<'p>, Refusal> {
-        let mut buffer = [0; MAX_BYTES];
-        let whole = match source {
-            Source::InUse if self.parameters.is_none() => return Err(Refusal::NoParameters),
-            Source::InUse => &self.in_use,
-            Source::Stored => self.store.load(&mut buffer)?,
-        };
-        let rest = whole.get(usize::from(offset)..).unwrap_or_default();
-        let (piece, _) = piece.split_at_mut(rest.len().min(PIECE_BYTES));
-        for (slot, byte) in piece.iter_mut().zip(rest) {
-            *slot = *byte;
-        }
-        let (length, checksum) = (whole.len() as u16, CHECKSUM.checksum(whole));
-        Ok(Reply::Piece { length, checksum, bytes: piece })
-    }
-
-    fn run(&self, host_timeout_ms: Option<u16>) -> Order {
-        let ticks = |ms: u16| (f32::from(ms) * 1e-3 / self.limits.sample_period_s + 0.5) as u32;
-        Order::Run { host_timeout_ticks: host_timeout_ms.map(ticks) }
-    }
-
-    /// What is kept over a reset is cleared last: a cut in between leaves the fault latched.
-    fn clear_fault(&mut self, board: &mut impl Desk) -> Result<(), Refusal> {
-        board.order(Order::ClearFault)?;
-        match self.keep_fault(None) {
-            true => Ok(()),
-            false => Err(Refusal::Store(StoreRefusal::Write)),
-        }
-    }
-
-    fn set_key(&mut self, key: Option<Key>, board: &mut impl Desk) -> Result<(), Refusal> {
-        only_disarmed(board)?;
-        self.store.keep_key(key.as_ref())?;
-        self.key = key;
-        self.nonce = None;
-        Ok(())
-    }
-
-    fn keep_fault(&mut self, fault: Option<FaultRecord>) -> bool {
-        if fault == self.kept_fault {
-            return true;
-        }
-        let kept = self.store.keep_fault(fault.as_ref()).is_ok();
-        if kept {
-            self.kept_fault = fault;
-        }
-        kept
-    }
-}
-
-fn only_disarmed(board: &impl Desk) -> Result<(), Refusal> {
-    match board.standing().state {
-        State::Disarmed => Ok(()),
-        state => Err(Refusal::NotNow { state }),
-    }
-}
-
-/// Has the store show what it has stored; a store that says yes may still be wrong.
-fn read_back(store: &mut impl BlockStore, written: &[u8]) -> Result<(), Refusal> {
-    let mut buffer = [0; MAX_BYTES];
-    match store.load(&mut buffer)? == written {
-        true => Ok(()),
-        false => Err(Refusal::Store(StoreRefusal::ReadBack)),
-    }
-}
-
-fn parameters(bytes: &[u8], origin: Origin) -> Parameters {
-    Parameters { origin, length: bytes.len() as u16, checksum: CHECKSUM.checksum(bytes) }
 }
 
 /// Writes a message's frame; every message of the board fits.

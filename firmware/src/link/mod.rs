@@ -16,6 +16,7 @@
 
 pub mod answer;
 pub mod checked;
+mod commands;
 pub mod desk;
 pub mod handler;
 pub mod hello;

@@ -222,7 +222,7 @@ impl JointWatch {
     fn saturation(&mut self, saturated: bool) -> Option<Excess> {
         self.saturated_ticks = if saturated { self.saturated_ticks.saturating_add(1) } else { 0 };
         let (ticks, most) = (self.saturated_ticks, self.limits.saturated_ticks);
-        (ticks > most).then(|| Excess {
+        (ticks > most).then_some(Excess {
             fault: Fault::Saturation,
             value: ticks as f32 * self.sample_period_s,
             limit: most as f32 * self.sample_period_s,

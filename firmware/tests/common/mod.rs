@@ -1,5 +1,4 @@
 //! A block that the tests begin from.
-
 use firmware::compensation::{Compensations, FedForward, Undone};
 use firmware::reference::{FadeIn, Injection, Motion, Reference, Sine};
 use firmware::{Gains, Mode, ParameterBlock};
