@@ -2,6 +2,7 @@
 
 use super::answer::{BlockRefusal, Counters, Refusal, StoreRefusal};
 use super::key::Key;
+use crate::block::MAX_BYTES;
 use crate::supervisor::{Denied, FaultRecord, Order, State, Supervisor};
 use crate::{BlockError, Controller, ParameterBlock};
 
@@ -47,7 +48,7 @@ pub trait BlockStore {
     /// Stores an encoded block beside the newest one, reads it back, then makes it the newest.
     fn commit(&mut self, encoded: &[u8]) -> Result<(), StoreRefusal>;
     /// Copies the newest valid block into `buffer`, returns its bytes.
-    fn load<'b>(&mut self, buffer: &'b mut [u8]) -> Result<&'b [u8], StoreRefusal>;
+    fn load<'b>(&mut self, buffer: &'b mut [u8; MAX_BYTES]) -> Result<&'b [u8], StoreRefusal>;
     /// Keeps the latched fault over a reset; `None`: there is none any more.
     fn keep_fault(&mut self, fault: Option<&FaultRecord>) -> Result<(), StoreRefusal>;
     /// Keeps the key; `None`: there is none any more.

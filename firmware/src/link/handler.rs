@@ -7,7 +7,7 @@
 use heapless::Vec;
 
 use super::answer::{Answer, Origin, Parameters, Refusal};
-use super::checked::{CHECKSUM, MAX_FRAME_BYTES};
+use super::checked::MAX_FRAME_BYTES;
 use super::commands::parameters;
 use super::desk::{BlockStore, Desk};
 use super::hello::Hello;
@@ -137,10 +137,9 @@ impl<S: BlockStore> Handler<S> {
         self.conversation.keep_fault(board.standing().fault)
     }
 
-    /// Whether the block in use still is what was checked.
-    pub fn in_use_is_whole(&self) -> bool {
-        let whole = |p: Parameters| p.checksum == CHECKSUM.checksum(&self.conversation.in_use);
-        self.conversation.parameters.is_none_or(whole)
+    /// Which parameter block the host is told to be in use.
+    pub fn parameters(&self) -> Option<Parameters> {
+        self.conversation.parameters
     }
 
     /// The store.

@@ -7,7 +7,8 @@
 //! | [`messages`], [`checked`] | messages to frames with a checksum, and back |
 //! | [`handler`], [`upload`] | the board's end: bytes in, answers out |
 //! | [`desk`] | what the handler works on: the supervisor and the store |
-//! | [`outbox`] | what waits to be sent |
+//! | [`kept`] | the store in flash, as the handler wants it |
+//! | [`outbox`], [`station`] | what waits to be sent; all of it in one thread |
 //! | [`key`] | the proof that a request comes from somebody with the key |
 //!
 //! A conversation: Hello, answered by the board's Hello; `Challenge` where the board
@@ -20,11 +21,13 @@ mod commands;
 pub mod desk;
 pub mod handler;
 pub mod hello;
+pub mod kept;
 pub mod key;
 pub mod messages;
 pub mod outbox;
 pub mod request;
 pub mod schema;
+pub mod station;
 pub mod telemetry;
 pub mod upload;
 mod words;
@@ -36,9 +39,11 @@ pub use checked::MAX_FRAME_BYTES;
 pub use desk::{BlockStore, Desk, Standing};
 pub use handler::{Beginning, Handler};
 pub use hello::{Hello, PROTOCOL_VERSION};
+pub use kept::Kept;
 pub use key::{Key, Nonce, Proof};
 pub use messages::{FrameError, ToBoard, ToHost};
 pub use request::{Command, PIECE_BYTES, Request, Source};
+pub use station::Station;
 pub use telemetry::Telemetry;
 
 /// Which build of the firmware this is.

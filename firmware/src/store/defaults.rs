@@ -25,5 +25,6 @@ pub fn safe_defaults() -> ParameterBlock {
         },
         compensations: Default::default(),
         outside: None,
+        safety: Default::default(),
     }
 }

@@ -25,7 +25,7 @@ pub use limits::{HardLimits, SafetyLimits};
 pub use orders::{Denied, Order};
 
 use crate::link::{Counters, Telemetry};
-use crate::{Angle, Controller, DacCode, Mode, TickOutput};
+use crate::{Angle, Controller, DacCode, Mode, ParameterBlock, TickOutput};
 use watch::{Excess, JointWatch, Seen, follows};
 
 /// What the board knows of itself at a tick.
@@ -108,6 +108,11 @@ impl Supervisor {
     /// What it has counted since power-on; what the link counts stays zero.
     pub fn counters(&self) -> &Counters {
         &self.counters
+    }
+
+    /// The block in use.
+    pub fn block(&self) -> Option<&ParameterBlock> {
+        self.watched.as_ref().map(|watched| watched.controller.block())
     }
 
     /// Leaves Boot: for Disarmed, or for Faulted if there is a cause.

@@ -1,5 +1,6 @@
 //! A store in memory.
 
+use firmware::block::MAX_BYTES;
 use firmware::link::{BlockStore, Key, StoreRefusal};
 use firmware::supervisor::FaultRecord;
 
@@ -24,7 +25,7 @@ impl BlockStore for MemoryStore {
         Ok(())
     }
 
-    fn load<'b>(&mut self, buffer: &'b mut [u8]) -> Result<&'b [u8], StoreRefusal> {
+    fn load<'b>(&mut self, buffer: &'b mut [u8; MAX_BYTES]) -> Result<&'b [u8], StoreRefusal> {
         let block = self.block.as_ref().ok_or(StoreRefusal::Empty)?;
         let buffer = &mut buffer[..block.len()];
         buffer.copy_from_slice(block);
