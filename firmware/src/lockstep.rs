@@ -145,6 +145,11 @@ pub struct Responder {
 }
 
 impl Responder {
+    /// Whether there is a controller.
+    pub fn is_loaded(&self) -> bool {
+        self.controller.is_some()
+    }
+
     /// Takes a block in place of the old one; refuses a broken one and keeps the old.
     pub fn load(&mut self, bytes: &[u8]) -> Reply {
         let block = ParameterBlock::decode(bytes);

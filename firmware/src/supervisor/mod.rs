@@ -86,7 +86,8 @@ impl Supervisor {
         self.counters.overruns = self.counters.overruns.wrapping_add(u32::from(health.overrun));
         let longest = self.counters.longest_tick_tenth_us.max(u32::from(health.tick_time_tenth_us));
         self.counters.longest_tick_tenth_us = longest;
-        self.silent_ticks = if health.host_heard { 0 } else { self.silent_ticks.saturating_add(1) };
+        // Without a branch: what the tick costs shall not depend on the line.
+        self.silent_ticks = self.silent_ticks.saturating_add(1) * u32::from(!health.host_heard);
         let first = self.board_fault().map(|excess| (0, excess));
         let joints = self.control(counts);
         if let Some((joint, excess)) = first.or(joints) {

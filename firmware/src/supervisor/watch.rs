@@ -123,6 +123,8 @@ impl JointWatch {
     /// A run begins: what was counted in another one does not count.
     pub fn begin(&mut self) {
         self.saturated_ticks = 0;
+        self.window.ticks = 0;
+        self.window.sum_rad_per_s = 0.0;
         self.standing.pushed_ticks = 0;
         self.standing.count = self.last_count.wrapping_add(i32::MIN); // Never near: begins anew.
     }
@@ -130,9 +132,15 @@ impl JointWatch {
     /// Takes a tick in which nothing has to be followed: only a joint that cannot be is a fault.
     #[inline]
     pub fn rest(&mut self, seen: &Seen) -> Option<Excess> {
-        let jump = self.jump(seen.count);
+        let jump_counts = self.jump(seen.count);
         self.compare(seen);
-        jump.or_else(|| not_finite(seen)).or_else(|| self.speed(seen))
+        let finite = seen.finite && seen.velocity_rad_per_s.is_finite();
+        let slow = seen.velocity_rad_per_s.abs() <= self.limits.speed_rad_per_s;
+        // All is well in nearly every tick: figures are for the one in which it is not.
+        match jump_counts <= self.limits.jump_counts && finite && slow {
+            true => None,
+            false => self.why_not_at_rest(jump_counts, seen),
+        }
     }
 
     /// Takes a tick of a run.
@@ -142,6 +150,18 @@ impl JointWatch {
         let saturation = self.saturation(seen.saturated);
         let stuck = self.stuck(seen);
         rest.or_else(|| self.tracking(seen)).or(stuck).or(saturation)
+    }
+
+    #[cold]
+    fn why_not_at_rest(&mut self, jump_counts: u32, seen: &Seen) -> Option<Excess> {
+        if jump_counts > self.limits.jump_counts {
+            self.ticks_since_jump = 0;
+            let per_count = self.radians_per_count;
+            let (value, limit) = (jump_counts as f32, self.limits.jump_counts as f32);
+            let (value, limit) = (value * per_count, limit * per_count);
+            return Some(Excess { fault: Fault::EncoderJump, value, limit });
+        }
+        not_finite(seen).or_else(|| self.speed(seen))
     }
 
     /// Why the estimates must not be trusted, if so.
@@ -161,27 +181,18 @@ impl JointWatch {
         }
     }
 
-    /// A move that differs from the one before by more than any acceleration.
+    /// How far the encoder's move differs from the one before; zero until one is known [counts].
     #[inline]
-    fn jump(&mut self, count: i32) -> Option<Excess> {
+    fn jump(&mut self, count: i32) -> u32 {
         let moved = count.wrapping_sub(self.last_count);
         let change = moved.wrapping_sub(self.last_move).unsigned_abs();
         self.last_count = count;
         self.last_move = moved;
-        if self.ticks < 2 {
-            // No move is known yet.
-            self.ticks += 1;
-            return None;
-        }
-        self.ticks = if self.ticks < 2 * WINDOW_TICKS { self.ticks + 1 } else { self.ticks };
         self.ticks_since_jump = self.ticks_since_jump.saturating_add(1);
-        if change <= self.limits.jump_counts {
-            return None;
+        if self.ticks < 2 * WINDOW_TICKS {
+            self.ticks += 1;
         }
-        self.ticks_since_jump = 0;
-        let per_count = self.radians_per_count;
-        let limit = self.limits.jump_counts as f32 * per_count;
-        Some(Excess { fault: Fault::EncoderJump, value: change as f32 * per_count, limit })
+        if self.ticks <= 2 { 0 } else { change }
     }
 
     /// Holds the estimate against the encoder's way, once a window.

@@ -26,12 +26,19 @@ pub struct QemuSettings {
     pub program: PathBuf,
     /// Its working directory, where `flash.bin` is kept; a temporary one without.
     pub directory: Option<PathBuf>,
+    /// Where its serial line ends, as QEMU's `-serial` has it: `none`, `pty`, `unix:...`.
+    pub serial: String,
 }
 
 impl QemuSettings {
     /// `qemu-system-arm` from the path.
     pub fn new(image: impl Into<PathBuf>) -> Self {
-        Self { image: image.into(), program: "qemu-system-arm".into(), directory: None }
+        Self {
+            image: image.into(),
+            program: "qemu-system-arm".into(),
+            directory: None,
+            serial: "none".into(),
+        }
     }
 }
 
@@ -62,7 +69,7 @@ impl Qemu {
         make_fifo(&requests)?;
         make_fifo(&replies)?;
         stay_on_one_processor();
-        let mut child = spawn(&settings.program, &image, directory)?;
+        let mut child = spawn(settings, &image, directory)?;
         let requests = open_requests(&requests, &mut child)?;
         let replies = File::open(replies)?;
         Ok(Self { child, requests, replies, _temporary: temporary })
@@ -149,9 +156,11 @@ fn make_fifo(path: &Path) -> std::io::Result<()> {
     }
 }
 
-fn spawn(program: &Path, image: &Path, directory: &Path) -> Result<Child, BoardError> {
+fn spawn(settings: &QemuSettings, image: &Path, directory: &Path) -> Result<Child, BoardError> {
+    let program = &settings.program;
     Command::new(program)
-        .args(["-M", "mps2-an386", "-nographic", "-monitor", "none", "-serial", "none"])
+        .args(["-M", "mps2-an386", "-nographic", "-monitor", "none"])
+        .args(["-serial", &settings.serial])
         .args(["-semihosting-config", "enable=on,target=native"])
         // An instruction takes 2^10 ns of the guest's clock: runs repeat exactly.
         .args(["-icount", "shift=10,sleep=off"])
