@@ -1,6 +1,7 @@
 //! What the end-to-end tests share: the firmware in QEMU and what it plays.
 
 pub mod operator;
+pub mod soak;
 
 use std::path::PathBuf;
 
