@@ -74,14 +74,6 @@ impl Default for FrameReader {
     }
 }
 
-/// A frame with one byte in it, with its zero.
-pub const fn one_byte_frame(byte: u8) -> [u8; 3] {
-    match byte {
-        0 => [1, 1, 0],
-        _ => [2, byte, 0],
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -106,13 +98,6 @@ mod tests {
             assert_eq!(frames(&mut reader, &encoded(content)), [content.to_vec()]);
         }
         assert_eq!(reader.dropped(), 0);
-    }
-
-    #[test]
-    fn one_byte_frames_are_cobs() {
-        for byte in 0..=255 {
-            assert_eq!(one_byte_frame(byte).to_vec(), encoded(&[byte]));
-        }
     }
 
     #[test]

@@ -16,7 +16,8 @@
 //! | [`store`] | what is kept without power: parameters, the latched fault, the key |
 //! | [`lockstep`] | the records exchanged with a simulated robot |
 //! | [`ad5754r`] | the converter's frames |
-//! | [`frame`], [`message`] | what goes over the serial line |
+//! | [`frame`], [`link`] | what goes over the serial line |
+//! | [`supervisor`] | states, faults, limits |
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
 
@@ -31,7 +32,6 @@ pub mod encoder;
 pub mod frame;
 pub mod link;
 pub mod lockstep;
-pub mod message;
 pub mod reference;
 pub mod store;
 pub mod supervisor;

@@ -14,6 +14,7 @@ mod image;
 mod lint;
 mod packages;
 mod setup;
+mod soak;
 mod test;
 mod thumb;
 mod toolchain;
@@ -33,6 +34,7 @@ The project's chores: cargo xtask <task>
   lint                      formatting and clippy, on the host and for every image
   bench [filter]            the benchmarks of all packages
   function-costs            what elementary functions cost on the board's core, counted in QEMU
+  soak [--hours 24]         a simulated day of the whole board at a noisy line
   demo                      the host tool against the firmware on the emulated board
 
 Environment:
@@ -63,6 +65,7 @@ fn run(arguments: &[&str]) -> Result<()> {
         ["lint"] => lint::run(),
         ["bench", filter @ ..] => bench::run(filter),
         ["function-costs"] => function_costs::run(),
+        ["soak", arguments @ ..] => soak::run(arguments),
         ["demo"] => demo::run(),
         [task, ..] => bail!("`{task}` is no task, or not with these arguments\n\n{HELP}"),
     }
