@@ -219,7 +219,7 @@ fn a_value_that_is_not_finite() {
         alone.tick(counts);
     }
     alone.start();
-    let first = (1..100).find(|&k| alone.tick(&count(k)).not_finite[1]).unwrap();
+    let first = (1..100).find(|&k| !alone.tick(&count(k)).is_finite(1)).unwrap();
     let found = play(&mut running(block), quiet(count, 100));
     assert_found(found, Fault::NotFinite, 2, first as u32);
 }

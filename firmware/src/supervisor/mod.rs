@@ -88,10 +88,12 @@ impl Supervisor {
         self.counters.longest_tick_tenth_us = longest;
         // Without a branch: what the tick costs shall not depend on the line.
         self.silent_ticks = self.silent_ticks.saturating_add(1) * u32::from(!health.host_heard);
-        let first = self.board_fault().map(|excess| (0, excess));
-        let joints = self.control(counts);
-        if let Some((joint, excess)) = first.or(joints) {
-            self.enter_fault(joint, excess);
+        let board = self.board_fault();
+        let joint = self.control(counts);
+        if let Some(excess) = board {
+            self.enter_fault(0, excess);
+        } else if let Some((index, fault)) = joint {
+            self.enter_joint_fault(index, fault, counts[index]);
         }
         self.record(counts)
     }
@@ -244,28 +246,32 @@ impl Supervisor {
         }
     }
 
-    /// Has the controller compute and looks at every joint; the first one (1 to 3) at fault.
+    /// Has the controller compute and looks at every joint; the first one (0 to 2) at fault.
     #[inline]
-    fn control(&mut self, counts: &[i32; 3]) -> Option<(u8, Excess)> {
+    fn control(&mut self, counts: &[i32; 3]) -> Option<(usize, Fault)> {
         let watched = self.watched.as_mut()?;
         watched.last = watched.controller.tick(counts);
+        let running = self.state == State::Running;
         let mut first = None;
-        for (number, index) in (1..).zip(0..3) {
+        for index in 0..3 {
             let seen = watched.seen(index, counts[index]);
             let joint = &mut watched.joints[index];
-            let excess = match self.state {
-                State::Running => joint.run(&seen),
-                _ => joint.rest(&seen),
-            };
+            let fault = if running { joint.run(&seen) } else { joint.rest(&seen) };
             let cut = u32::from(seen.saturated);
             self.counters.saturated[index] = self.counters.saturated[index].wrapping_add(cut);
-            first = first.or(excess.map(|excess| (number, excess)));
+            if let (None, Some(fault)) = (first, fault) {
+                first = Some((index, fault));
+            }
         }
         // An arm at 0 V that people move about is no fault; it is only not armed.
-        match self.state {
-            State::Armed | State::Running => first,
-            State::Boot | State::Disarmed | State::Faulted => None,
-        }
+        first.filter(|_| matches!(self.state, State::Armed | State::Running))
+    }
+
+    #[cold]
+    fn enter_joint_fault(&mut self, index: usize, fault: Fault, count: i32) {
+        let Some(watched) = &self.watched else { return };
+        let excess = watched.joints[index].excess(fault, &watched.seen(index, count));
+        self.enter_fault(index as u8 + 1, excess);
     }
 
     /// The tick as the host sees it, whose codes go to the converter.
@@ -309,7 +315,7 @@ impl Watched {
             reference: output.reference[index],
             command_v: output.codes[index].to_volts(),
             saturated: output.saturated[index],
-            finite: !output.not_finite[index],
+            finite: output.is_finite(index),
         }
     }
 

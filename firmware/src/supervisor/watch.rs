@@ -57,6 +57,8 @@ pub(super) struct JointWatch {
     sample_period_s: f32,
     last_count: i32,
     last_move: i32,
+    /// How far the last move differed from the one before.
+    jump_counts: u32,
     /// Ticks watched, up to where everything has settled.
     ticks: u32,
     ticks_since_jump: u32,
@@ -107,6 +109,7 @@ impl JointWatch {
             sample_period_s: period_s,
             last_count: 0,
             last_move: 0,
+            jump_counts: 0,
             ticks: 0,
             ticks_since_jump: WINDOW_TICKS,
             saturated_ticks: 0,
@@ -131,37 +134,58 @@ impl JointWatch {
 
     /// Takes a tick in which nothing has to be followed: only a joint that cannot be is a fault.
     #[inline]
-    pub fn rest(&mut self, seen: &Seen) -> Option<Excess> {
-        let jump_counts = self.jump(seen.count);
+    pub fn rest(&mut self, seen: &Seen) -> Option<Fault> {
+        self.follow_count(seen.count);
         self.compare(seen);
-        let finite = seen.finite && seen.velocity_rad_per_s.is_finite();
-        let slow = seen.velocity_rad_per_s.abs() <= self.limits.speed_rad_per_s;
-        // All is well in nearly every tick: figures are for the one in which it is not.
-        match jump_counts <= self.limits.jump_counts && finite && slow {
-            true => None,
-            false => self.why_not_at_rest(jump_counts, seen),
+        if self.jump_counts > self.limits.jump_counts {
+            self.ticks_since_jump = 0;
+            Some(Fault::EncoderJump)
+        } else if !(seen.finite && seen.velocity_rad_per_s.is_finite()) {
+            Some(Fault::NotFinite)
+        } else if seen.velocity_rad_per_s.abs() > self.limits.speed_rad_per_s {
+            Some(Fault::Speed)
+        } else {
+            None
         }
     }
 
     /// Takes a tick of a run.
     #[inline]
-    pub fn run(&mut self, seen: &Seen) -> Option<Excess> {
+    pub fn run(&mut self, seen: &Seen) -> Option<Fault> {
         let rest = self.rest(seen);
-        let saturation = self.saturation(seen.saturated);
-        let stuck = self.stuck(seen);
-        rest.or_else(|| self.tracking(seen)).or(stuck).or(saturation)
+        self.count_saturation(seen.saturated);
+        let stuck = self.is_stuck(seen);
+        if rest.is_some() {
+            rest
+        } else if self.follows && tracking_error_rad(seen) > self.limits.tracking_error_rad {
+            Some(Fault::TrackingError)
+        } else if stuck {
+            Some(Fault::EncoderStuck)
+        } else if self.saturated_ticks > self.limits.saturated_ticks {
+            Some(Fault::Saturation)
+        } else {
+            None
+        }
     }
 
+    /// The figures of a fault that this tick has brought.
     #[cold]
-    fn why_not_at_rest(&mut self, jump_counts: u32, seen: &Seen) -> Option<Excess> {
-        if jump_counts > self.limits.jump_counts {
-            self.ticks_since_jump = 0;
-            let per_count = self.radians_per_count;
-            let (value, limit) = (jump_counts as f32, self.limits.jump_counts as f32);
-            let (value, limit) = (value * per_count, limit * per_count);
-            return Some(Excess { fault: Fault::EncoderJump, value, limit });
-        }
-        not_finite(seen).or_else(|| self.speed(seen))
+    pub fn excess(&self, fault: Fault, seen: &Seen) -> Excess {
+        let limits = &self.limits;
+        let radians = |counts: u32| counts as f32 * self.radians_per_count;
+        let seconds = |ticks: u32| ticks as f32 * self.sample_period_s;
+        let (value, limit) = match fault {
+            Fault::EncoderJump => (radians(self.jump_counts), radians(limits.jump_counts)),
+            Fault::Speed => (seen.velocity_rad_per_s.abs(), limits.speed_rad_per_s),
+            Fault::TrackingError => (tracking_error_rad(seen), limits.tracking_error_rad),
+            Fault::EncoderStuck if self.follows => {
+                (seen.reference.minus(self.standing.reference).abs(), limits.stuck_travel_rad)
+            }
+            Fault::EncoderStuck => (seen.command_v.abs(), limits.stuck_voltage_v),
+            Fault::Saturation => (seconds(self.saturated_ticks), seconds(limits.saturated_ticks)),
+            _ => (0.0, 0.0),
+        };
+        Excess { fault, value, limit }
     }
 
     /// Why the estimates must not be trusted, if so.
@@ -181,9 +205,9 @@ impl JointWatch {
         }
     }
 
-    /// How far the encoder's move differs from the one before; zero until one is known [counts].
+    /// How far the encoder's move differs from the one before, zero until one is known.
     #[inline]
-    fn jump(&mut self, count: i32) -> u32 {
+    fn follow_count(&mut self, count: i32) {
         let moved = count.wrapping_sub(self.last_count);
         let change = moved.wrapping_sub(self.last_move).unsigned_abs();
         self.last_count = count;
@@ -192,7 +216,7 @@ impl JointWatch {
         if self.ticks < 2 * WINDOW_TICKS {
             self.ticks += 1;
         }
-        if self.ticks <= 2 { 0 } else { change }
+        self.jump_counts = if self.ticks <= 2 { 0 } else { change };
     }
 
     /// Holds the estimate against the encoder's way, once a window.
@@ -216,51 +240,32 @@ impl JointWatch {
     }
 
     #[inline]
-    fn speed(&self, seen: &Seen) -> Option<Excess> {
-        let (value, limit) = (seen.velocity_rad_per_s.abs(), self.limits.speed_rad_per_s);
-        (value > limit).then_some(Excess { fault: Fault::Speed, value, limit })
-    }
-
-    #[inline]
-    fn tracking(&self, seen: &Seen) -> Option<Excess> {
-        let value = seen.reference.minus(seen.measured).abs();
-        let limit = self.limits.tracking_error_rad;
-        let excess = Excess { fault: Fault::TrackingError, value, limit };
-        (self.follows && value > limit).then_some(excess)
-    }
-
-    #[inline]
-    fn saturation(&mut self, saturated: bool) -> Option<Excess> {
+    fn count_saturation(&mut self, saturated: bool) {
         self.saturated_ticks = if saturated { self.saturated_ticks.saturating_add(1) } else { 0 };
-        let (ticks, most) = (self.saturated_ticks, self.limits.saturated_ticks);
-        (ticks > most).then_some(Excess {
-            fault: Fault::Saturation,
-            value: ticks as f32 * self.sample_period_s,
-            limit: most as f32 * self.sample_period_s,
-        })
     }
 
-    /// An encoder that stands while its joint must move.
+    /// Whether the encoder stands while its joint must move.
     #[inline]
-    fn stuck(&mut self, seen: &Seen) -> Option<Excess> {
+    fn is_stuck(&mut self, seen: &Seen) -> bool {
         let standing = &mut self.standing;
         if seen.count.wrapping_sub(standing.count).unsigned_abs() > DITHER_COUNTS {
             let (count, reference) = (seen.count, seen.reference);
             *standing = Standing { count, reference, pushed_ticks: 0 };
-            return None;
+            return false;
         }
         if self.follows {
-            let value = seen.reference.minus(standing.reference).abs();
-            let limit = self.limits.stuck_travel_rad;
-            let excess = Excess { fault: Fault::EncoderStuck, value, limit };
-            return (value > limit).then_some(excess);
+            let travel_rad = seen.reference.minus(standing.reference).abs();
+            return travel_rad > self.limits.stuck_travel_rad;
         }
-        let (value, limit) = (seen.command_v.abs(), self.limits.stuck_voltage_v);
-        standing.pushed_ticks =
-            if value > limit { standing.pushed_ticks.saturating_add(1) } else { 0 };
-        let excess = Excess { fault: Fault::EncoderStuck, value, limit };
-        (standing.pushed_ticks > self.limits.stuck_ticks).then_some(excess)
+        let pushed = seen.command_v.abs() > self.limits.stuck_voltage_v;
+        standing.pushed_ticks = if pushed { standing.pushed_ticks.saturating_add(1) } else { 0 };
+        standing.pushed_ticks > self.limits.stuck_ticks
     }
+}
+
+#[inline]
+fn tracking_error_rad(seen: &Seen) -> f32 {
+    seen.reference.minus(seen.measured).abs()
 }
 
 /// Whether a mode has a reference that the joint shall follow.
@@ -269,10 +274,4 @@ pub(super) fn follows(mode: Mode) -> bool {
         Mode::Pd | Mode::PdFriction | Mode::PdModel => true,
         Mode::FrictionOnly | Mode::OpenLoop => false,
     }
-}
-
-#[inline]
-fn not_finite(seen: &Seen) -> Option<Excess> {
-    let finite = seen.finite && seen.velocity_rad_per_s.is_finite();
-    (!finite).then_some(Excess { fault: Fault::NotFinite, value: seen.command_v, limit: 0.0 })
 }

@@ -37,5 +37,6 @@ pub fn soak(settings: &Settings, mut progress: impl FnMut(u32)) -> Tally {
         soak.session(session);
         progress(session + 1);
     }
+    soak.rest_until_the_end();
     soak.tally()
 }

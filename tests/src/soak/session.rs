@@ -125,6 +125,13 @@ impl Soak {
         }
     }
 
+    /// Ticks, disarmed, until the whole time is over.
+    pub fn rest_until_the_end(&mut self) {
+        while self.tally.ticks < 1000 * u64::from(self.settings.duration_s) {
+            self.tick();
+        }
+    }
+
     /// Waits until nothing moves any more.
     fn rest(&mut self) {
         let mut last = self.arm.counts();
