@@ -39,7 +39,7 @@ fn a_flipped_bit_in_the_newest_block_brings_back_the_other() {
             let boot = store(flip(&flash, byte, bit)).boot();
             assert_eq!(boot.source, Source::Other { slot: Slot::A, sequence: 1 }, "{byte}.{bit}");
             assert_eq!(boot.block, block(Mode::Pd));
-            assert!(boot.to_string().contains("slot B at 0x08040800 holds a"), "{boot}");
+            assert!(boot.to_string().contains("slot B at 0x08041000 holds a"), "{boot}");
         }
     }
     println!("{} bits", 8 * bytes);

@@ -62,7 +62,7 @@ fn an_empty_board_puts_out_nothing() {
     assert_eq!(
         boot.to_string(),
         "parameters: safe defaults, because slot A at 0x08040000 is empty and \
-         slot B at 0x08040800 is empty"
+         slot B at 0x08041000 is empty"
     );
     boot.block.check().unwrap();
     let mut controller = Controller::new(boot.block);
@@ -81,13 +81,13 @@ fn a_block_of_another_version_is_refused_in_words_and_never_reinterpreted() {
         both.commit(&encoded(Mode::Pd)).unwrap();
         let record = record(2, &as_version(version));
         let mut flash = both.into_flash();
-        flash.bytes_mut()[2048..][..record.len()].copy_from_slice(&record);
+        flash.bytes_mut()[0x1000..][..record.len()].copy_from_slice(&record);
         let mut both = store(flash);
         let boot = both.boot();
         assert_eq!(boot.source, Source::Other { slot: Slot::A, sequence: 1 });
         assert_eq!(boot.slots[1].refused, Some(BlockError::Version { found: version }));
         let said = format!(
-            "slot B at 0x08040800 holds block 2, which is refused: the block has version {version}"
+            "slot B at 0x08041000 holds block 2, which is refused: the block has version {version}"
         );
         assert!(boot.to_string().contains(&said), "{boot}");
         // The next block takes the place of the one refused, and counts on from it.
@@ -114,10 +114,10 @@ fn errors_name_the_slot_and_its_address() {
     let flash = one.into_flash();
     let erasing = store(flash.clone().powered(1000, Torn::SomeBits)).commit(&encoded(Mode::Pd));
     let text = erasing.unwrap_err().to_string();
-    assert!(text.starts_with("parameter block, slot B at 0x08040800: cannot be erased"), "{text}");
+    assert!(text.starts_with("parameter block, slot B at 0x08041000: cannot be erased"), "{text}");
     let writing = store(flash.powered(2100, Torn::SomeBits)).commit(&encoded(Mode::Pd));
     let text = writing.unwrap_err().to_string();
-    assert!(text.starts_with("parameter block, slot B at 0x08040800: cannot be written"), "{text}");
+    assert!(text.starts_with("parameter block, slot B at 0x08041000: cannot be written"), "{text}");
 }
 
 #[test]
@@ -136,7 +136,11 @@ fn flash_that_cannot_be_read_is_no_reason_to_stop() {
 
 #[test]
 fn notes_are_kept_apart_and_forgotten_when_empty() {
-    let mut store = Store::new(RamFlash::new(vec![0xFF; 12288]), LAYOUT.bank_start, LAYOUT);
+    let mut store = Store::new(
+        RamFlash::new(vec![0xFF; LAYOUT.used_bytes() as usize]),
+        LAYOUT.bank_start,
+        LAYOUT,
+    );
     let mut found = [0; NOTE_BYTES];
     assert_eq!(store.note(Kind::Fault, &mut found), None);
     store.commit(&encoded(Mode::PdModel)).unwrap();

@@ -84,14 +84,17 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// The STM32G474RE in dual-bank mode (RM0440, table 12): bank 2 has 128 pages of 2 KiB.
+    /// The STM32G474RE in dual-bank mode (RM0440): bank 2 has 128 pages of 2 KiB.
+    ///
+    /// Every other page stays empty: a programmer that takes the chip for one of a single bank
+    /// erases 4 KiB at a time.
     pub const G474: Self = Self {
         bank_start: 0x0804_0000,
         bank_bytes: 0x0004_0000,
         page_bytes: 2048,
-        parameters: [0x0804_0000, 0x0804_0800],
-        faults: [0x0804_1000, 0x0804_1800],
-        key: [0x0804_2000, 0x0804_2800],
+        parameters: [0x0804_0000, 0x0804_1000],
+        faults: [0x0804_2000, 0x0804_3000],
+        key: [0x0804_4000, 0x0804_5000],
     };
 
     /// Bytes from the bank's start to the end of the last page in use.
