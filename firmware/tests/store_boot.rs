@@ -7,7 +7,9 @@ mod failing_flash;
 use common::block;
 use failing_flash::{FailingFlash, LAYOUT, Torn, store};
 use firmware::block::{MAX_BYTES, VERSION};
-use firmware::store::{Content, Kind, NOTE_BYTES, RamFlash, Slot, Source, Store, StoreError};
+use firmware::store::{
+    Content, Kind, NOTE_BYTES, RamFlash, Slot, Source, Store, StoreError, slot_record,
+};
 use firmware::{BlockError, Controller, Mode};
 
 fn encoded(mode: Mode) -> Vec<u8> {
@@ -40,6 +42,8 @@ fn a_record_lies_in_flash_as_the_format_says() {
     let mut one = store(FailingFlash::new());
     one.commit(&encoded(Mode::Pd)).unwrap();
     let expected = record(1, &encoded(Mode::Pd));
+    let mut buffer = [0; 2048];
+    assert_eq!(slot_record(1, &encoded(Mode::Pd), &mut buffer), Some(&expected[..]));
     let flash = one.into_flash();
     assert_eq!(&flash.bytes()[..expected.len()], expected);
     assert!(flash.bytes()[expected.len()..].iter().all(|byte| *byte == 0xFF));

@@ -21,6 +21,7 @@ pub use error::{Operation, Place, StoreError};
 pub use layout::{Kind, Layout, Slot};
 pub use ram::RamFlash;
 pub use read::{Content, Stored};
+pub use record::slot_record;
 
 use crate::block::{BlockError, MAX_BYTES, ParameterBlock};
 
@@ -73,6 +74,12 @@ impl<F: NorFlash> Store<F> {
         ParameterBlock::decode(encoded).map_err(StoreError::Refused)?;
         let survey = self.survey(Kind::Parameters, is_usable);
         self.append(Kind::Parameters, encoded, &survey)
+    }
+
+    /// The sequence number of the next block, and the slot where it will go.
+    pub fn next(&mut self) -> Option<(Slot, u32)> {
+        let survey = self.survey(Kind::Parameters, is_usable);
+        Some((survey.page_to_erase(), survey.next_sequence()?))
     }
 
     /// The block in force, encoded as it was committed, in the first bytes of `buffer`.

@@ -117,3 +117,16 @@ pub(super) fn filled(rest: &[u8]) -> [u8; WORD_BYTES] {
     }
     word
 }
+
+/// The record that [`Store::commit`](super::Store::commit) would leave in a slot.
+///
+/// `buffer` takes it; `None` if it is too short.
+pub fn slot_record<'a>(sequence: u32, encoded: &[u8], buffer: &'a mut [u8]) -> Option<&'a [u8]> {
+    let kind = Kind::Parameters;
+    let record = buffer.get_mut(..BODY_AT + whole_words(encoded.len()))?;
+    record.fill(0xFF);
+    record[..HEADER_BYTES].copy_from_slice(&Header::of(kind, sequence, encoded).encode(kind));
+    record[HEADER_BYTES..BODY_AT].copy_from_slice(&mark(sequence));
+    record[BODY_AT..BODY_AT + encoded.len()].copy_from_slice(encoded);
+    Some(record)
+}
