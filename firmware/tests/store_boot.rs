@@ -56,6 +56,10 @@ fn blocks_go_to_the_slots_in_turn() {
         let stored = store.commit(&encoded(Mode::PdModel)).unwrap();
         assert_eq!((stored.slot, stored.sequence), (slot, sequence));
         assert_eq!(store.boot().source, Source::Newest { slot, sequence });
+        let mut buffer = [0; MAX_BYTES];
+        let newest = store.newest(&mut buffer).unwrap();
+        assert_eq!(newest, stored);
+        assert_eq!(buffer[..newest.length], encoded(Mode::PdModel));
     }
 }
 

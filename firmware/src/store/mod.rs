@@ -77,7 +77,7 @@ impl<F: NorFlash> Store<F> {
     }
 
     /// The sequence number of the next block, and the slot where it will go.
-    pub fn next(&mut self) -> Option<(Slot, u32)> {
+    pub fn next_place(&mut self) -> Option<(Slot, u32)> {
         let survey = self.survey(Kind::Parameters, is_usable);
         Some((survey.page_to_erase(), survey.next_sequence()?))
     }

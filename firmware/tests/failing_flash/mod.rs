@@ -189,7 +189,7 @@ impl NorFlash for FailingFlash {
 
     fn erase(&mut self, from: u32, to: u32) -> Result<(), Self::Error> {
         self.alive()?;
-        assert!(from < to && from % 2048 == 0 && to % 2048 == 0, "{from} {to}");
+        assert!(from < to && (from | to).is_multiple_of(2048), "{from} {to}");
         for page in (from as usize..to as usize).step_by(2048) {
             let done = self.spend(2048);
             if done > 0 {
@@ -207,7 +207,7 @@ impl NorFlash for FailingFlash {
 
     fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), Self::Error> {
         self.alive()?;
-        assert!(offset as usize % WORD == 0 && bytes.len() % WORD == 0, "{offset} {}", bytes.len());
+        assert!((offset as usize | bytes.len()).is_multiple_of(WORD), "{offset} {}", bytes.len());
         for (at, word) in (offset as usize..).step_by(WORD).zip(bytes.chunks_exact(WORD)) {
             self.write_word(at, word)?;
         }

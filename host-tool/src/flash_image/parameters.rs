@@ -35,5 +35,5 @@ impl FlashImage {
 /// No sequence number is left.
 pub fn next_slot(bank: Vec<u8>) -> Result<(Slot, u32), FlashError> {
     let mut store = Store::new(RamFlash::new(bank), LAYOUT.bank_start, LAYOUT);
-    store.next().ok_or(FlashError::WornOut)
+    store.next_place().ok_or(FlashError::WornOut)
 }
