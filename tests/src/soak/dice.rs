@@ -20,7 +20,7 @@ impl Dice {
 
     /// From 0 to below `n`.
     pub fn below(&mut self, n: u32) -> u32 {
-        (u64::from(self.word()) * u64::from(n) >> 32) as u32
+        ((u64::from(self.word()) * u64::from(n)) >> 32) as u32
     }
 
     /// From `low` to `high`.

@@ -112,7 +112,7 @@ impl Soak {
         self.rest();
         let mode = Mode::ALL[index as usize % 5];
         let block = draw::block(&self.rig, &mut self.dice, mode, self.arm.seen_rad());
-        self.upload(&block, index % 2 == 0);
+        self.upload(&block, index.is_multiple_of(2));
         self.ask(Command::Stream { on: true }).expect("telemetry can be asked for");
         self.run(&block, index, end);
         self.ask(Command::Disarm).expect("a board can be disarmed");
@@ -193,7 +193,7 @@ impl Soak {
         let (mut first, mut last) = ([0.0; 3], [0.0; 3]);
         let faulty = index % 5 == 4;
         while self.tally.ticks < end {
-            if self.tally.ticks % ALIVE_TICKS == 0 {
+            if self.tally.ticks.is_multiple_of(ALIVE_TICKS) {
                 self.say(Command::Query);
             }
             self.tick();
