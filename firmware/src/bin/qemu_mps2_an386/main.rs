@@ -47,7 +47,7 @@ fn main() -> ! {
 
 /// Runs until the robot's side quits; `None` when something breaks.
 fn run() -> Option<()> {
-    let mut board = Board { station: boot()?, line: Line::open() };
+    let mut board = Board { station: boot()?, line: Line::open(), last_tick_counts: 0 };
     match Robot::connect() {
         Some(mut robot) => robot.converse(&mut board),
         None => board.tick_alone(),
@@ -58,17 +58,19 @@ fn run() -> Option<()> {
 struct Board {
     station: Station<Store>,
     line: Line,
+    /// Counts of the timer that the last tick took.
+    last_tick_counts: u32,
 }
 
 impl Board {
     /// A tick. What is done after it is [`Board::serve_line`].
     fn tick(&mut self, counts: &[i32; 3]) -> Reply {
         let mut health = self.station.health();
-        health.tick_time_tenth_us = timer::last_tick_tenth_us();
+        health.tick_time_tenth_us = tenth_us(self.last_tick_counts);
         let before = timer::now();
         let record = self.station.supervisor.tick(counts, health);
         let timer_counts = timer::now().wrapping_sub(before);
-        timer::keep_tick(timer_counts);
+        self.last_tick_counts = timer_counts;
         self.station.after_tick(&record);
         Reply {
             accepted: true,
@@ -95,6 +97,11 @@ impl Board {
             }
         }
     }
+}
+
+/// Counts of 25 MHz of the emulated clock as time [0.1 us].
+fn tenth_us(counts: u32) -> u16 {
+    (counts / 5 * 2).min(u32::from(u16::MAX)) as u16
 }
 
 /// Takes what the flash has kept; `None` where there can be no flash.

@@ -3,7 +3,6 @@
 //! Under `-icount shift=10` an instruction takes 1024 ns, so it is 25.6 counts.
 
 use core::ptr;
-use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 const CONTROL: *mut u32 = 0x4000_0000 as *mut u32;
 const VALUE: *mut u32 = 0x4000_0004 as *mut u32;
@@ -23,18 +22,4 @@ pub fn start() {
 pub fn now() -> u32 {
     // SAFETY: reading has no side effect.
     !unsafe { ptr::read_volatile(VALUE) }
-}
-
-/// Counts that the last tick took.
-static LAST_TICK: AtomicU32 = AtomicU32::new(0);
-
-/// Notes how long a tick took.
-pub fn keep_tick(counts: u32) {
-    LAST_TICK.store(counts, Relaxed);
-}
-
-/// How long the last tick took by the emulated clock [0.1 us].
-pub fn last_tick_tenth_us() -> u16 {
-    let tenths = LAST_TICK.load(Relaxed) / 5 * 2;
-    tenths.min(u32::from(u16::MAX)) as u16
 }
