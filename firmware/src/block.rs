@@ -9,11 +9,12 @@ use serde::{Deserialize, Serialize};
 
 use crate::compensation::{Compensations, Outside};
 use crate::reference::Reference;
+use crate::supervisor::SafetyLimits;
 
 /// Version of the layout below; a block of another version is refused.
 ///
-/// Version 1 had no compensations.
-pub const VERSION: u16 = 2;
+/// Version 1 had no compensations, version 2 no safety limits.
+pub const VERSION: u16 = 3;
 /// No encoded block is longer [bytes].
 pub const MAX_BYTES: usize = 1024;
 
@@ -44,6 +45,8 @@ pub struct ParameterBlock {
     pub compensations: [Compensations; 3],
     /// What is made up for from outside the arm.
     pub outside: Option<Outside>,
+    /// Beyond which the supervisor ends a run.
+    pub safety: SafetyLimits,
 }
 
 /// PD gains of one joint, eq. (17).

@@ -28,7 +28,8 @@ impl ParameterBlock {
         for (joint, compensations) in (1..).zip(&self.compensations) {
             compensations.check(joint)?;
         }
-        self.outside.iter().try_for_each(Outside::check)
+        self.outside.iter().try_for_each(Outside::check)?;
+        self.safety.check()
     }
 
     fn check_board(&self) -> Result<(), ParameterError> {

@@ -37,8 +37,17 @@ pub struct TickOutput {
     pub measured: [Angle; 3],
     /// Estimated velocities [rad/s].
     pub velocity_rad_per_s: [f32; 3],
-    /// Whether the command of each joint was cut at the limit.
+    /// Whether the command of each joint was cut: at the limit, or to 0 V if it was not finite.
     pub saturated: [bool; 3],
+}
+
+impl TickOutput {
+    /// Whether the command of joint `index` (0 to 2) was a finite number.
+    #[inline]
+    pub fn is_finite(&self, index: usize) -> bool {
+        // A finite command that is cut is at the limit, not at 0 V.
+        !(self.saturated[index] && self.codes[index].0 == 0)
+    }
 }
 
 /// What one joint's estimators and references remember from tick to tick.
@@ -61,12 +70,12 @@ struct Measured {
 /// The controller of all three joints.
 #[derive(Clone, Debug)]
 pub struct Controller {
-    block: ParameterBlock,
     joints: [Joint; 3],
     rate_per_s: f32,
     last_tick: u32,
     tick: u32,
     running: bool,
+    block: ParameterBlock,
 }
 
 impl Controller {
@@ -81,6 +90,21 @@ impl Controller {
             running: false,
             block,
         }
+    }
+
+    /// The block that it works with.
+    pub fn block(&self) -> &ParameterBlock {
+        &self.block
+    }
+
+    /// Where each joint shall be at the first tick of the reference.
+    ///
+    /// Found by playing that tick on a copy: a second caller of the motions' functions would
+    /// keep the compiler from building them into the tick.
+    pub fn start_of_reference(&self) -> [Angle; 3] {
+        let mut copy = self.clone();
+        copy.start();
+        copy.tick(&[0; 3]).reference
     }
 
     /// Begins the reference at the next tick.
@@ -133,8 +157,11 @@ impl Controller {
             let motor_v = terms.sum(self.block.mode[i]) + injected_v[i];
             let wanted_v = self.command_for(i, motor_v, ahead[i].angle);
             let limit_v = self.block.command_limit_v;
-            output.codes[i] = DacCode::from_volts(limited(wanted_v, limit_v));
-            output.saturated[i] = wanted_v.abs() > limit_v;
+            // What is no number is not within the limit either.
+            let within = wanted_v.abs() <= limit_v;
+            let command_v = if within { wanted_v } else { cut(wanted_v, limit_v) };
+            output.codes[i] = DacCode::from_volts(command_v);
+            output.saturated[i] = !within;
             output.reference[i] = now.angle;
         }
         self.tick = self.tick.saturating_add(1);
@@ -252,16 +279,10 @@ impl Mode {
     }
 }
 
-/// A voltage cut at +-`limit_v`; `f32::clamp` would bring a panic into the tick.
-#[inline]
-fn limited(voltage_v: f32, limit_v: f32) -> f32 {
-    if voltage_v > limit_v {
-        limit_v
-    } else if voltage_v < -limit_v {
-        -limit_v
-    } else {
-        voltage_v
-    }
+/// What is put out for a voltage beyond +-`limit_v`: the limit, or 0 V if it is not finite.
+#[cold]
+fn cut(voltage_v: f32, limit_v: f32) -> f32 {
+    if voltage_v.is_finite() { limit_v.copysign(voltage_v) } else { 0.0 }
 }
 
 impl Joint {

@@ -1,12 +1,14 @@
 //! From volts to the codes of a 16-bit bipolar converter.
 
+use serde::{Deserialize, Serialize};
+
 /// The converter's range: codes span [-10 V, 10 V).
 pub const FULL_SCALE_V: f32 = 10.0;
 /// Voltage of one step, 0.305 mV.
 pub const VOLTS_PER_LSB: f32 = FULL_SCALE_V / 32_768.0;
 
 /// A code in two's complement: 0 is 0 V.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct DacCode(pub i16);
 
 impl DacCode {

@@ -13,9 +13,11 @@
 //! | [`reference`] | the motions and voltages that the board plays by itself |
 //! | [`velocity`] | the velocity estimate |
 //! | [`angle`], [`encoder`], [`dac`] | machine units: where SI begins and ends |
+//! | [`store`] | what is kept without power: parameters, the latched fault, the key |
 //! | [`lockstep`] | the records exchanged with a simulated robot |
 //! | [`ad5754r`] | the converter's frames |
-//! | [`frame`], [`message`] | what goes over the serial line |
+//! | [`frame`], [`link`] | what goes over the serial line |
+//! | [`supervisor`] | states, faults, limits |
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
 
@@ -28,9 +30,11 @@ pub mod controller;
 pub mod dac;
 pub mod encoder;
 pub mod frame;
+pub mod link;
 pub mod lockstep;
-pub mod message;
 pub mod reference;
+pub mod store;
+pub mod supervisor;
 pub mod velocity;
 
 pub use angle::Angle;

@@ -3,7 +3,10 @@
 //! Little-endian and of fixed size. The board waits for the robot and the robot
 //! for the board, so simulated time is exact however fast either runs.
 
+use embedded_storage::nor_flash::NorFlash;
+
 use crate::block::ParameterBlock;
+use crate::store::{Boot, Source, Store};
 use crate::{Angle, Controller, DacCode, TickOutput};
 
 /// Length of a request [bytes].
@@ -27,6 +30,13 @@ pub enum Request {
     Tick([i32; 3]),
     /// End the program.
     Quit,
+    /// So many bytes of an encoded [`ParameterBlock`] follow, for the store.
+    Commit {
+        /// Bytes that follow.
+        length: u32,
+    },
+    /// Take the block that the store has.
+    Boot,
 }
 
 impl Request {
@@ -38,6 +48,8 @@ impl Request {
             Self::Stop => [3, 0, 0, 0],
             Self::Tick([a, b, c]) => [4, a, b, c],
             Self::Quit => [5, 0, 0, 0],
+            Self::Commit { length } => [6, length as i32, 0, 0],
+            Self::Boot => [7, 0, 0, 0],
         };
         let mut bytes = [0; REQUEST_BYTES];
         for (slot, word) in bytes.chunks_exact_mut(4).zip(words) {
@@ -56,6 +68,8 @@ impl Request {
             3 => Some(Self::Stop),
             4 => Some(Self::Tick([word(4), word(8), word(12)])),
             5 => Some(Self::Quit),
+            6 => Some(Self::Commit { length: word(4) as u32 }),
+            7 => Some(Self::Boot),
             _ => None,
         }
     }
@@ -74,6 +88,8 @@ pub struct Reply {
     pub reference: [Angle; 3],
     /// Counts of the board's timer from counts in to codes out.
     pub timer_counts: u32,
+    /// Sequence number in the store: of the block committed, or of the block to begin with.
+    pub sequence: u32,
 }
 
 impl Reply {
@@ -86,6 +102,7 @@ impl Reply {
             codes: output.codes,
             reference: output.reference,
             timer_counts,
+            sequence: 0,
         }
     }
 
@@ -101,6 +118,7 @@ impl Reply {
             slot.copy_from_slice(&angle.0.to_le_bytes());
         }
         bytes[20..24].copy_from_slice(&self.timer_counts.to_le_bytes());
+        bytes[24..28].copy_from_slice(&self.sequence.to_le_bytes());
         bytes
     }
 
@@ -115,6 +133,7 @@ impl Reply {
             codes: [code(2), code(4), code(6)],
             reference: [word(8), word(12), word(16)].map(Angle),
             timer_counts: word(20) as u32,
+            sequence: word(24) as u32,
         }
     }
 }
@@ -126,6 +145,11 @@ pub struct Responder {
 }
 
 impl Responder {
+    /// Whether there is a controller.
+    pub fn is_loaded(&self) -> bool {
+        self.controller.is_some()
+    }
+
     /// Takes a block in place of the old one; refuses a broken one and keeps the old.
     pub fn load(&mut self, bytes: &[u8]) -> Reply {
         let block = ParameterBlock::decode(bytes);
@@ -134,6 +158,17 @@ impl Responder {
             self.controller = Some(Controller::new(block));
         }
         Reply { accepted, ..Reply::default() }
+    }
+
+    /// Takes the block to begin with, the safe defaults too; accepted if it is from a slot.
+    pub fn boot(&mut self, boot: &Boot) -> Reply {
+        self.controller = Some(Controller::new(boot.block.clone()));
+        match boot.source {
+            Source::Newest { sequence, .. } | Source::Other { sequence, .. } => {
+                Reply { accepted: true, sequence, ..Reply::default() }
+            }
+            Source::Defaults => Reply::default(),
+        }
     }
 
     /// Answers every other request; `timer` is read before and after a tick.
@@ -149,8 +184,16 @@ impl Responder {
             }
             Request::Start => controller.start(),
             Request::Stop => controller.stop(),
-            Request::Load { .. } | Request::Quit => {}
+            Request::Load { .. } | Request::Quit | Request::Commit { .. } | Request::Boot => {}
         }
         Reply { accepted: true, ..Reply::default() }
+    }
+}
+
+/// Puts an encoded block into the store.
+pub fn commit<F: NorFlash>(store: &mut Store<F>, encoded: &[u8]) -> Reply {
+    match store.commit(encoded) {
+        Ok(stored) => Reply { accepted: true, sequence: stored.sequence, ..Reply::default() },
+        Err(_) => Reply::default(),
     }
 }

@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | [`files`] | logs, data sets and models, as they lie on disk |
 //! | [`board`] | the control firmware, in this process or in QEMU |
+//! | [`flash_image`] | what goes into the board's flash, and what may |
 //! | [`effects`] | the catalogue of what the model does not hold |
 //! | [`compensation`] | what the controller makes up for of it |
 //! | [`simulation`] | the simulated robot, and experiments recorded with it |
@@ -25,6 +26,7 @@ pub mod effects;
 pub mod estimation;
 pub mod excitation_design;
 pub mod files;
+pub mod flash_image;
 pub mod identification;
 pub mod progress;
 pub mod report;

@@ -1,5 +1,8 @@
 //! What the end-to-end tests share: the firmware in QEMU and what it plays.
 
+pub mod operator;
+pub mod soak;
+
 use std::path::PathBuf;
 
 use firmware::reference::{Injection, Noise};

@@ -54,7 +54,7 @@ impl Board {
     pub fn limits(self) -> Option<Sizes> {
         match self {
             Self::Qemu => None,
-            Self::Nucleo => Some(Sizes { flash: 64 * KIB, static_ram: 16 * KIB }),
+            Self::Nucleo => Some(Sizes { flash: 192 * KIB, static_ram: 32 * KIB }),
         }
     }
 }

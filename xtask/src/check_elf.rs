@@ -36,7 +36,7 @@ pub fn check(board: Board, image: &Image) -> Result<()> {
     Ok(())
 }
 
-/// Where `Controller::tick` begins, in every copy that the compiler made of it.
+/// Where `Controller::tick` and `Supervisor::tick` begin, in every copy that the compiler made of it.
 fn ticks(code: &Code<'_>) -> Result<Vec<u32>> {
     let ticks: Vec<u32> = code
         .functions()
@@ -44,7 +44,7 @@ fn ticks(code: &Code<'_>) -> Result<Vec<u32>> {
         .map(|(start, _)| start)
         .collect();
     if ticks.is_empty() {
-        bail!("no function Controller::tick in the image: it must be #[inline(never)]");
+        bail!("no function Controller::tick or Supervisor::tick: they must be #[inline(never)]");
     }
     Ok(ticks)
 }
@@ -82,7 +82,7 @@ fn verdict(code: &Code<'_>) -> &'static str {
 }
 
 fn is_tick(name: &str) -> bool {
-    name.contains("Controller") && name.ends_with("::tick")
+    (name.contains("Controller") || name.contains("Supervisor")) && name.ends_with("::tick")
 }
 
 fn is_forbidden(function: &Function) -> bool {
@@ -139,6 +139,7 @@ mod tests {
     fn the_tick_is_found_under_both_manglings() {
         assert!(is_tick("firmware::controller::Controller::tick"));
         assert!(is_tick("<firmware::controller::Controller>::tick"));
+        assert!(is_tick("<firmware::supervisor::Supervisor>::tick"));
         assert!(!is_tick("firmware::controller::Controller::start"));
     }
 }

@@ -10,10 +10,12 @@ mod demo;
 mod emulator;
 mod firmware;
 mod function_costs;
+mod fuzz;
 mod image;
 mod lint;
 mod packages;
 mod setup;
+mod soak;
 mod test;
 mod thumb;
 mod toolchain;
@@ -32,7 +34,9 @@ The project's chores: cargo xtask <task>
   test                      all of that, then the tests of all packages, the emulated board's too
   lint                      formatting and clippy, on the host and for every image
   bench [filter]            the benchmarks of all packages
+  fuzz [target] [--runs N]  damaged inputs for all that takes bytes from outside (docs/fuzzing.md)
   function-costs            what elementary functions cost on the board's core, counted in QEMU
+  soak [--hours 24]         a simulated day of the whole board at a noisy line
   demo                      the host tool against the firmware on the emulated board
 
 Environment:
@@ -62,7 +66,9 @@ fn run(arguments: &[&str]) -> Result<()> {
         ["test"] => test::run(),
         ["lint"] => lint::run(),
         ["bench", filter @ ..] => bench::run(filter),
+        ["fuzz", arguments @ ..] => fuzz::run(arguments),
         ["function-costs"] => function_costs::run(),
+        ["soak", arguments @ ..] => soak::run(arguments),
         ["demo"] => demo::run(),
         [task, ..] => bail!("`{task}` is no task, or not with these arguments\n\n{HELP}"),
     }

@@ -1,5 +1,4 @@
 //! A block that the tests begin from.
-
 use firmware::compensation::{Compensations, FedForward, Undone};
 use firmware::reference::{FadeIn, Injection, Motion, Reference, Sine};
 use firmware::{Gains, Mode, ParameterBlock};
@@ -30,6 +29,7 @@ pub fn block(mode: Mode) -> ParameterBlock {
         },
         compensations: Default::default(),
         outside: Default::default(),
+        safety: Default::default(),
     }
 }
 

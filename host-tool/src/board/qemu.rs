@@ -24,12 +24,21 @@ pub struct QemuSettings {
     pub image: PathBuf,
     /// QEMU itself.
     pub program: PathBuf,
+    /// Its working directory, where `flash.bin` is kept; a temporary one without.
+    pub directory: Option<PathBuf>,
+    /// Where its serial line ends, as QEMU's `-serial` has it: `none`, `pty`, `unix:...`.
+    pub serial: String,
 }
 
 impl QemuSettings {
     /// `qemu-system-arm` from the path.
     pub fn new(image: impl Into<PathBuf>) -> Self {
-        Self { image: image.into(), program: "qemu-system-arm".into() }
+        Self {
+            image: image.into(),
+            program: "qemu-system-arm".into(),
+            directory: None,
+            serial: "none".into(),
+        }
     }
 }
 
@@ -39,7 +48,7 @@ pub struct Qemu {
     child: Child,
     requests: File,
     replies: File,
-    _directory: tempfile::TempDir,
+    _temporary: Option<tempfile::TempDir>,
 }
 
 impl Qemu {
@@ -52,16 +61,43 @@ impl Qemu {
             .image
             .canonicalize()
             .map_err(|source| BoardError::Start { program: settings.image.clone(), source })?;
-        let directory = tempfile::tempdir()?;
-        for name in ["to-board", "from-board"] {
-            mkfifo(&directory.path().join(name), Mode::S_IRUSR | Mode::S_IWUSR)
-                .map_err(std::io::Error::from)?;
-        }
+        let temporary = settings.directory.is_none().then(tempfile::tempdir).transpose()?;
+        let given = settings.directory.as_deref();
+        let directory =
+            given.or(temporary.as_ref().map(|own| own.path())).unwrap_or(Path::new("."));
+        let [requests, replies] = ["to-board", "from-board"].map(|name| directory.join(name));
+        make_fifo(&requests)?;
+        make_fifo(&replies)?;
         stay_on_one_processor();
-        let mut child = spawn(&settings.program, &image, directory.path())?;
-        let requests = open_requests(&directory.path().join("to-board"), &mut child)?;
-        let replies = File::open(directory.path().join("from-board"))?;
-        Ok(Self { child, requests, replies, _directory: directory })
+        let mut child = spawn(settings, &image, directory)?;
+        let requests = open_requests(&requests, &mut child)?;
+        let replies = File::open(replies)?;
+        Ok(Self { child, requests, replies, _temporary: temporary })
+    }
+
+    /// Puts a block into the board's store; its sequence number.
+    ///
+    /// # Errors
+    /// The board refuses it, or has ended.
+    pub fn commit(&mut self, block: &ParameterBlock) -> Result<u32, BoardError> {
+        let bytes = encoded(block)?;
+        let reply = self.ask(Request::Commit { length: bytes.len() as u32 }, &bytes)?;
+        Ok(accepted(reply, "commit")?.sequence)
+    }
+
+    /// Has the board begin with what its store has; the sequence number, or `None` for the
+    /// safe defaults.
+    ///
+    /// # Errors
+    /// The board has ended.
+    pub fn boot(&mut self) -> Result<Option<u32>, BoardError> {
+        let reply = self.ask(Request::Boot, &[])?;
+        Ok(reply.accepted.then_some(reply.sequence))
+    }
+
+    /// The number of the process, for who wants to kill it.
+    pub fn process(&self) -> u32 {
+        self.child.id()
     }
 
     fn ask(&mut self, request: Request, payload: &[u8]) -> Result<Reply, BoardError> {
@@ -112,9 +148,19 @@ impl Drop for Qemu {
     }
 }
 
-fn spawn(program: &Path, image: &Path, directory: &Path) -> Result<Child, BoardError> {
+/// Makes a FIFO; one that an earlier run has left is as good.
+fn make_fifo(path: &Path) -> std::io::Result<()> {
+    match mkfifo(path, Mode::S_IRUSR | Mode::S_IWUSR) {
+        Ok(()) | Err(nix::errno::Errno::EEXIST) => Ok(()),
+        Err(error) => Err(error.into()),
+    }
+}
+
+fn spawn(settings: &QemuSettings, image: &Path, directory: &Path) -> Result<Child, BoardError> {
+    let program = &settings.program;
     Command::new(program)
-        .args(["-M", "mps2-an386", "-nographic", "-monitor", "none", "-serial", "none"])
+        .args(["-M", "mps2-an386", "-nographic", "-monitor", "none"])
+        .args(["-serial", &settings.serial])
         .args(["-semihosting-config", "enable=on,target=native"])
         // An instruction takes 2^10 ns of the guest's clock: runs repeat exactly.
         .args(["-icount", "shift=10,sleep=off"])

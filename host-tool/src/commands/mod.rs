@@ -11,9 +11,12 @@ use crate::board::BoardError;
 use crate::files::FileError;
 
 pub mod blind_trial;
+pub mod block_choice;
 pub mod demo;
 pub mod design_excitation;
 pub mod diagnose;
+pub mod export_block;
+pub mod flash;
 pub mod identify;
 pub mod inverse_dynamics;
 pub mod simulate;
@@ -45,6 +48,10 @@ pub enum Command {
     DesignExcitation(design_excitation::Arguments),
     /// Judge the diagnosis on robots whose hidden effects it is not told.
     BlindTrial(blind_trial::Arguments),
+    /// Write a model as the image of a parameter slot.
+    ExportBlock(export_block::Arguments),
+    /// Put firmware and parameters onto the board through a debug probe.
+    Flash(flash::Arguments),
     /// Record, identify and control a simulated robot with the firmware in QEMU.
     Demo(demo::Arguments),
 }
@@ -63,6 +70,8 @@ impl Command {
             Self::Diagnose(arguments) => diagnose::run(&arguments),
             Self::DesignExcitation(arguments) => design_excitation::run(&arguments),
             Self::BlindTrial(arguments) => blind_trial::run(&arguments),
+            Self::ExportBlock(arguments) => export_block::run(&arguments),
+            Self::Flash(arguments) => flash::run(&arguments),
             Self::Demo(arguments) => demo::run(&arguments),
         }
     }

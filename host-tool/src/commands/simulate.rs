@@ -106,6 +106,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
+/// The mode of that name.
+pub(super) fn mode_named(name: &str) -> Result<Mode, Failure> {
+    Mode::from_name(name).ok_or_else(|| {
+        let known = Mode::ALL.map(Mode::name).join(", ");
+        Failure::new(format!("--mode {name}: no such mode"), format!("take one of {known}"))
+    })
+}
+
 impl Arguments {
     /// A data set recorded in this process, as it is by default.
     pub fn new(model: &Path, dataset: &str, out: &Path) -> Self {
@@ -172,12 +180,7 @@ impl Arguments {
     }
 
     fn mode(&self) -> Result<Option<Mode>, Failure> {
-        let Some(name) = &self.mode else { return Ok(None) };
-        let mode = Mode::from_name(name).ok_or_else(|| {
-            let known = Mode::ALL.map(Mode::name).join(", ");
-            Failure::new(format!("--mode {name}: no such mode"), format!("take one of {known}"))
-        })?;
-        Ok(Some(mode))
+        self.mode.as_deref().map(mode_named).transpose()
     }
 
     /// The effects of the model file and those of the command line.

@@ -9,7 +9,11 @@ use super::error::{Fault, FileError, Place, Problem};
 
 /// Reads a file, and decompresses it where the name ends in `.gz`.
 pub(super) fn read(path: &Path) -> Result<Vec<u8>, FileError> {
-    let bytes = std::fs::read(path).map_err(|error| unreadable(error).in_file(path))?;
+    content(path, std::fs::read(path).map_err(|error| unreadable(error).in_file(path))?)
+}
+
+/// What a file of that name and with these bytes holds.
+pub(super) fn content(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, FileError> {
     if bytes.is_empty() {
         return Err(Problem::Empty.in_file(path));
     }
@@ -19,9 +23,8 @@ pub(super) fn read(path: &Path) -> Result<Vec<u8>, FileError> {
     unpack(&bytes).map_err(|error| Problem::BrokenGzip(error).in_file(path))
 }
 
-/// Reads a text file.
-pub(super) fn read_text(path: &Path) -> Result<String, FileError> {
-    let bytes = read(path)?;
+/// The text in a file's bytes.
+pub(super) fn text(path: &Path, bytes: Vec<u8>) -> Result<String, FileError> {
     check_text(&bytes).map_err(|fault| fault.in_file(path))?;
     Ok(String::from_utf8(bytes).unwrap_or_default())
 }

@@ -104,9 +104,21 @@ impl Dataset {
     /// Names the file and line, what is wrong, and the cure.
     pub fn read(directory: impl AsRef<Path>) -> Result<Self, FileError> {
         let directory = directory.as_ref();
-        let source = TomlSource::read(&directory.join(LIST_NAME))?;
+        Self::of(directory, &TomlSource::read(&directory.join(LIST_NAME))?)
+    }
+
+    /// The same from the list's bytes.
+    ///
+    /// # Errors
+    /// As of [`Dataset::read`].
+    pub fn parse(directory: impl AsRef<Path>, bytes: Vec<u8>) -> Result<Self, FileError> {
+        let directory = directory.as_ref();
+        Self::of(directory, &TomlSource::of(&directory.join(LIST_NAME), bytes)?)
+    }
+
+    fn of(directory: &Path, source: &TomlSource) -> Result<Self, FileError> {
         let list: List = source.parse()?;
-        check(&list, &source)?;
+        check(&list, source)?;
         Ok(Self {
             directory: directory.to_owned(),
             encoder_counts_per_rev: list.encoder_counts_per_rev,

@@ -72,9 +72,20 @@ impl ExcitationFile {
     /// # Errors
     /// Names the file and line, what is wrong, and the cure.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
-        let source = TomlSource::read(path.as_ref())?;
+        Self::of(&TomlSource::read(path.as_ref())?)
+    }
+
+    /// The same from a file's bytes; the path is for messages.
+    ///
+    /// # Errors
+    /// As of [`ExcitationFile::read`].
+    pub fn parse(path: impl AsRef<Path>, bytes: Vec<u8>) -> Result<Self, FileError> {
+        Self::of(&TomlSource::of(path.as_ref(), bytes)?)
+    }
+
+    fn of(source: &TomlSource) -> Result<Self, FileError> {
         let file: Self = source.parse()?;
-        file.check(&source)?;
+        file.check(source)?;
         Ok(file)
     }
 

@@ -30,7 +30,12 @@ impl Default for TomlSource {
 impl TomlSource {
     /// Reads a file and checks its format number and that every number is finite.
     pub(super) fn read(path: &Path) -> Result<Self, FileError> {
-        let source = Self { path: path.to_owned(), text: bytes::read_text(path)? };
+        Self::of(path, bytes::read(path)?)
+    }
+
+    /// Checks the same in a file's bytes.
+    pub(super) fn of(path: &Path, bytes: Vec<u8>) -> Result<Self, FileError> {
+        let source = Self { path: path.to_owned(), text: bytes::text(path, bytes)? };
         let document = DeTable::parse(&source.text).map_err(|error| source.syntax(&error))?;
         source.check_format(document.get_ref())?;
         source.check_finite("", document.get_ref())?;

@@ -115,6 +115,12 @@ pub fn task(duration_s: f32) -> Plan {
     plan.with_role(Role::Holdout)
 }
 
+/// Hanging down, where gravity asks for nothing.
+pub fn hold(duration_s: f32) -> Plan {
+    let motion = HANGING_RAD.map(|angle_rad| Motion::Hold { angle_rad });
+    Plan::closed_loop("hold", Experiment::Task, motion, duration_s).with_role(Role::Holdout)
+}
+
 /// A Fourier series on all joints: variant 1 is the designed one, others are different.
 pub fn excitation(variant: u32, duration_s: f32) -> Plan {
     if variant == 1 {

@@ -73,6 +73,7 @@ impl Rig {
             reference,
             compensations: self.compensations.joints.clone(),
             outside: self.compensations.outside(),
+            safety: Default::default(),
         }
     }
 

@@ -33,6 +33,7 @@ pub fn config() -> Config {
 pub fn put_tick_above_all() {
     interrupt::TIM6_DAC.set_priority(Priority::P0);
     interrupt::LPUART1.set_priority(SLOW);
+    interrupt::RNG.set_priority(SLOW);
     // The clock of the executor, see the feature time-driver-tim5.
     interrupt::TIM5.set_priority(SLOW);
 }

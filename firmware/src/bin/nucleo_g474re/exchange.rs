@@ -1,86 +1,162 @@
 //! What passes between the tick and the tasks: without locks, so the tick never waits.
+//!
+//! A task puts one question at a time into a queue and waits for the answer, which the
+//! next tick gives. The tick puts its records into another queue and drops them, counted,
+//! when it is full.
 
-use core::sync::atomic::{AtomicBool, AtomicU32, Ordering::Relaxed};
+use core::sync::atomic::{AtomicBool, AtomicU8, AtomicU32, Ordering::Relaxed};
 
 use cortex_m::singleton;
-use firmware::Controller;
-use firmware::message::Status;
+use embassy_time::{Duration, Instant};
+use firmware::link::{Desk, Standing, Telemetry};
+use firmware::supervisor::{Denied, Order, State};
+use firmware::{Controller, ParameterBlock};
 use heapless::spsc::{Consumer, Producer, Queue};
 
 /// A queue of N slots holds N - 1 things.
 type Controllers = Queue<Controller, 2>;
-type Commands = Queue<Command, 4>;
+type Questions = Queue<Question, 2>;
+type Replies = Queue<Reply, 2>;
+/// 31 ms of records while the line sends something else.
+type Records = Queue<Telemetry, 32>;
 
-/// What the tick is told to do.
+/// By then the tick has answered, whenever it was asked.
+const ANSWERED_AFTER: Duration = Duration::from_millis(4);
+
+/// What the tick is asked.
 #[derive(Clone, Copy)]
-pub enum Command {
-    Start,
-    Stop,
+pub enum Question {
+    /// How things stand.
+    Standing,
+    /// To carry this out.
+    Order(Order),
+    /// To take the controller that waits.
+    Replace,
+}
+
+/// What the tick answers.
+pub struct Reply {
+    /// Whether it was done.
+    pub outcome: Result<(), Denied>,
+    /// How things stand after it.
+    pub standing: Standing,
 }
 
 /// The tasks' end.
-pub struct Orders {
+pub struct Remote {
     controllers: Producer<'static, Controller>,
-    commands: Producer<'static, Command>,
-}
-
-impl Orders {
-    /// Has the tick take another controller, as soon as it does not run; false if one waits.
-    pub fn replace(&mut self, controller: Controller) -> bool {
-        self.controllers.enqueue(controller).is_ok()
-    }
-
-    /// Has the tick carry out a command; false if too many wait.
-    pub fn command(&mut self, command: Command) -> bool {
-        self.commands.enqueue(command).is_ok()
-    }
+    questions: Producer<'static, Question>,
+    replies: Consumer<'static, Reply>,
+    standing: Standing,
 }
 
 /// The tick's end.
 pub struct Inbox {
     pub controllers: Consumer<'static, Controller>,
-    pub commands: Consumer<'static, Command>,
+    pub questions: Consumer<'static, Question>,
+    pub replies: Producer<'static, Reply>,
+    pub records: Producer<'static, Telemetry>,
 }
 
-/// Both ends; `None` the second time.
-pub fn channel() -> Option<(Orders, Inbox)> {
+/// Both ends and the tick's records; `None` the second time.
+pub fn channel() -> Option<(Remote, Consumer<'static, Telemetry>, Inbox)> {
     let controllers = singleton!(: Controllers = Queue::new())?.split();
-    let commands = singleton!(: Commands = Queue::new())?.split();
-    let orders = Orders { controllers: controllers.0, commands: commands.0 };
-    Some((orders, Inbox { controllers: controllers.1, commands: commands.1 }))
+    let questions = singleton!(: Questions = Queue::new())?.split();
+    let replies = singleton!(: Replies = Queue::new())?.split();
+    let records = singleton!(: Records = Queue::new())?.split();
+    let remote = Remote {
+        controllers: controllers.0,
+        questions: questions.0,
+        replies: replies.1,
+        standing: Standing::default(),
+    };
+    let inbox = Inbox {
+        controllers: controllers.1,
+        questions: questions.1,
+        replies: replies.0,
+        records: records.0,
+    };
+    Some((remote, records.1, inbox))
 }
 
-/// What the tick tells about itself.
+impl Remote {
+    /// Has the tick tell how things stand.
+    pub fn refresh(&mut self) {
+        // What is denied is told all the same.
+        let _ = self.ask(Question::Standing);
+    }
+
+    /// Waits for the next tick, 1 ms at most; the tick itself waits for nothing.
+    fn ask(&mut self, question: Question) -> Result<(), Denied> {
+        // An answer that came too late for an earlier question.
+        while self.replies.dequeue().is_some() {}
+        let asked = self.questions.enqueue(question).is_ok();
+        let end = Instant::now() + ANSWERED_AFTER;
+        while asked && Instant::now() < end {
+            if let Some(reply) = self.replies.dequeue() {
+                self.standing = reply.standing;
+                return reply.outcome;
+            }
+        }
+        Err(Denied::NotNow { state: self.standing.state })
+    }
+}
+
+impl Desk for Remote {
+    fn standing(&self) -> Standing {
+        self.standing
+    }
+
+    fn order(&mut self, order: Order) -> Result<(), Denied> {
+        self.ask(Question::Order(order))
+    }
+
+    fn replace(&mut self, block: &ParameterBlock) -> Result<(), Denied> {
+        let waits = self.controllers.enqueue(Controller::new(block.clone())).is_err();
+        match waits {
+            true => Err(Denied::NotNow { state: self.standing.state }),
+            false => self.ask(Question::Replace),
+        }
+    }
+}
+
+/// What tick and tasks tell each other without a queue.
 pub struct Report {
     pub ticks: AtomicU32,
     /// Ticks that were not done when the next one was due.
     pub overruns: AtomicU32,
     /// Longest time from the timer's event to the end of the tick [0.1 us].
     pub longest_tenth_us: AtomicU32,
-    pub loaded: AtomicBool,
-    pub running: AtomicBool,
-    pub converter_fault: AtomicBool,
+    state: AtomicU8,
+    /// Records that found no room.
+    pub records_dropped: AtomicU32,
+    /// Whether records are wanted; written by the link.
+    pub streaming: AtomicBool,
+    /// The host was heard; set by the link, taken by the tick.
+    pub host_heard: AtomicBool,
 }
 
-/// Written by the tick alone.
+/// Written by the tick, but for what the link writes.
 pub static REPORT: Report = Report {
     ticks: AtomicU32::new(0),
     overruns: AtomicU32::new(0),
     longest_tenth_us: AtomicU32::new(0),
-    loaded: AtomicBool::new(false),
-    running: AtomicBool::new(false),
-    converter_fault: AtomicBool::new(false),
+    state: AtomicU8::new(State::Boot as u8),
+    records_dropped: AtomicU32::new(0),
+    streaming: AtomicBool::new(false),
+    host_heard: AtomicBool::new(false),
 };
 
 impl Report {
-    /// What the host gets to see.
-    pub fn status(&self, accepted: bool) -> Status {
-        Status {
-            accepted,
-            loaded: self.loaded.load(Relaxed),
-            running: self.running.load(Relaxed),
-            overrun: self.overruns.load(Relaxed) > 0,
-            converter_fault: self.converter_fault.load(Relaxed),
-        }
+    /// What the supervisor does, for the lamp and the log.
+    pub fn state(&self) -> State {
+        let all = [State::Boot, State::Disarmed, State::Armed, State::Running, State::Faulted];
+        let byte = self.state.load(Relaxed);
+        all.into_iter().find(|state| *state as u8 == byte).unwrap_or_default()
+    }
+
+    /// Tells what the supervisor does.
+    pub fn set_state(&self, state: State) {
+        self.state.store(state as u8, Relaxed);
     }
 }

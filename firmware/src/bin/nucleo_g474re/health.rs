@@ -6,17 +6,17 @@ use embassy_stm32::gpio::{Level, Output, Speed};
 use embassy_stm32::peripherals::PA5;
 use embassy_stm32::{Peri, pac};
 use embassy_time::Timer;
-use firmware::message::Status;
+use firmware::supervisor::State;
 
 use crate::exchange::REPORT;
 
 /// Time on and time off [ms].
-fn rhythm_ms(status: Status) -> (u64, u64) {
-    match status {
-        Status { converter_fault: true, .. } => (100, 100),
-        Status { running: true, .. } => (900, 100),
-        Status { loaded: true, .. } => (500, 500),
-        _ => (100, 900),
+fn rhythm_ms(state: State) -> (u64, u64) {
+    match state {
+        State::Faulted => (100, 100),
+        State::Running => (900, 100),
+        State::Armed => (500, 500),
+        State::Boot | State::Disarmed => (100, 900),
     }
 }
 
@@ -25,7 +25,7 @@ fn rhythm_ms(status: Status) -> (u64, u64) {
 pub async fn show(pin: Peri<'static, PA5>) -> ! {
     let mut lamp = Output::new(pin, Level::Low, Speed::Low);
     loop {
-        let (on_ms, off_ms) = rhythm_ms(REPORT.status(true));
+        let (on_ms, off_ms) = rhythm_ms(REPORT.state());
         lamp.set_high();
         Timer::after_millis(on_ms).await;
         lamp.set_low();
@@ -33,13 +33,15 @@ pub async fn show(pin: Peri<'static, PA5>) -> ! {
     }
 }
 
-/// Says so if the last run ended badly.
-pub fn log_reset() {
+/// Whether the watchdog has reset the board; asked once, then forgotten.
+pub fn take_watchdog_reset() -> bool {
     let reset = pac::RCC.csr();
-    if reset.read().iwdgrstf() {
+    let by_watchdog = reset.read().iwdgrstf();
+    if by_watchdog {
         defmt::error!("the watchdog has reset the board");
     }
     reset.modify(|w| w.set_rmvf(true));
+    by_watchdog
 }
 
 /// Logs what has changed, at most once a second.
@@ -49,18 +51,18 @@ pub fn log_reset() {
 pub async fn log() -> ! {
     let mut logged = None;
     loop {
-        let status = REPORT.status(true);
+        let state = REPORT.state();
         let longest_us = REPORT.longest_tenth_us.load(Relaxed) / 10;
         let overruns = REPORT.overruns.load(Relaxed);
-        let now = Some((status, longest_us, overruns));
+        let dropped = REPORT.records_dropped.load(Relaxed);
+        let now = Some((state, longest_us, overruns));
         if now != logged {
             defmt::info!(
-                "loaded {}, running {}, converter fault {}, longest tick {} us, overruns {}",
-                status.loaded,
-                status.running,
-                status.converter_fault,
+                "{}, longest tick {} us, overruns {}, records dropped {}",
+                state.name(),
                 longest_us,
-                overruns
+                overruns,
+                dropped
             );
             logged = now;
         }

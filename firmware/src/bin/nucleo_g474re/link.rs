@@ -1,7 +1,6 @@
 //! The serial line to the host, through the ST-LINK's virtual COM port.
 //!
-//! 921,600 baud, 8N1. A frame comes in, one status byte goes out; see
-//! [`firmware::frame`] and [`firmware::message`].
+//! 921,600 baud, 8N1; what is said on it is in [`firmware::link`].
 
 use core::sync::atomic::Ordering::Relaxed;
 
@@ -10,19 +9,23 @@ use embassy_stm32::mode::Async;
 use embassy_stm32::peripherals::{DMA1_CH1, DMA1_CH2, LPUART1, PA2, PA3};
 use embassy_stm32::usart::{Config, InterruptHandler, RingBufferedUartRx, Uart, UartTx};
 use embassy_stm32::{Peri, bind_interrupts, dma};
-use embassy_time::Timer;
-use firmware::frame::{FrameReader, one_byte_frame};
-use firmware::message::{Message, Status};
-use firmware::{BlockError, Controller, ParameterBlock};
+use embassy_time::{Duration, Instant, with_timeout};
+use firmware::link::{BAUD, Handler, MAX_FRAME_BYTES, Telemetry, ToHost};
+use firmware::store::Store;
+use heapless::Vec;
+use heapless::spsc::Consumer;
 
-use crate::exchange::{Command, Orders, REPORT};
-use crate::tick::PERIOD_S;
+use crate::exchange::{REPORT, Remote};
+use crate::flash::BoardFlash;
 
-const BAUD: u32 = 921_600;
 /// 11 ms of a line that never pauses.
 const RING_BYTES: usize = 1024;
-/// By then the tick has taken an order, whenever it came.
-const OBEYED_AFTER_MS: u64 = 3;
+/// Records are sent so many bytes at a time, 5 ms of the line.
+const BATCH_BYTES: usize = 512;
+/// So long is waited for bytes before records are sent.
+const LISTEN: Duration = Duration::from_millis(1);
+/// How often a new fault is looked for, to be kept.
+const KEEP_EVERY: Duration = Duration::from_millis(20);
 
 bind_interrupts!(struct Interrupts {
     LPUART1 => InterruptHandler<LPUART1>;
@@ -41,7 +44,10 @@ pub struct LinkPins {
 pub struct Link {
     receiver: RingBufferedUartRx<'static>,
     sender: UartTx<'static, Async>,
-    orders: Orders,
+    handler: Handler<Store<BoardFlash>>,
+    remote: Remote,
+    records: Consumer<'static, Telemetry>,
+    kept_at: Instant,
 }
 
 impl Link {
@@ -50,7 +56,9 @@ impl Link {
         pins: LinkPins,
         send_dma: Peri<'static, DMA1_CH1>,
         receive_dma: Peri<'static, DMA1_CH2>,
-        orders: Orders,
+        handler: Handler<Store<BoardFlash>>,
+        remote: Remote,
+        records: Consumer<'static, Telemetry>,
     ) -> Self {
         let mut config = Config::default();
         config.baudrate = BAUD;
@@ -58,82 +66,67 @@ impl Link {
         let uart = Uart::new(uart, receive, send, send_dma, receive_dma, Interrupts, config);
         let (sender, receiver) = defmt::unwrap!(uart).split();
         let ring = defmt::unwrap!(singleton!(: [u8; RING_BYTES] = [0; RING_BYTES]));
-        Self { receiver: receiver.into_ring_buffered(ring), sender, orders }
+        let receiver = receiver.into_ring_buffered(ring);
+        Self { receiver, sender, handler, remote, records, kept_at: Instant::MIN }
     }
 
-    async fn answer(&mut self, frame: &[u8]) {
-        let accepted = match Message::from_frame(frame) {
-            Some(Message::Query) => true,
-            Some(Message::Start) => self.command(Command::Start).await.running,
-            Some(Message::Stop) => !self.command(Command::Stop).await.running,
-            Some(Message::Block(bytes)) => self.load(bytes).await,
-            None => false,
-        };
-        let status = REPORT.status(accepted).to_byte();
-        if self.sender.write(&one_byte_frame(status)).await.is_err() {
-            defmt::warn!("an answer did not go out");
-        }
-    }
-
-    async fn command(&mut self, command: Command) -> Status {
-        if !self.orders.command(command) {
-            defmt::warn!("the tick takes no commands");
-        }
-        Timer::after_millis(OBEYED_AFTER_MS).await;
-        REPORT.status(true)
-    }
-
-    async fn load(&mut self, bytes: &[u8]) -> bool {
-        let accepted = match accept(bytes) {
-            Ok(controller) => self.orders.replace(controller),
-            Err(why) => {
-                defmt::warn!("no new parameters: {}", why);
-                false
-            }
-        };
-        Timer::after_millis(OBEYED_AFTER_MS).await;
-        accepted
-    }
-}
-
-/// Answers for ever.
-#[embassy_executor::task]
-pub async fn serve(mut link: Link) -> ! {
-    let mut frames = FrameReader::new();
-    let mut bytes = [0; 64];
-    loop {
-        let Ok(length) = link.receiver.read(&mut bytes).await else {
-            frames.lose();
-            defmt::warn!("bytes lost on the line; frames dropped: {}", frames.dropped());
-            continue;
+    async fn listen(&mut self) {
+        let mut bytes = [0; 64];
+        let length = match with_timeout(LISTEN, self.receiver.read(&mut bytes)).await {
+            Ok(Ok(length)) => length,
+            Ok(Err(_)) => return self.handler.lose(),
+            Err(_) => return,
         };
         for &byte in bytes.iter().take(length) {
-            if let Some(frame) = frames.push(byte) {
-                link.answer(frame).await;
+            if byte == 0 {
+                // A frame ends: what it asks is judged by how things stand now.
+                self.remote.refresh();
+            }
+            if let Some(frame) = self.handler.receive(byte, &mut self.remote)
+                && self.sender.write(frame).await.is_err()
+            {
+                defmt::warn!("an answer did not go out");
+            }
+        }
+        REPORT.streaming.store(self.handler.streaming(), Relaxed);
+        if self.handler.take_heard() {
+            REPORT.host_heard.store(true, Relaxed);
+        }
+    }
+
+    async fn send_records(&mut self) {
+        let dropped = REPORT.records_dropped.load(Relaxed);
+        self.handler.set_telemetry_dropped(dropped);
+        let mut batch = Vec::<u8, BATCH_BYTES>::new();
+        while batch.len() + MAX_FRAME_BYTES <= BATCH_BYTES {
+            let Some(record) = self.records.dequeue() else { break };
+            let mut buffer = [0; MAX_FRAME_BYTES];
+            let message = ToHost::Telemetry(Telemetry { dropped, ..record });
+            // A frame is never longer than there is room for.
+            let _ = batch.extend_from_slice(message.write(&mut buffer).unwrap_or_default());
+        }
+        if !batch.is_empty() && self.sender.write(&batch).await.is_err() {
+            defmt::warn!("records did not go out");
+        }
+    }
+
+    fn keep_fault(&mut self) {
+        if self.kept_at.elapsed() >= KEEP_EVERY {
+            self.kept_at = Instant::now();
+            self.remote.refresh();
+            if !self.handler.keep_fault(&self.remote) {
+                defmt::warn!("the fault could not be stored");
             }
         }
     }
 }
 
-/// A controller with the block in these bytes, or why not.
-fn accept(bytes: &[u8]) -> Result<Controller, &'static str> {
-    if REPORT.running.load(Relaxed) {
-        return Err("the controller is running");
-    }
-    let block = ParameterBlock::decode(bytes).map_err(reason)?;
-    if (block.sample_period_s - PERIOD_S).abs() > 1e-6 * PERIOD_S {
-        return Err("this board ticks once a millisecond");
-    }
-    Ok(Controller::new(block))
-}
-
-/// In a word: the host checks blocks before it sends them, and says more.
-fn reason(error: BlockError) -> &'static str {
-    match error {
-        BlockError::Length { .. } => "length",
-        BlockError::Version { .. } => "version",
-        BlockError::Checksum => "checksum",
-        BlockError::Layout => "layout",
-        BlockError::Parameter(_) => "a value is out of its range",
+/// Answers and sends records for ever.
+#[embassy_executor::task]
+pub async fn serve(mut link: Link) -> ! {
+    loop {
+        link.listen().await;
+        link.send_records().await;
+        link.keep_fault();
     }
 }

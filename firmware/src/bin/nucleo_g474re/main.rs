@@ -2,7 +2,7 @@
 //!
 //! The tick, every millisecond, is an interrupt above everything else; see
 //! [`tick`]. The rest, in the thread executor, may be late: the serial line, the
-//! watchdog, the lamp and the log. `docs/board.md` has pins, wiring and times.
+//! flash, the watchdog, the lamp and the log. `docs/board.md` has pins, wiring and times.
 #![no_std]
 #![no_main]
 
@@ -10,6 +10,7 @@ mod clocks;
 mod converter;
 mod encoders;
 mod exchange;
+mod flash;
 mod health;
 mod link;
 mod safe_state;
@@ -18,6 +19,12 @@ mod watchdog;
 
 use defmt_rtt as _;
 use embassy_executor::Spawner;
+use embassy_stm32::peripherals::RNG;
+use embassy_stm32::rng::{self, Rng};
+use embassy_stm32::{Peri, bind_interrupts};
+use firmware::Controller;
+use firmware::link::{Beginning, Handler, Kept};
+use firmware::supervisor::{BootReport, HardLimits, Supervisor};
 use panic_probe as _;
 
 use crate::converter::{Converter, ConverterPins};
@@ -25,11 +32,20 @@ use crate::encoders::Encoders;
 use crate::link::{Link, LinkPins};
 use crate::watchdog::Watchdog;
 
+/// The name in the board's Hello.
+const NAME: &str = "nucleo-g474re";
+
+bind_interrupts!(struct Interrupts {
+    RNG => rng::InterruptHandler<RNG>;
+});
+
 #[embassy_executor::main]
 async fn main(spawner: Spawner) {
     let p = embassy_stm32::init(clocks::config());
     clocks::put_tick_above_all();
-    health::log_reset();
+    let watchdog_reset = health::take_watchdog_reset();
+    let mut store = flash::store(p.FLASH);
+    let kept = Kept::of(&mut store);
     let watchdog = Watchdog::start(p.IWDG);
     let encoders =
         Encoders::new((p.TIM2, p.PA0, p.PA1), (p.TIM3, p.PA6, p.PA7), (p.TIM1, p.PA8, p.PA9));
@@ -42,12 +58,39 @@ async fn main(spawner: Spawner) {
         load: p.PB11,
         clear: p.PB10,
     });
-    let orders = tick::start(p.TIM6, encoders, converter);
+    let handler = Handler::new(
+        store,
+        &Beginning {
+            board: NAME,
+            limits: HardLimits::default(),
+            nonce_seed: random(p.RNG),
+            key: kept.key,
+            fault: kept.fault,
+            in_use: Some((&kept.encoded, kept.origin)),
+        },
+    );
+    let report = BootReport {
+        latched: kept.fault,
+        watchdog_reset,
+        parameters_corrupt: kept.corrupt,
+        converter_fault: false,
+    };
+    let mut supervisor = Supervisor::default();
+    // Before the end of the boot it takes any.
+    let _ = supervisor.replace(Controller::new(kept.block));
+    let (remote, records) = tick::start(p.TIM6, encoders, converter, supervisor, report);
     let pins = LinkPins { uart: p.LPUART1, receive: p.PA3, send: p.PA2 };
-    let link = Link::new(pins, p.DMA1_CH1, p.DMA1_CH2, orders);
+    let link = Link::new(pins, p.DMA1_CH1, p.DMA1_CH2, handler, remote, records);
 
     spawner.spawn(defmt::unwrap!(watchdog::watch(watchdog)));
     spawner.spawn(defmt::unwrap!(link::serve(link)));
     spawner.spawn(defmt::unwrap!(health::show(p.PA5)));
     spawner.spawn(defmt::unwrap!(health::log()));
+}
+
+/// Bytes of the chip's random generator.
+fn random(peripheral: Peri<'static, RNG>) -> [u8; 16] {
+    let mut bytes = [0; 16];
+    Rng::new(peripheral, Interrupts).fill_bytes(&mut bytes);
+    bytes
 }

@@ -15,7 +15,8 @@ fn outputs_to_zero() {
     pac::GPIOB.bsrr().write(|w| w.set_br(CLEAR_PIN, true));
 }
 
-fn wait_for_reset() -> ! {
+/// 0 V, and nothing else until the watchdog resets the board.
+pub fn wait_for_reset() -> ! {
     outputs_to_zero();
     loop {
         cortex_m::asm::nop();

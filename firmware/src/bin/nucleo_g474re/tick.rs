@@ -13,14 +13,14 @@ use embassy_stm32::interrupt::{self, InterruptExt};
 use embassy_stm32::peripherals::TIM6;
 use embassy_stm32::time::Hertz;
 use embassy_stm32::timer::low_level::Timer;
-use firmware::{Controller, DacCode};
+use firmware::DacCode;
+use firmware::link::{Desk, Telemetry};
+use firmware::supervisor::{BootReport, Health, State, Supervisor};
+use heapless::spsc::Consumer;
 
 use crate::converter::Converter;
 use crate::encoders::Encoders;
-use crate::exchange::{Command, Inbox, Orders, REPORT, channel};
-
-/// Time from tick to tick; a parameter block for another one is refused [s].
-pub const PERIOD_S: f32 = 1e-3;
+use crate::exchange::{Inbox, Question, REPORT, Remote, Reply, channel};
 
 const TIMER_CLOCK: Hertz = Hertz(10_000_000);
 const COUNTS_PER_PERIOD: u16 = 10_000;
@@ -33,31 +33,40 @@ struct Tick {
     encoders: Encoders,
     converter: Converter,
     inbox: Inbox,
-    controller: Option<Controller>,
-    running: bool,
-    converter_fault: bool,
+    supervisor: Supervisor,
+    health: Health,
+    /// Whether the outputs follow the codes.
+    released: bool,
 }
 
 /// Sets the converter up and begins to tick; the outputs stay at 0 V.
-pub fn start(timer: Peri<'static, TIM6>, encoders: Encoders, mut converter: Converter) -> Orders {
+pub fn start(
+    timer: Peri<'static, TIM6>,
+    encoders: Encoders,
+    mut converter: Converter,
+    mut supervisor: Supervisor,
+    report: BootReport,
+) -> (Remote, Consumer<'static, Telemetry>) {
     let set_up = converter.set_up();
     if let Err(fault) = set_up {
         defmt::error!("the converter does not answer: {}", fault);
     }
-    let (orders, inbox) = defmt::unwrap!(channel());
+    let converter_fault = set_up.is_err();
+    supervisor.booted(BootReport { converter_fault, ..report });
+    let (remote, records, inbox) = defmt::unwrap!(channel());
     let tick = Tick {
         timer: millisecond_timer(timer),
         encoders,
         converter,
         inbox,
-        controller: None,
-        running: false,
-        converter_fault: set_up.is_err(),
+        supervisor,
+        health: Health { converter_fault, ..Health::default() },
+        released: false,
     };
     TICK.store(defmt::unwrap!(singleton!(: Tick = tick)), Release);
     // SAFETY: no critical section is open that the interrupt could break.
     unsafe { interrupt::TIM6_DAC.enable() };
-    orders
+    (remote, records)
 }
 
 fn millisecond_timer(timer: Peri<'static, TIM6>) -> Timer<'static, TIM6> {
@@ -84,66 +93,65 @@ impl Tick {
         self.timer.clear_update_interrupt();
         // First of all, so that the instant of sampling depends on nothing below.
         let counts = self.encoders.read();
-        self.obey();
-        let codes = match &mut self.controller {
-            Some(controller) => controller.tick(&counts).codes,
-            None => [DacCode::default(); 3],
+        self.answer();
+        self.health.host_heard = REPORT.host_heard.load(Relaxed);
+        REPORT.host_heard.store(false, Relaxed);
+        let record = self.supervisor.tick(&counts, self.health);
+        self.put_out(&record);
+        self.tell(record);
+        self.look_at_clock();
+    }
+
+    /// Answers a question of the tasks; one a tick at most.
+    fn answer(&mut self) {
+        let Some(question) = self.inbox.questions.dequeue() else { return };
+        let outcome = match question {
+            Question::Standing => Ok(()),
+            Question::Order(order) => self.supervisor.obey(order),
+            Question::Replace => match self.inbox.controllers.dequeue() {
+                Some(controller) => self.supervisor.replace(controller),
+                None => Ok(()),
+            },
         };
-        self.put_out(&codes);
-        self.report();
+        // There is room: the tasks ask one thing at a time.
+        let _ = self.inbox.replies.enqueue(Reply { outcome, standing: self.supervisor.standing() });
     }
 
-    fn obey(&mut self) {
-        if !self.running
-            && let Some(controller) = self.inbox.controllers.dequeue()
-        {
-            self.controller = Some(controller);
-        }
-        while let Some(command) = self.inbox.commands.dequeue() {
-            match command {
-                Command::Start => self.begin(),
-                Command::Stop => self.stop(),
-            }
-        }
-    }
-
-    fn begin(&mut self) {
-        if self.running || self.converter_fault {
+    fn put_out(&mut self, record: &Telemetry) {
+        if record.state != State::Running {
+            self.converter.hold_at_zero();
+            self.released = false;
             return;
         }
-        if let Some(controller) = &mut self.controller {
-            controller.start();
+        if !self.released {
             self.converter.release();
-            self.running = true;
+            self.released = true;
+        }
+        let codes: &[DacCode; 3] = &record.codes;
+        if self.converter.put_out(codes).is_err() {
+            // At once; the supervisor hears of it in the next tick.
+            self.converter.hold_at_zero();
+            self.health.converter_fault = true;
         }
     }
 
-    fn stop(&mut self) {
-        self.converter.hold_at_zero();
-        self.running = false;
-        if let Some(controller) = &mut self.controller {
-            controller.stop();
-        }
-    }
-
-    fn put_out(&mut self, codes: &[DacCode; 3]) {
-        if self.running && self.converter.put_out(codes).is_err() {
-            self.converter_fault = true;
-            self.stop();
-        }
-    }
-
-    fn report(&self) {
-        REPORT.loaded.store(self.controller.is_some(), Relaxed);
-        REPORT.running.store(self.running, Relaxed);
-        REPORT.converter_fault.store(self.converter_fault, Relaxed);
+    fn tell(&mut self, record: Telemetry) {
+        REPORT.set_state(record.state);
         count(&REPORT.ticks);
+        if REPORT.streaming.load(Relaxed) && self.inbox.records.enqueue(record).is_err() {
+            count(&REPORT.records_dropped);
+        }
+    }
+
+    fn look_at_clock(&mut self) {
         let mut taken = u32::from(self.timer.regs_core().cnt().read().cnt());
         // The timer's event has come again: the interrupt follows at once, late.
-        if self.timer.regs_core().sr().read().uif() {
+        self.health.overrun = self.timer.regs_core().sr().read().uif();
+        if self.health.overrun {
             taken += u32::from(COUNTS_PER_PERIOD);
             count(&REPORT.overruns);
         }
+        self.health.tick_time_tenth_us = taken.min(u32::from(u16::MAX)) as u16;
         let longest = REPORT.longest_tenth_us.load(Relaxed).max(taken);
         REPORT.longest_tenth_us.store(longest, Relaxed);
     }

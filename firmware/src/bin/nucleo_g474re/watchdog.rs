@@ -5,15 +5,16 @@
 
 use core::sync::atomic::Ordering::Relaxed;
 
-use embassy_stm32::Peri;
+use embassy_stm32::pac::iwdg::vals::Key;
 use embassy_stm32::peripherals::IWDG;
 use embassy_stm32::wdg::IndependentWatchdog;
+use embassy_stm32::{Peri, pac};
 use embassy_time::Timer;
 
 use crate::exchange::REPORT;
 
-/// Its clock of 32 kHz is true to 5 %.
-const TIMEOUT_US: u32 = 20_000;
+/// Its clock of 32 kHz is true to 5 %, and erasing a page of the flash takes up to 25 ms.
+const TIMEOUT_US: u32 = 32_000;
 const CHECK_EVERY_MS: u64 = 5;
 /// Fewer ticks than this between two checks, of five due, are a failure.
 const TICKS_AT_LEAST: u32 = 3;
@@ -42,4 +43,9 @@ pub async fn watch(mut watchdog: Watchdog) -> ! {
         }
         seen = ticks;
     }
+}
+
+/// Pets the watchdog before the thread waits for the flash, which it may for 25 ms.
+pub fn pet_before_waiting() {
+    pac::IWDG.kr().write(|w| w.set_key(Key::RESET));
 }

@@ -8,7 +8,9 @@ use cortex_m_semihosting::syscall;
 #[derive(Clone, Copy)]
 pub enum Mode {
     Read = 1,
+    ReadWrite = 3,
     Write = 5,
+    CreateReadWrite = 7,
 }
 
 /// An open file or FIFO of the host.
@@ -42,5 +44,12 @@ impl HostFile {
         // SAFETY: SYS_WRITE reads `bytes.len()` bytes from `bytes`.
         let missing = unsafe { syscall!(WRITE, self.handle, bytes.as_ptr(), bytes.len()) };
         (missing == 0).then_some(())
+    }
+
+    /// Goes to so many bytes from the file's begin.
+    pub fn seek(&mut self, position: u32) -> Option<()> {
+        // SAFETY: SYS_SEEK touches no memory.
+        let failed = unsafe { syscall!(SEEK, self.handle, position) };
+        (failed == 0).then_some(())
     }
 }

@@ -7,10 +7,9 @@ use super::{JointLog, Log, Position};
 use crate::files::error::{Fault, FileError, Problem};
 use crate::files::table::{Kind, Table, Values};
 
-/// Reads a `.csv` or `.csv.gz` file.
-pub(super) fn read(path: &Path) -> Result<Log, FileError> {
-    let table = Table::read(path, kind_of)?;
-    log_from(table).map_err(|fault| fault.in_file(path))
+/// The log in a table's text; the path is for messages.
+pub(super) fn of(path: &Path, text: &[u8]) -> Result<Log, FileError> {
+    Table::parse(text, kind_of).and_then(log_from).map_err(|fault| fault.in_file(path))
 }
 
 /// How a log's column is read, by its name.

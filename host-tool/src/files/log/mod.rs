@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::bytes;
 use super::error::{FileError, Problem};
 
 mod check;
@@ -72,9 +73,22 @@ impl Log {
     /// Names the file, the line and column, what is wrong, and the cure.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
         let path = path.as_ref();
-        match Format::of(path)? {
-            Format::Csv => from_table::read(path),
-            Format::Mcap => read_mcap::read(path),
+        Self::of(Format::of(path)?, path, &bytes::read(path)?)
+    }
+
+    /// The log in the bytes of a file of that name.
+    ///
+    /// # Errors
+    /// As of [`Log::read`].
+    pub fn parse(path: impl AsRef<Path>, bytes: Vec<u8>) -> Result<Self, FileError> {
+        let path = path.as_ref();
+        Self::of(Format::of(path)?, path, &bytes::content(path, bytes)?)
+    }
+
+    fn of(format: Format, path: &Path, content: &[u8]) -> Result<Self, FileError> {
+        match format {
+            Format::Csv => from_table::of(path, content),
+            Format::Mcap => read_mcap::of(path, content),
         }
     }
 

@@ -8,13 +8,11 @@ use mcap::sans_io::LinearReaderOptions;
 
 use super::joint_message::{JointMessage, topic};
 use super::{JointLog, Log, Position};
-use crate::files::bytes;
 use crate::files::error::{Fault, FileError, Problem};
 
-/// Reads an MCAP file as this tool writes it.
-pub(super) fn read(path: &Path) -> Result<Log, FileError> {
-    let bytes = bytes::read(path)?;
-    log_from(&bytes).map_err(|fault| fault.in_file(path))
+/// The log in an MCAP file's bytes, as this tool writes it; the path is for messages.
+pub(super) fn of(path: &Path, bytes: &[u8]) -> Result<Log, FileError> {
+    log_from(bytes).map_err(|fault| fault.in_file(path))
 }
 
 /// The log that an MCAP file's messages make; messages on other topics are ignored.

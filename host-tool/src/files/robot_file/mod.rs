@@ -49,6 +49,14 @@ impl RobotFile {
         read::read(path.as_ref())
     }
 
+    /// The same from a file's bytes; the path is for messages.
+    ///
+    /// # Errors
+    /// As of [`RobotFile::read`].
+    pub fn parse(path: impl AsRef<Path>, bytes: Vec<u8>) -> Result<Self, FileError> {
+        read::of(TomlSource::of(path.as_ref(), bytes)?)
+    }
+
     /// Writes a file, whole or not at all, its tables in the order of the contract.
     ///
     /// # Errors

@@ -26,7 +26,10 @@ struct Known {
 const KNOWN_TABLES: [&str; 6] = ["format", "robot", "base", "pendulum", "friction", "effect"];
 
 pub(super) fn read(path: &Path) -> Result<RobotFile, FileError> {
-    let source = TomlSource::read(path)?;
+    of(TomlSource::read(path)?)
+}
+
+pub(super) fn of(source: TomlSource) -> Result<RobotFile, FileError> {
     let mut file = file_from(&source)?;
     file.source = source;
     file.check()?;

@@ -1,0 +1,178 @@
+//! What each command does, once it is its turn.
+
+use super::answer::{
+    BlockRefusal, Counters, Origin, Parameters, Refusal, Reply, Report, StoreRefusal,
+};
+use super::checked::CHECKSUM;
+use super::desk::{BlockStore, Desk};
+use super::handler::Conversation;
+use super::key::{Key, Nonce, is_proven};
+use super::request::{Command, PIECE_BYTES, Request, Source};
+use super::upload::Block;
+use crate::block::MAX_BYTES;
+use crate::supervisor::{FaultRecord, Order, State};
+use crate::{BlockError, ParameterBlock};
+
+impl<S: BlockStore> Conversation<S> {
+    /// Carries a request out, or says why not; a piece of a block is put into `piece`.
+    pub(super) fn carry_out<'p>(
+        &mut self,
+        request: &Request<'_>,
+        dropped: u32,
+        piece: &'p mut [u8; PIECE_BYTES],
+        board: &mut impl Desk,
+    ) -> Result<Reply<'p>, Refusal> {
+        if !self.is_allowed(request) {
+            return Err(Refusal::Proof);
+        }
+        match request.command {
+            Command::Query => return Ok(Reply::Report(self.report(dropped, board))),
+            Command::Stream { on } => self.streaming = on,
+            Command::Challenge => return Ok(Reply::Challenge { nonce: self.challenge() }),
+            Command::UploadBegin { length, checksum } => {
+                only_disarmed(board)?;
+                self.upload.begin(length, checksum)?;
+            }
+            Command::UploadPiece { offset, bytes } => self.upload.add(offset, bytes)?,
+            Command::Use => return self.put_into_use(Origin::Uploaded, board),
+            Command::Commit => return self.put_into_use(Origin::Newest, board),
+            Command::Download { source, offset } => return self.download(source, offset, piece),
+            Command::Arm => board.order(Order::Arm)?,
+            Command::Run { host_timeout_ms } => board.order(self.run(host_timeout_ms))?,
+            Command::Stop => board.order(Order::Stop)?,
+            Command::Disarm => board.order(Order::Disarm)?,
+            Command::ClearFault => self.clear_fault(board)?,
+            Command::SetKey { key } => self.set_key(key, board)?,
+        }
+        Ok(Reply::Done)
+    }
+
+    /// Whether the request may be carried out as far as the key is concerned.
+    fn is_allowed(&self, request: &Request<'_>) -> bool {
+        match (&self.key, &self.nonce) {
+            (None, _) => true,
+            _ if !request.command.needs_proof() => true,
+            (Some(_), None) => false,
+            (Some(key), Some(nonce)) => is_proven(key, nonce, request),
+        }
+    }
+
+    fn report(&self, dropped: u32, board: &impl Desk) -> Report {
+        let standing = board.standing();
+        Report {
+            state: standing.state,
+            fault: standing.fault,
+            parameters: self.parameters,
+            has_key: self.key.is_some(),
+            counters: Counters {
+                telemetry_dropped: self.telemetry_dropped,
+                frames_broken: dropped.wrapping_add(self.foreign),
+                requests: self.requests,
+                ..standing.counters
+            },
+        }
+    }
+
+    fn challenge(&mut self) -> Nonce {
+        let nonce = self.nonces.next_nonce();
+        self.nonce = Some(nonce);
+        nonce
+    }
+
+    /// Checks the upload as a whole; stores it if it is to be the newest; then uses it.
+    fn put_into_use<'p>(
+        &mut self,
+        origin: Origin,
+        board: &mut impl Desk,
+    ) -> Result<Reply<'p>, Refusal> {
+        only_disarmed(board)?;
+        let bytes = self.upload.whole()?;
+        let block = ParameterBlock::decode(bytes).map_err(BlockRefusal::from)?;
+        self.limits.check(&block).map_err(|error| BlockRefusal::from(BlockError::from(error)))?;
+        if origin == Origin::Newest {
+            self.store.commit(bytes)?;
+            read_back(&mut self.store, bytes)?;
+        }
+        board.replace(&block)?;
+        let parameters = parameters(bytes, origin);
+        self.parameters = Some(parameters);
+        self.in_use = Block::from_slice(bytes).unwrap_or_default();
+        Ok(Reply::InUse(parameters))
+    }
+
+    fn download<'p>(
+        &mut self,
+        source: Source,
+        offset: u16,
+        piece: &'p mut [u8; PIECE_BYTES],
+    ) -> Result<Reply<'p>, Refusal> {
+        let mut buffer = [0; MAX_BYTES];
+        let whole = match source {
+            Source::InUse if self.parameters.is_none() => return Err(Refusal::NoParameters),
+            Source::InUse => &self.in_use,
+            Source::Stored => self.store.load(&mut buffer)?,
+        };
+        let rest = whole.get(usize::from(offset)..).unwrap_or_default();
+        let (piece, _) = piece.split_at_mut(rest.len().min(PIECE_BYTES));
+        for (slot, byte) in piece.iter_mut().zip(rest) {
+            *slot = *byte;
+        }
+        let (length, checksum) = (whole.len() as u16, CHECKSUM.checksum(whole));
+        Ok(Reply::Piece { length, checksum, bytes: piece })
+    }
+
+    fn run(&self, host_timeout_ms: Option<u16>) -> Order {
+        let ticks = |ms: u16| (f32::from(ms) * 1e-3 / self.limits.sample_period_s + 0.5) as u32;
+        Order::Run { host_timeout_ticks: host_timeout_ms.map(ticks) }
+    }
+
+    /// What is kept over a reset is cleared last: a cut in between leaves the fault latched.
+    fn clear_fault(&mut self, board: &mut impl Desk) -> Result<(), Refusal> {
+        board.order(Order::ClearFault)?;
+        match self.keep_fault(None) {
+            true => Ok(()),
+            false => Err(Refusal::Store(StoreRefusal::Write)),
+        }
+    }
+
+    fn set_key(&mut self, key: Option<Key>, board: &mut impl Desk) -> Result<(), Refusal> {
+        only_disarmed(board)?;
+        self.store.keep_key(key.as_ref())?;
+        self.key = key;
+        self.nonce = None;
+        Ok(())
+    }
+
+    /// Keeps a fault, or that there is none, over a reset; whether the store did it.
+    pub(super) fn keep_fault(&mut self, fault: Option<FaultRecord>) -> bool {
+        if fault == self.kept_fault {
+            return true;
+        }
+        let kept = self.store.keep_fault(fault.as_ref()).is_ok();
+        if kept {
+            self.kept_fault = fault;
+        }
+        kept
+    }
+}
+
+fn only_disarmed(board: &impl Desk) -> Result<(), Refusal> {
+    match board.standing().state {
+        State::Disarmed => Ok(()),
+        state => Err(Refusal::NotNow { state }),
+    }
+}
+
+/// Has the store show what it has stored; a store that says yes may still be wrong.
+fn read_back(store: &mut impl BlockStore, written: &[u8]) -> Result<(), Refusal> {
+    let mut buffer = [0; MAX_BYTES];
+    match store.load(&mut buffer)? == written {
+        true => Ok(()),
+        false => Err(Refusal::Store(StoreRefusal::ReadBack)),
+    }
+}
+
+/// What there is to tell about an encoded block.
+pub(super) fn parameters(bytes: &[u8], origin: Origin) -> Parameters {
+    Parameters { origin, length: bytes.len() as u16, checksum: CHECKSUM.checksum(bytes) }
+}

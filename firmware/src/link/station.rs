@@ -1,0 +1,88 @@
+//! Supervisor, handler and outbox in one thread, for boards that poll their line.
+
+use super::checked::{CHECKSUM, MAX_FRAME_BYTES};
+use super::desk::BlockStore;
+use super::handler::Handler;
+use super::messages::ToHost;
+use super::outbox::Outbox;
+use super::telemetry::Telemetry;
+use crate::block::MAX_BYTES;
+use crate::supervisor::{Health, Supervisor};
+
+/// Room for what waits to be sent [bytes].
+const OUTBOX_BYTES: usize = 2048;
+/// Every so many ticks the parameters in use are held against what was checked.
+const CHECK_EVERY_TICKS: u32 = 1000;
+
+/// A board from the line to the codes.
+#[derive(Debug)]
+pub struct Station<S> {
+    /// Who watches over the controller.
+    pub supervisor: Supervisor,
+    /// The board's end of the conversation.
+    pub handler: Handler<S>,
+    outbox: Outbox<OUTBOX_BYTES>,
+    answers_lost: u32,
+    parameters_corrupt: bool,
+}
+
+impl<S: BlockStore> Station<S> {
+    /// A station that has booted.
+    pub fn new(supervisor: Supervisor, handler: Handler<S>) -> Self {
+        Self {
+            supervisor,
+            handler,
+            outbox: Outbox::new(),
+            answers_lost: 0,
+            parameters_corrupt: false,
+        }
+    }
+
+    /// What the tick must know; the board adds what it knows itself.
+    pub fn health(&mut self) -> Health {
+        Health {
+            host_heard: self.handler.take_heard(),
+            parameters_corrupt: self.parameters_corrupt,
+            ..Health::default()
+        }
+    }
+
+    /// After a tick: sends its record if it is to be sent, keeps a new fault.
+    pub fn after_tick(&mut self, record: &Telemetry) {
+        self.handler.set_telemetry_dropped(self.outbox.dropped());
+        if self.handler.streaming() {
+            let mut buffer = [0; MAX_FRAME_BYTES];
+            let dropped = self.outbox.dropped();
+            let message = ToHost::Telemetry(Telemetry { dropped, ..*record });
+            self.outbox.push_telemetry(message.write(&mut buffer).unwrap_or_default());
+        }
+        self.handler.keep_fault(&self.supervisor);
+        if record.sequence.is_multiple_of(CHECK_EVERY_TICKS) {
+            self.parameters_corrupt = !self.parameters_are_whole();
+        }
+    }
+
+    /// Takes a byte of the line; an answer goes to the outbox.
+    pub fn receive(&mut self, byte: u8) {
+        let Some(frame) = self.handler.receive(byte, &mut self.supervisor) else { return };
+        // A host that asks more than it reads must ask again.
+        let lost = !self.outbox.push_answer(frame);
+        self.answers_lost = self.answers_lost.wrapping_add(u32::from(lost));
+    }
+
+    /// The next byte for the line.
+    pub fn send(&mut self) -> Option<u8> {
+        self.outbox.pop()
+    }
+
+    /// Whether the controller's block still is the one that was checked.
+    fn parameters_are_whole(&self) -> bool {
+        let mut buffer = [0; MAX_BYTES];
+        match (self.supervisor.block(), self.handler.parameters()) {
+            (Some(block), Some(parameters)) => block
+                .encode(&mut buffer)
+                .is_ok_and(|bytes| CHECKSUM.checksum(bytes) == parameters.checksum),
+            (in_use, told) => in_use.is_none() == told.is_none(),
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! A parameter block on its way in, piece by piece, beside the one in use.
+
+use heapless::Vec;
+
+use super::answer::{BlockRefusal, Refusal};
+use super::checked::CHECKSUM;
+use crate::block::MAX_BYTES;
+
+/// An encoded block.
+pub type Block = Vec<u8, MAX_BYTES>;
+
+/// What has come so far.
+#[derive(Debug, Default)]
+pub struct Upload {
+    announced: Option<Announced>,
+    bytes: Block,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Announced {
+    length: u16,
+    checksum: u32,
+}
+
+impl From<BlockRefusal> for Refusal {
+    fn from(why: BlockRefusal) -> Self {
+        Self::Block(why)
+    }
+}
+
+impl Upload {
+    /// Begins anew.
+    pub fn begin(&mut self, length: u16, checksum: u32) -> Result<(), BlockRefusal> {
+        if usize::from(length) > MAX_BYTES {
+            return Err(BlockRefusal::Length);
+        }
+        self.bytes.clear();
+        self.announced = Some(Announced { length, checksum });
+        Ok(())
+    }
+
+    /// Takes the piece that follows.
+    pub fn add(&mut self, offset: u16, bytes: &[u8]) -> Result<(), Refusal> {
+        let taken = self.bytes.len();
+        let announced = self.announced.map_or(0, |announced| usize::from(announced.length));
+        let follows = usize::from(offset) == taken && taken + bytes.len() <= announced;
+        match follows && self.bytes.extend_from_slice(bytes).is_ok() {
+            true => Ok(()),
+            false => Err(Refusal::Upload { taken: taken as u16 }),
+        }
+    }
+
+    /// The whole block, if it is the one that was announced.
+    pub fn whole(&self) -> Result<&[u8], BlockRefusal> {
+        let announced = self.announced.ok_or(BlockRefusal::Length)?;
+        if self.bytes.len() != usize::from(announced.length) {
+            return Err(BlockRefusal::Length);
+        }
+        match CHECKSUM.checksum(&self.bytes) == announced.checksum {
+            true => Ok(&self.bytes),
+            false => Err(BlockRefusal::Checksum),
+        }
+    }
+}

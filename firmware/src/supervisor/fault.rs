@@ -1,0 +1,77 @@
+//! States and faults; types only, as the schema hash is taken of this text.
+
+use serde::{Deserialize, Serialize};
+
+/// What the board is doing. The outputs are at 0 V in every state but Running.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum State {
+    /// Parameters are looked for, the converter is checked.
+    #[default]
+    Boot,
+    /// At rest; parameters may be changed.
+    Disarmed,
+    /// Ready to run, still at 0 V.
+    Armed,
+    /// The controller's codes go to the converter.
+    Running,
+    /// Something was wrong; left by an explicit clear and by nothing else, not even a reset.
+    Faulted,
+}
+
+/// Why the supervisor ended a run, or does not let one begin.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Fault {
+    /// An encoder moved further in a tick than its joint can. Value and limit in rad per tick.
+    EncoderJump,
+    /// An encoder stands still though its joint was told to move. Value and limit in rad of
+    /// the reference's travel, or in V where there is no reference.
+    EncoderStuck,
+    /// The joint is too far from its reference [rad].
+    TrackingError,
+    /// The joint is too fast [rad/s].
+    Speed,
+    /// The command was at its limit for too long without a pause [s].
+    Saturation,
+    /// A tick was not done when the next one was due.
+    TickOverrun,
+    /// A command or an estimate is not a finite number.
+    NotFinite,
+    /// The host was silent for too long in a run that it must watch [s].
+    LinkLost,
+    /// The stored parameters are damaged, both slots of them, or those in use have changed.
+    CorruptParameters,
+    /// The watchdog has reset the board.
+    Watchdog,
+    /// The converter does not answer as it should.
+    Converter,
+}
+
+/// The first cause, with the figures that made it one.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FaultRecord {
+    /// What was wrong.
+    pub fault: Fault,
+    /// The joint, 1 to 3, or 0 where it is the whole board.
+    pub joint: u8,
+    /// Ticks since power-on.
+    pub tick: u32,
+    /// What was found, in the unit that the fault names; 0 where there is no figure.
+    pub value: f32,
+    /// What is allowed.
+    pub limit: f32,
+}
+
+/// Why the board does not arm: an estimate that cannot be right.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Implausible {
+    /// The estimates have not settled since power-on or since parameters were changed.
+    NotSettled,
+    /// The joint moves: it must be at rest when the board is armed.
+    Moving,
+    /// The velocity estimate disagrees with the way that the encoder went.
+    Disagrees,
+    /// The encoder has jumped within the time that the estimates look back on.
+    Jumped,
+    /// An estimate is not a finite number.
+    NotFinite,
+}

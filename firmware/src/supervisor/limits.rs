@@ -1,0 +1,119 @@
+//! How far the joints may go before the supervisor ends a run.
+
+use model::ParameterError;
+use model::parameter::named;
+use serde::{Deserialize, Serialize};
+
+use crate::ParameterBlock;
+use crate::dac::FULL_SCALE_V;
+
+/// The limits of a parameter block; beyond one of them is a fault.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SafetyLimits {
+    /// Fastest that each joint may be [rad/s].
+    pub speed_rad_per_s: [f32; 3],
+    /// Furthest that each joint may be from its reference [rad]; also from where it begins.
+    pub tracking_error_rad: [f32; 3],
+    /// More than any joint can accelerate, pushed by the motor or by a person [rad/s^2].
+    pub acceleration_rad_per_s2: [f32; 3],
+    /// Longest that a command may stay at its limit without a pause [s].
+    pub saturation_s: f32,
+    /// So far may a reference go while the encoder stands still [rad].
+    pub stuck_travel_rad: f32,
+    /// So much voltage may an open-loop command have while the encoder stands still [V],
+    pub stuck_voltage_v: f32,
+    /// for so long [s].
+    pub stuck_s: f32,
+}
+
+impl Default for SafetyLimits {
+    /// Wide enough for the motions of the paper, narrow enough for a broken wire.
+    fn default() -> Self {
+        Self {
+            speed_rad_per_s: [15.0; 3],
+            tracking_error_rad: [0.5; 3],
+            acceleration_rad_per_s2: [5_000.0; 3],
+            saturation_s: 0.5,
+            stuck_travel_rad: 0.05,
+            stuck_voltage_v: 3.0,
+            stuck_s: 0.2,
+        }
+    }
+}
+
+impl SafetyLimits {
+    /// Checks that each limit is one.
+    pub fn check(&self) -> Result<(), ParameterError> {
+        for joint in 0..3 {
+            let number = joint as u8 + 1;
+            let of = |name, value: f32| named(name, value).of_joint(number).positive();
+            of("speed_limit_rad_per_s", self.speed_rad_per_s[joint])?;
+            of("tracking_error_limit_rad", self.tracking_error_rad[joint])?;
+            of("acceleration_limit_rad_per_s2", self.acceleration_rad_per_s2[joint])?;
+        }
+        named("saturation_limit_s", self.saturation_s).positive()?;
+        named("stuck_travel_rad", self.stuck_travel_rad).positive()?;
+        named("stuck_voltage_V", self.stuck_voltage_v).positive()?;
+        named("stuck_s", self.stuck_s).positive()?;
+        Ok(())
+    }
+}
+
+/// What no parameter block may exceed on a board, whoever sends it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HardLimits {
+    /// The board's time from tick to tick [s]; a block for another one is refused.
+    pub sample_period_s: f32,
+    /// Largest command [V].
+    pub command_v: f32,
+    /// Highest speed limit that a block may set [rad/s].
+    pub speed_rad_per_s: f32,
+    /// Widest tracking error that a block may allow [rad].
+    pub tracking_error_rad: f32,
+    /// Largest proportional gain [V/rad].
+    pub proportional_gain_v_per_rad: f32,
+    /// Largest derivative gain [V s/rad].
+    pub derivative_gain_v_s_per_rad: f32,
+}
+
+impl Default for HardLimits {
+    fn default() -> Self {
+        Self {
+            sample_period_s: 1e-3,
+            command_v: FULL_SCALE_V,
+            speed_rad_per_s: 30.0,
+            tracking_error_rad: core::f32::consts::PI,
+            proportional_gain_v_per_rad: 10_000.0,
+            derivative_gain_v_s_per_rad: 500.0,
+        }
+    }
+}
+
+impl HardLimits {
+    /// Checks a block, which has passed its own check, against the board.
+    pub fn check(&self, block: &ParameterBlock) -> Result<(), ParameterError> {
+        let period_s = block.sample_period_s;
+        named("sample_period_s", period_s).require(
+            (period_s - self.sample_period_s).abs() <= 1e-6 * self.sample_period_s,
+            "be the board's, 0.001 s",
+        )?;
+        named("command_limit_V", block.command_limit_v)
+            .require(block.command_limit_v <= self.command_v, BELOW)?;
+        for joint in 0..3 {
+            let below = |name, value: f32, most: f32| {
+                named(name, value).of_joint(joint as u8 + 1).require(value <= most, BELOW)
+            };
+            let gains = &block.gains[joint];
+            let limits = &block.safety;
+            let (kp, kd) = (gains.proportional_v_per_rad, gains.derivative_v_s_per_rad);
+            below("proportional_gain_V_per_rad", kp, self.proportional_gain_v_per_rad)?;
+            below("derivative_gain_V_s_per_rad", kd, self.derivative_gain_v_s_per_rad)?;
+            let (speed, error) = (limits.speed_rad_per_s[joint], limits.tracking_error_rad[joint]);
+            below("speed_limit_rad_per_s", speed, self.speed_rad_per_s)?;
+            below("tracking_error_limit_rad", error, self.tracking_error_rad)?;
+        }
+        Ok(())
+    }
+}
+
+const BELOW: &str = "not exceed the board's hard limit";

@@ -1,0 +1,351 @@
+//! Who watches over the controller: states, faults, limits.
+//!
+//! | from | to | by |
+//! | --- | --- | --- |
+//! | Boot | Disarmed | [`Supervisor::booted`] without a cause for a fault |
+//! | Disarmed | Armed | [`Order::Arm`], if all estimates are plausible |
+//! | Armed | Running | [`Order::Run`], if every joint is where its reference begins |
+//! | Running | Armed | [`Order::Stop`] |
+//! | Armed, Running | Disarmed | [`Order::Disarm`] |
+//! | any | Faulted | a fault, see [`Fault`] |
+//! | Faulted | Disarmed | [`Order::ClearFault`], and nothing else |
+//!
+//! The codes are zero in every state but Running, and in the very tick that finds a fault.
+//! Orders and new parameters come between ticks, so they take effect at a tick's
+//! boundary, all at once.
+
+pub mod fault;
+pub mod limits;
+mod orders;
+mod watch;
+mod words;
+
+pub use fault::{Fault, FaultRecord, Implausible, State};
+pub use limits::{HardLimits, SafetyLimits};
+pub use orders::{Denied, Order};
+
+use crate::link::{Counters, Telemetry};
+use crate::{Angle, Controller, DacCode, Mode, ParameterBlock, TickOutput};
+use watch::{Excess, JointWatch, Seen, follows};
+
+/// What the board knows of itself at a tick.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Health {
+    /// The tick before this one was not done when this one was due.
+    pub overrun: bool,
+    /// The converter does not answer as it should.
+    pub converter_fault: bool,
+    /// The parameters in use are not those that were checked.
+    pub parameters_corrupt: bool,
+    /// The host was heard since the last tick.
+    pub host_heard: bool,
+    /// From the last tick's beginning to its codes [0.1 us].
+    pub tick_time_tenth_us: u16,
+}
+
+/// What was found while the board booted.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BootReport {
+    /// The fault that was latched before the reset.
+    pub latched: Option<FaultRecord>,
+    /// The watchdog caused the reset.
+    pub watchdog_reset: bool,
+    /// Parameters were stored, but none of them is whole.
+    pub parameters_corrupt: bool,
+    /// The converter does not answer as it should.
+    pub converter_fault: bool,
+}
+
+/// The controller under watch.
+#[derive(Clone, Debug, Default)]
+pub struct Supervisor {
+    state: State,
+    fault: Option<FaultRecord>,
+    watched: Option<Watched>,
+    health: Health,
+    host_timeout_ticks: Option<u32>,
+    silent_ticks: u32,
+    counters: Counters,
+}
+
+/// A controller and who watches its joints.
+#[derive(Clone, Debug)]
+struct Watched {
+    controller: Controller,
+    joints: [JointWatch; 3],
+    mode: [Mode; 3],
+    last: TickOutput,
+}
+
+impl Supervisor {
+    /// One tick: counts since power-on in; codes, and all that there is to tell, out.
+    #[inline(never)]
+    pub fn tick(&mut self, counts: &[i32; 3], health: Health) -> Telemetry {
+        self.health = health;
+        self.counters.ticks = self.counters.ticks.wrapping_add(1);
+        self.counters.overruns = self.counters.overruns.wrapping_add(u32::from(health.overrun));
+        let longest = self.counters.longest_tick_tenth_us.max(u32::from(health.tick_time_tenth_us));
+        self.counters.longest_tick_tenth_us = longest;
+        // Without a branch: what the tick costs shall not depend on the line.
+        self.silent_ticks = self.silent_ticks.saturating_add(1) * u32::from(!health.host_heard);
+        let board = self.board_fault();
+        let joint = self.control(counts);
+        if let Some(excess) = board {
+            self.enter_fault(0, excess);
+        } else if let Some((index, fault)) = joint {
+            self.enter_joint_fault(index, fault, counts[index]);
+        }
+        self.record(counts)
+    }
+
+    /// What it is doing.
+    pub fn state(&self) -> State {
+        self.state
+    }
+
+    /// The first cause, while Faulted.
+    pub fn fault(&self) -> Option<FaultRecord> {
+        self.fault
+    }
+
+    /// What it has counted since power-on; what the link counts stays zero.
+    pub fn counters(&self) -> &Counters {
+        &self.counters
+    }
+
+    /// The block in use.
+    pub fn block(&self) -> Option<&ParameterBlock> {
+        self.watched.as_ref().map(|watched| watched.controller.block())
+    }
+
+    /// Leaves Boot: for Disarmed, or for Faulted if there is a cause.
+    pub fn booted(&mut self, report: BootReport) {
+        if self.state != State::Boot {
+            return;
+        }
+        self.state = State::Disarmed;
+        let causes = [
+            (report.watchdog_reset, Fault::Watchdog),
+            (report.converter_fault, Fault::Converter),
+            (report.parameters_corrupt, Fault::CorruptParameters),
+        ];
+        if report.latched.is_some() {
+            self.fault = report.latched;
+            self.state = State::Faulted;
+        } else if let Some((_, fault)) = causes.into_iter().find(|(is_there, _)| *is_there) {
+            self.enter_fault(0, without_figures(fault));
+        }
+    }
+
+    /// Takes a controller with a checked block in place of the old one; before Boot ends, or Disarmed.
+    pub fn replace(&mut self, controller: Controller) -> Result<(), Denied> {
+        if !matches!(self.state, State::Boot | State::Disarmed) {
+            return Err(self.not_now());
+        }
+        self.watched = Some(Watched::new(controller));
+        Ok(())
+    }
+
+    /// Carries an order out, or says why not.
+    pub fn obey(&mut self, order: Order) -> Result<(), Denied> {
+        match (order, self.state) {
+            (Order::Arm, State::Disarmed) => self.arm(),
+            (Order::Run { host_timeout_ticks }, State::Armed) => self.run(host_timeout_ticks),
+            (Order::Stop, State::Running) => {
+                self.stop(State::Armed);
+                Ok(())
+            }
+            (Order::Disarm, State::Armed | State::Running) => {
+                self.stop(State::Disarmed);
+                Ok(())
+            }
+            (Order::Stop, State::Armed) | (Order::Stop | Order::Disarm, State::Disarmed) => Ok(()),
+            (Order::ClearFault, State::Faulted) => self.clear_fault(),
+            _ => Err(self.not_now()),
+        }
+    }
+
+    fn not_now(&self) -> Denied {
+        Denied::NotNow { state: self.state }
+    }
+
+    fn arm(&mut self) -> Result<(), Denied> {
+        if self.health.converter_fault || self.health.parameters_corrupt {
+            return Err(Denied::FaultPersists);
+        }
+        let watched = self.watched.as_ref().ok_or(Denied::NoParameters)?;
+        for (number, index) in (1..).zip(0..3) {
+            let seen = watched.seen(index, watched.joints[index].last_count());
+            if let Some(why) = watched.joints[index].implausible(&seen) {
+                return Err(Denied::Implausible { joint: number, why });
+            }
+        }
+        self.state = State::Armed;
+        Ok(())
+    }
+
+    fn run(&mut self, host_timeout_ticks: Option<u32>) -> Result<(), Denied> {
+        let watched = self.watched.as_mut().ok_or(Denied::NoParameters)?;
+        watched.is_near_start()?;
+        watched.controller.start();
+        watched.joints.iter_mut().for_each(JointWatch::begin);
+        self.host_timeout_ticks = host_timeout_ticks;
+        self.silent_ticks = 0;
+        self.state = State::Running;
+        Ok(())
+    }
+
+    fn stop(&mut self, state: State) {
+        self.state = state;
+        self.host_timeout_ticks = None;
+        if let Some(watched) = &mut self.watched {
+            watched.stop();
+        }
+    }
+
+    fn clear_fault(&mut self) -> Result<(), Denied> {
+        if self.health.converter_fault || self.health.parameters_corrupt {
+            return Err(Denied::FaultPersists);
+        }
+        self.fault = None;
+        self.state = State::Disarmed;
+        Ok(())
+    }
+
+    /// Latches the first cause and takes the voltage away.
+    fn enter_fault(&mut self, joint: u8, excess: Excess) {
+        let Excess { fault, value, limit } = excess;
+        let tick = self.counters.ticks;
+        self.fault.get_or_insert(FaultRecord { fault, joint, tick, value, limit });
+        self.stop(State::Faulted);
+    }
+
+    /// What is wrong with the board as a whole.
+    #[inline]
+    fn board_fault(&self) -> Option<Excess> {
+        if self.health.converter_fault && self.state != State::Boot {
+            return Some(without_figures(Fault::Converter));
+        }
+        if self.health.parameters_corrupt && self.state != State::Boot {
+            return Some(without_figures(Fault::CorruptParameters));
+        }
+        if self.health.overrun && matches!(self.state, State::Armed | State::Running) {
+            return Some(without_figures(Fault::TickOverrun));
+        }
+        let most = self.host_timeout_ticks?;
+        (self.silent_ticks > most).then(|| self.link_lost(most))
+    }
+
+    fn link_lost(&self, most_ticks: u32) -> Excess {
+        let period_s = self.watched.as_ref().map_or(0.0, |w| w.controller.block().sample_period_s);
+        let seconds = |ticks: u32| ticks as f32 * period_s;
+        Excess {
+            fault: Fault::LinkLost,
+            value: seconds(self.silent_ticks),
+            limit: seconds(most_ticks),
+        }
+    }
+
+    /// Has the controller compute and looks at every joint; the first one (0 to 2) at fault.
+    #[inline]
+    fn control(&mut self, counts: &[i32; 3]) -> Option<(usize, Fault)> {
+        let watched = self.watched.as_mut()?;
+        watched.last = watched.controller.tick(counts);
+        let running = self.state == State::Running;
+        let mut first = None;
+        for index in 0..3 {
+            let seen = watched.seen(index, counts[index]);
+            let joint = &mut watched.joints[index];
+            let fault = if running { joint.run(&seen) } else { joint.rest(&seen) };
+            let cut = u32::from(seen.saturated);
+            self.counters.saturated[index] = self.counters.saturated[index].wrapping_add(cut);
+            if let (None, Some(fault)) = (first, fault) {
+                first = Some((index, fault));
+            }
+        }
+        // An arm at 0 V that people move about is no fault; it is only not armed.
+        first.filter(|_| matches!(self.state, State::Armed | State::Running))
+    }
+
+    #[cold]
+    fn enter_joint_fault(&mut self, index: usize, fault: Fault, count: i32) {
+        let Some(watched) = &self.watched else { return };
+        let excess = watched.joints[index].excess(fault, &watched.seen(index, count));
+        self.enter_fault(index as u8 + 1, excess);
+    }
+
+    /// The tick as the host sees it, whose codes go to the converter.
+    #[inline]
+    fn record(&self, counts: &[i32; 3]) -> Telemetry {
+        let output = self.watched.as_ref().map(|watched| (&watched.last, watched.mode));
+        let running = output.filter(|_| self.state == State::Running);
+        Telemetry {
+            sequence: self.counters.ticks,
+            counts: *counts,
+            codes: running.map_or([DacCode(0); 3], |(output, _)| output.codes),
+            reference: running.map_or([Angle(0); 3], |(output, _)| output.reference),
+            mode: output.map_or([Mode::OpenLoop; 3], |(_, mode)| mode),
+            state: self.state,
+            saturated: running.map_or(0, |(output, _)| bits(&output.saturated)),
+            fault: self.fault.map(|record| (record.fault, record.joint)),
+            tick_time_tenth_us: self.health.tick_time_tenth_us,
+            dropped: 0,
+        }
+    }
+}
+
+impl Watched {
+    fn new(controller: Controller) -> Self {
+        let block = controller.block();
+        Self {
+            joints: [0, 1, 2].map(|index| JointWatch::new(block, index)),
+            mode: block.mode,
+            last: TickOutput::default(),
+            controller,
+        }
+    }
+
+    #[inline]
+    fn seen(&self, index: usize, count: i32) -> Seen {
+        let output = &self.last;
+        Seen {
+            count,
+            velocity_rad_per_s: output.velocity_rad_per_s[index],
+            measured: output.measured[index],
+            reference: output.reference[index],
+            command_v: output.codes[index].to_volts(),
+            saturated: output.saturated[index],
+            finite: output.is_finite(index),
+        }
+    }
+
+    /// Whether every joint that has a reference is where it begins.
+    fn is_near_start(&self) -> Result<(), Denied> {
+        let limits = self.controller.block().safety.tracking_error_rad;
+        let start = self.controller.start_of_reference();
+        for (number, index) in (1..).zip(0..3) {
+            let distance_rad = start[index].minus(self.last.measured[index]);
+            if follows(self.mode[index]) && distance_rad.abs() > limits[index] {
+                return Err(Denied::FarFromStart { joint: number, distance_rad });
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes the voltage away, in this tick too.
+    fn stop(&mut self) {
+        self.controller.stop();
+        self.last.codes = [DacCode(0); 3];
+        self.last.saturated = [false; 3];
+    }
+}
+
+fn without_figures(fault: Fault) -> Excess {
+    Excess { fault, value: 0.0, limit: 0.0 }
+}
+
+/// Bit i for the i-th flag.
+#[inline]
+fn bits(flags: &[bool; 3]) -> u8 {
+    u8::from(flags[0]) | u8::from(flags[1]) << 1 | u8::from(flags[2]) << 2
+}

@@ -1,0 +1,49 @@
+//! What the supervisor is told between two ticks, and why it may refuse.
+
+use super::fault::{Implausible, State};
+
+/// A change of state that is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// From Disarmed to Armed.
+    Arm,
+    /// From Armed to Running.
+    Run {
+        /// Ticks that the host may be silent; `None`: for ever.
+        host_timeout_ticks: Option<u32>,
+    },
+    /// From Running to Armed.
+    Stop,
+    /// From Armed or Running to Disarmed.
+    Disarm,
+    /// From Faulted to Disarmed.
+    ClearFault,
+}
+
+/// Why an order is not carried out; nothing has changed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Denied {
+    /// Not in this state.
+    NotNow {
+        /// The state.
+        state: State,
+    },
+    /// No parameter block is in use.
+    NoParameters,
+    /// An estimate cannot be right.
+    Implausible {
+        /// The joint, 1 to 3.
+        joint: u8,
+        /// What is wrong.
+        why: Implausible,
+    },
+    /// The reference begins too far from where the joint is.
+    FarFromStart {
+        /// The joint, 1 to 3.
+        joint: u8,
+        /// How far [rad].
+        distance_rad: f32,
+    },
+    /// The cause of the fault is still there.
+    FaultPersists,
+}

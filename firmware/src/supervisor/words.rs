@@ -1,0 +1,107 @@
+//! States and faults in words, for the host's messages and the board's log.
+
+use core::fmt::{Display, Formatter, Result};
+
+use super::fault::{Fault, FaultRecord, Implausible, State};
+
+impl State {
+    /// The name that messages use.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Boot => "boot",
+            Self::Disarmed => "disarmed",
+            Self::Armed => "armed",
+            Self::Running => "running",
+            Self::Faulted => "faulted",
+        }
+    }
+}
+
+impl Display for State {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        f.write_str(self.name())
+    }
+}
+
+impl Fault {
+    /// Every fault.
+    pub const ALL: [Self; 11] = [
+        Self::EncoderJump,
+        Self::EncoderStuck,
+        Self::TrackingError,
+        Self::Speed,
+        Self::Saturation,
+        Self::TickOverrun,
+        Self::NotFinite,
+        Self::LinkLost,
+        Self::CorruptParameters,
+        Self::Watchdog,
+        Self::Converter,
+    ];
+
+    /// The name that messages use.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::EncoderJump => "encoder jump",
+            Self::EncoderStuck => "encoder stuck",
+            Self::TrackingError => "tracking error",
+            Self::Speed => "speed",
+            Self::Saturation => "saturation too long",
+            Self::TickOverrun => "tick overrun",
+            Self::NotFinite => "value not finite",
+            Self::LinkLost => "link lost",
+            Self::CorruptParameters => "corrupt parameters",
+            Self::Watchdog => "watchdog",
+            Self::Converter => "converter",
+        }
+    }
+
+    /// The unit of a record's value and limit; empty where there are none.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::EncoderJump => "rad from one tick to the next",
+            Self::EncoderStuck => "rad of reference, or V, while the encoder stands still",
+            Self::TrackingError => "rad from the reference",
+            Self::Speed => "rad/s",
+            Self::Saturation => "s at the limit without a pause",
+            Self::LinkLost => "s without a word from the host",
+            Self::TickOverrun
+            | Self::NotFinite
+            | Self::CorruptParameters
+            | Self::Watchdog
+            | Self::Converter => "",
+        }
+    }
+}
+
+impl Display for Fault {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        f.write_str(self.name())
+    }
+}
+
+impl Display for FaultRecord {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        write!(f, "{}", self.fault)?;
+        if self.joint > 0 {
+            write!(f, " at joint {}", self.joint)?;
+        }
+        if !self.fault.unit().is_empty() {
+            let (value, limit, unit) = (self.value, self.limit, self.fault.unit());
+            write!(f, ": {value:.4} {unit}, at most {limit:.4} allowed")?;
+        }
+        write!(f, " (tick {})", self.tick)
+    }
+}
+
+impl Display for Implausible {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        f.write_str(match self {
+            Self::NotSettled => "the estimates have not settled yet",
+            Self::Moving => "the joint moves; it must be at rest",
+            Self::Disagrees => "the velocity estimate disagrees with the encoder",
+            Self::Jumped => "the encoder has jumped a moment ago",
+            Self::NotFinite => "an estimate is not a finite number",
+        })
+    }
+}

@@ -1,0 +1,399 @@
+//! Every fault, injected: the output is zero in the tick that finds it, and stays so.
+#![allow(missing_docs)]
+
+#[allow(dead_code)]
+mod common;
+
+use common::block;
+use firmware::reference::{Injection, Motion, Noise, Reference};
+use firmware::supervisor::{
+    BootReport, Denied, Fault, FaultRecord, Health, Implausible, Order, SafetyLimits, State,
+    Supervisor,
+};
+use firmware::{Controller, DacCode, Gains, Mode, ParameterBlock};
+
+const ZERO: [DacCode; 3] = [DacCode(0); 3];
+const RUN: Order = Order::Run { host_timeout_ticks: None };
+/// Counts of an encoder at 1 rad.
+const COUNTS_PER_RAD: f64 = 655_360.0 / std::f64::consts::TAU;
+
+/// All joints hold zero, where their encoders are.
+fn holding(mode: Mode) -> ParameterBlock {
+    ParameterBlock { reference: Reference::hold([0.0; 3]), ..block(mode) }
+}
+
+fn disarmed(block: ParameterBlock) -> Supervisor {
+    let mut supervisor = Supervisor::default();
+    supervisor.replace(Controller::new(block)).unwrap();
+    supervisor.booted(BootReport::default());
+    supervisor
+}
+
+/// A supervisor that has stood still long enough, with the counts that it stood at.
+fn armed(block: ParameterBlock) -> Supervisor {
+    let mut supervisor = disarmed(block);
+    for _ in 0..200 {
+        supervisor.tick(&[0; 3], Health::default());
+    }
+    supervisor.obey(Order::Arm).unwrap();
+    supervisor
+}
+
+fn running(block: ParameterBlock) -> Supervisor {
+    let mut supervisor = armed(block);
+    supervisor.obey(RUN).unwrap();
+    supervisor
+}
+
+/// What a fault is found in: the tick (from 1) of those played, and the record.
+struct Found {
+    tick: u32,
+    record: FaultRecord,
+}
+
+/// Plays ticks until a fault; asserts zero in that tick and after it, and not before.
+fn play(
+    supervisor: &mut Supervisor,
+    ticks: impl IntoIterator<Item = ([i32; 3], Health)>,
+) -> Option<Found> {
+    let mut found: Option<Found> = None;
+    for (number, (counts, health)) in (1..).zip(ticks) {
+        let told = supervisor.tick(&counts, health);
+        match (&found, supervisor.fault()) {
+            (None, Some(record)) => {
+                assert_eq!((told.codes, told.state), (ZERO, State::Faulted), "at once");
+                assert_eq!(told.fault, Some((record.fault, record.joint)));
+                assert_eq!(record.tick, told.sequence);
+                found = Some(Found { tick: number, record });
+            }
+            (Some(first), now) => {
+                assert_eq!(told.codes, ZERO);
+                assert_eq!(now, Some(first.record), "the first cause stays");
+            }
+            (None, None) => assert_eq!(told.fault, None),
+        }
+    }
+    let found = found?;
+    println!(
+        "{:22} zero in tick {}, in which it was found: {}",
+        found.record.fault.name(),
+        found.tick,
+        found.record
+    );
+    Some(found)
+}
+
+/// So many ticks at these counts, all well.
+fn quiet(counts: impl Fn(i32) -> [i32; 3], ticks: i32) -> Vec<([i32; 3], Health)> {
+    (1..=ticks).map(|k| (counts(k), Health::default())).collect()
+}
+
+/// A tick in which the board itself reports something, after ten good ones.
+fn with_health(health: Health) -> Vec<([i32; 3], Health)> {
+    let mut ticks = quiet(|_| [0; 3], 20);
+    ticks[10].1 = health;
+    ticks
+}
+
+fn assert_found(found: Option<Found>, fault: Fault, joint: u8, tick: u32) {
+    let found = found.unwrap_or_else(|| panic!("{fault}: not found"));
+    assert_eq!((found.record.fault, found.record.joint, found.tick), (fault, joint, tick));
+}
+
+#[test]
+fn an_encoder_that_jumps() {
+    let mut supervisor = running(holding(Mode::Pd));
+    let ticks = quiet(|k| [0, if k < 11 { 0 } else { 600 }, 0], 20);
+    assert_found(play(&mut supervisor, ticks), Fault::EncoderJump, 2, 11);
+}
+
+#[test]
+fn a_jump_is_found_in_motion_and_over_the_wrap_of_the_count() {
+    let mut block = holding(Mode::OpenLoop);
+    block.safety.speed_rad_per_s = [20.0; 3];
+    let mut supervisor = running(block);
+    // Up to 9 rad/s within 0.1 s, on to the wrap of 32 bits: no jump. Then one back.
+    let count =
+        |k: i32| (i64::from(k.min(100)) * i64::from(k) * 9 / 2).min(900 * i64::from(k)) as i32;
+    let ticks = quiet(|k| [0, 0, count(k) - i32::from(k > 500) * 700], 600);
+    assert_found(play(&mut supervisor, ticks), Fault::EncoderJump, 3, 501);
+}
+
+#[test]
+fn an_encoder_that_stands_while_its_reference_moves() {
+    let motion = Motion::Quintic { from_rad: 0.0, to_rad: 1.0, duration_s: 1.0 };
+    let mut block = holding(Mode::Pd);
+    block.reference.motion[2] = motion;
+    let found = play(&mut running(block), quiet(|_| [0; 3], 400)).unwrap();
+    assert_eq!((found.record.fault, found.record.joint), (Fault::EncoderStuck, 3));
+    // The quintic has gone 0.05 rad after 189 ms.
+    assert!((185..195).contains(&found.tick), "{}", found.tick);
+}
+
+#[test]
+fn an_encoder_that_stands_under_an_open_loop_command() {
+    let mut block = holding(Mode::OpenLoop);
+    let excitation = firmware::reference::FrictionExcitation {
+        first_amplitude_v: 8.0,
+        last_amplitude_v: 8.0,
+        growth_s: 1.0,
+        slow_period_s: 10.0,
+        fast_period_s: 10.0,
+    };
+    block.reference.injection[0] = Injection::FrictionExcitation(excitation);
+    let found = play(&mut running(block), quiet(|_| [0; 3], 4000)).unwrap();
+    assert_eq!((found.record.fault, found.record.joint), (Fault::EncoderStuck, 1));
+}
+
+#[test]
+fn a_tracking_error() {
+    // Away from the reference at 2 rad/s: 0.5 rad after 250 ms.
+    let step = 2e-3 * COUNTS_PER_RAD;
+    let ticks = quiet(|k| [(step * f64::from(k)) as i32, 0, 0], 300);
+    assert_found(play(&mut running(holding(Mode::Pd)), ticks), Fault::TrackingError, 1, 251);
+}
+
+#[test]
+fn a_joint_that_is_too_fast() {
+    // 100 rad/s^2 without a reference.
+    let count = |k: i32| (0.5e-4 * f64::from(k * k) * COUNTS_PER_RAD) as i32;
+    let ticks = quiet(|k| [0, count(k), 0], 300);
+    let found = play(&mut running(holding(Mode::OpenLoop)), ticks).unwrap();
+    assert_eq!((found.record.fault, found.record.joint), (Fault::Speed, 2));
+    // 15 rad/s are reached after 150 ms; the estimate has no lag.
+    assert!((149..=152).contains(&found.tick), "{}", found.tick);
+}
+
+#[test]
+fn a_command_that_stays_at_its_limit() {
+    let mut block = holding(Mode::Pd);
+    block.command_limit_v = 1.0;
+    block.safety.stuck_s = 9.0;
+    // 0.1 rad off, 8 V wanted: cut from the first tick on, 500 ticks are allowed.
+    block.reference = Reference::hold([0.0, 0.0, 0.1]);
+    assert_found(play(&mut running(block), quiet(|_| [0; 3], 600)), Fault::Saturation, 3, 501);
+}
+
+#[test]
+fn a_pause_of_the_saturation_begins_it_anew_and_it_is_counted() {
+    let mut block = holding(Mode::Pd);
+    block.command_limit_v = 1.0;
+    block.reference = Reference::hold([0.0, 0.0, 0.1]);
+    let mut supervisor = running(block);
+    let there = (0.1 * COUNTS_PER_RAD) as i32;
+    // Every 400 ticks a glide to the reference and back.
+    let count = |k: i32| there * (k % 400).min(400 - k % 400) / 200;
+    assert!(play(&mut supervisor, quiet(|k| [0, 0, count(k)], 4000)).is_none());
+    assert!(supervisor.counters().saturated[2] > 2000);
+    assert_eq!(supervisor.counters().saturated[0], 0);
+}
+
+#[test]
+fn a_tick_that_overran() {
+    let ticks = with_health(Health { overrun: true, ..Health::default() });
+    assert_found(play(&mut running(holding(Mode::Pd)), ticks), Fault::TickOverrun, 0, 11);
+}
+
+#[test]
+fn a_converter_that_does_not_answer() {
+    let ticks = with_health(Health { converter_fault: true, ..Health::default() });
+    assert_found(play(&mut running(holding(Mode::Pd)), ticks), Fault::Converter, 0, 11);
+}
+
+#[test]
+fn parameters_that_have_changed_in_memory() {
+    let ticks = with_health(Health { parameters_corrupt: true, ..Health::default() });
+    assert_found(play(&mut running(holding(Mode::Pd)), ticks), Fault::CorruptParameters, 0, 11);
+}
+
+#[test]
+fn a_value_that_is_not_finite() {
+    let mut block = holding(Mode::Pd);
+    block.gains[1] = Gains { proportional_v_per_rad: 0.0, derivative_v_s_per_rad: f32::MAX };
+    block.safety.saturation_s = 9.0;
+    // Towards 1.5 rad/s; beyond 1 rad/s the product is too large for an f32.
+    let count = |k: i32| [0, 157 * k, 0];
+    let mut alone = Controller::new(block.clone());
+    let quiet_ticks = [[0; 3]; 200];
+    for counts in &quiet_ticks {
+        alone.tick(counts);
+    }
+    alone.start();
+    let first = (1..100).find(|&k| !alone.tick(&count(k)).is_finite(1)).unwrap();
+    let found = play(&mut running(block), quiet(count, 100));
+    assert_found(found, Fault::NotFinite, 2, first as u32);
+}
+
+#[test]
+fn a_host_that_falls_silent() {
+    let mut supervisor = armed(holding(Mode::Pd));
+    supervisor.obey(Order::Run { host_timeout_ticks: Some(50) }).unwrap();
+    let mut ticks = quiet(|_| [0; 3], 200);
+    for tick in [20, 60, 100] {
+        ticks[tick - 1].1.host_heard = true;
+    }
+    assert_found(play(&mut supervisor, ticks), Fault::LinkLost, 0, 151);
+    let mut alone = running(holding(Mode::Pd));
+    assert!(play(&mut alone, quiet(|_| [0; 3], 5000)).is_none(), "it may, if it was not asked");
+}
+
+#[test]
+fn what_the_boot_finds() {
+    let latched = FaultRecord { fault: Fault::Speed, joint: 2, tick: 9, value: 20.0, limit: 15.0 };
+    let causes = [
+        (BootReport { watchdog_reset: true, ..BootReport::default() }, Fault::Watchdog),
+        (
+            BootReport { parameters_corrupt: true, ..BootReport::default() },
+            Fault::CorruptParameters,
+        ),
+        (BootReport { converter_fault: true, ..BootReport::default() }, Fault::Converter),
+        (
+            BootReport { latched: Some(latched), watchdog_reset: true, ..BootReport::default() },
+            Fault::Speed,
+        ),
+    ];
+    for (report, fault) in causes {
+        let mut supervisor = Supervisor::default();
+        supervisor.replace(Controller::new(holding(Mode::Pd))).unwrap();
+        assert_eq!(supervisor.tick(&[0; 3], Health::default()).codes, ZERO);
+        supervisor.booted(report);
+        assert_eq!(supervisor.state(), State::Faulted);
+        assert_eq!(supervisor.fault().unwrap().fault, fault);
+        assert_eq!(supervisor.tick(&[0; 3], Health::default()).codes, ZERO);
+        assert_eq!(supervisor.obey(Order::Arm), Err(Denied::NotNow { state: State::Faulted }));
+        assert_eq!(supervisor.obey(Order::ClearFault), Ok(()));
+        assert_eq!((supervisor.state(), supervisor.fault()), (State::Disarmed, None));
+    }
+}
+
+#[test]
+fn a_fault_is_left_by_a_clear_alone_and_not_while_its_cause_is_there() {
+    let mut supervisor = running(holding(Mode::Pd));
+    let broken = Health { converter_fault: true, ..Health::default() };
+    supervisor.tick(&[0; 3], broken);
+    for order in [Order::Arm, RUN, Order::Stop, Order::Disarm] {
+        assert_eq!(supervisor.obey(order), Err(Denied::NotNow { state: State::Faulted }));
+    }
+    assert_eq!(supervisor.obey(Order::ClearFault), Err(Denied::FaultPersists));
+    supervisor.tick(&[0; 3], Health::default());
+    assert_eq!(supervisor.obey(Order::ClearFault), Ok(()));
+    assert_eq!(supervisor.state(), State::Disarmed);
+}
+
+#[test]
+fn the_output_is_zero_unless_it_runs() {
+    // 0.1 rad off its reference: a running controller puts out 8 V.
+    let mut block = holding(Mode::Pd);
+    block.reference = Reference::hold([0.1; 3]);
+    let mut supervisor = Supervisor::default();
+    let codes = |supervisor: &mut Supervisor| supervisor.tick(&[0; 3], Health::default()).codes;
+    assert_eq!(codes(&mut supervisor), ZERO, "without parameters");
+    supervisor.replace(Controller::new(block.clone())).unwrap();
+    assert_eq!(codes(&mut supervisor), ZERO, "boot");
+    supervisor.booted(BootReport::default());
+    assert!((0..200).all(|_| codes(&mut supervisor) == ZERO), "disarmed");
+    supervisor.obey(Order::Arm).unwrap();
+    assert!((0..200).all(|_| codes(&mut supervisor) == ZERO), "armed");
+    supervisor.obey(RUN).unwrap();
+    assert!(codes(&mut supervisor).iter().all(|code| code.0 > 20_000), "running");
+    supervisor.obey(Order::Stop).unwrap();
+    assert_eq!(supervisor.state(), State::Armed);
+    assert_eq!(codes(&mut supervisor), ZERO, "stopped");
+    supervisor.obey(RUN).unwrap();
+    assert_ne!(codes(&mut supervisor), ZERO);
+    supervisor.obey(Order::Disarm).unwrap();
+    assert_eq!((supervisor.state(), codes(&mut supervisor)), (State::Disarmed, ZERO));
+}
+
+#[test]
+fn orders_out_of_turn_change_nothing() {
+    let not_now = |state| Err(Denied::NotNow { state });
+    let mut supervisor = Supervisor::default();
+    for order in [Order::Arm, RUN, Order::Stop, Order::Disarm, Order::ClearFault] {
+        assert_eq!(supervisor.obey(order), not_now(State::Boot));
+    }
+    supervisor.booted(BootReport::default());
+    assert_eq!(supervisor.obey(Order::Arm), Err(Denied::NoParameters));
+    assert_eq!(supervisor.obey(RUN), not_now(State::Disarmed));
+    assert_eq!(supervisor.obey(Order::ClearFault), not_now(State::Disarmed));
+    let mut supervisor = armed(holding(Mode::Pd));
+    assert_eq!(supervisor.obey(Order::Arm), not_now(State::Armed));
+    let other = || Controller::new(holding(Mode::PdModel));
+    assert_eq!(supervisor.replace(other()), not_now(State::Armed));
+    supervisor.obey(RUN).unwrap();
+    assert_eq!(supervisor.replace(other()), not_now(State::Running));
+    assert_eq!(supervisor.obey(RUN), not_now(State::Running));
+}
+
+/// Why a supervisor does not arm after these counts of joint 2.
+fn refusal(block: ParameterBlock, counts: impl Fn(i32) -> i32, ticks: i32) -> Implausible {
+    let mut supervisor = disarmed(block);
+    assert!(play(&mut supervisor, quiet(|k| [0, counts(k), 0], ticks)).is_none());
+    match supervisor.obey(Order::Arm) {
+        Err(Denied::Implausible { joint: 2, why }) => why,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn an_implausible_estimate_is_not_armed() {
+    let block = || holding(Mode::Pd);
+    let supervisor = &mut disarmed(block());
+    supervisor.tick(&[0; 3], Health::default());
+    let why = Implausible::NotSettled;
+    assert_eq!(supervisor.obey(Order::Arm), Err(Denied::Implausible { joint: 1, why }));
+    // 0.1 rad/s are 10.4 counts a tick.
+    assert_eq!(refusal(block(), |k| 10 * k, 500), Implausible::Moving);
+    assert_eq!(refusal(block(), |k| if k < 480 { 0 } else { 40_000 }, 500), Implausible::Jumped);
+    // So slow a filter does not follow within a window.
+    let mut slow = block();
+    slow.velocity_bandwidth_rad_per_s[1] = 5.0;
+    let shaken = |k: i32| (3e3 * (0.02 * f64::from(k)).sin()) as i32;
+    assert_eq!(refusal(slow, shaken, 480), Implausible::Disagrees);
+    // At rest again, it is armed.
+    let mut supervisor = disarmed(block());
+    play(&mut supervisor, quiet(|k| [0, 10 * k.min(100), 0], 500));
+    assert_eq!(supervisor.obey(Order::Arm), Ok(()));
+}
+
+#[test]
+fn a_run_does_not_begin_far_from_its_reference() {
+    let mut block = holding(Mode::Pd);
+    block.reference = Reference::hold([0.0, 0.0, -0.7]);
+    match armed(block.clone()).obey(RUN) {
+        Err(Denied::FarFromStart { joint: 3, distance_rad }) => {
+            assert!((distance_rad + 0.7).abs() < 1e-5, "{distance_rad}");
+        }
+        other => panic!("{other:?}"),
+    }
+    block.mode = [Mode::OpenLoop; 3];
+    assert_eq!(armed(block).obey(RUN), Ok(()), "it has no reference there");
+}
+
+#[test]
+fn people_may_move_an_arm_that_is_not_armed() {
+    let count = |k: i32| (0.5e-4 * f64::from(k * k) * COUNTS_PER_RAD) as i32;
+    let ticks = || quiet(|k| [0, count(k.min(400)), 0], 500);
+    assert!(play(&mut disarmed(holding(Mode::Pd)), ticks()).is_none());
+    assert!(play(&mut armed(holding(Mode::Pd)), ticks()).is_some(), "but not an armed one");
+}
+
+#[test]
+fn noise_within_the_limits_is_no_fault_in_any_mode() {
+    for mode in Mode::ALL {
+        let mut block = holding(mode);
+        let noise = Noise { rms_v: 1.0, bandwidth_hz: 200.0, seed: 3 };
+        block.reference.injection = [Injection::Noise(noise); 3];
+        let dither = |k: i32| [7 * (k % 3), -(k % 5), 2 * (k % 2)];
+        assert!(play(&mut running(block), quiet(dither, 5000)).is_none(), "{mode:?}");
+    }
+}
+
+#[test]
+fn limits_that_are_none_are_refused() {
+    let mut limits = SafetyLimits::default();
+    limits.speed_rad_per_s[2] = 0.0;
+    assert_eq!(limits.check().unwrap_err().name, "speed_limit_rad_per_s");
+    let limits = SafetyLimits { saturation_s: f32::NAN, ..SafetyLimits::default() };
+    assert_eq!(limits.check().unwrap_err().name, "saturation_limit_s");
+}

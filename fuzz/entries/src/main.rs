@@ -1,0 +1,77 @@
+//! The plain runner: `fuzz-entries TARGET|all [--runs N] [--seed N]`.
+//!
+//! Prints how many inputs each target took. An input that makes one panic is printed as bytes,
+//! written to `fuzz-failure-TARGET`, and ends the program.
+
+use std::panic::catch_unwind;
+use std::process::ExitCode;
+use std::time::Instant;
+
+use fuzz_entries::dice::Dice;
+use fuzz_entries::mutate::mutated;
+use fuzz_entries::{TARGETS, Target};
+
+/// What is asked for on the command line.
+struct Wish {
+    name: String,
+    runs: u64,
+    seed: u64,
+}
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let Some(wish) = parse(&arguments) else {
+        let names = TARGETS.map(|target| target.name).join(", ");
+        eprintln!("fuzz-entries TARGET|all [--runs N] [--seed N]; targets: {names}");
+        return ExitCode::from(2);
+    };
+    let wanted = |target: &&Target| wish.name == "all" || wish.name == target.name;
+    let fine = TARGETS.iter().filter(wanted).all(|target| fuzz(target, wish.runs, wish.seed));
+    if fine { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+fn parse(arguments: &[String]) -> Option<Wish> {
+    let (name, options) = arguments.split_first()?;
+    if name != "all" && TARGETS.iter().all(|target| target.name != name) {
+        return None;
+    }
+    let mut wish = Wish { name: name.clone(), runs: 100_000, seed: 1 };
+    for option in options.chunks(2) {
+        let number = option.get(1)?.replace('_', "").parse().ok()?;
+        match option[0].as_str() {
+            "--runs" => wish.runs = number,
+            "--seed" => wish.seed = number,
+            _ => return None,
+        }
+    }
+    Some(wish)
+}
+
+/// Whether the target took all inputs.
+fn fuzz(target: &Target, runs: u64, seed: u64) -> bool {
+    let seeds = (target.seeds)();
+    let mut dice = Dice::new(seed);
+    let begin = Instant::now();
+    for run in 0..runs {
+        let input = if run < seeds.len() as u64 {
+            seeds[run as usize].clone()
+        } else {
+            mutated(&seeds, &mut dice)
+        };
+        if catch_unwind(|| (target.run)(&input)).is_err() {
+            report(target, run, &input);
+            return false;
+        }
+    }
+    let seconds = begin.elapsed().as_secs_f64();
+    println!("{:16} {runs:>12} runs, none failed, {:>9.0}/s", target.name, runs as f64 / seconds);
+    true
+}
+
+fn report(target: &Target, run: u64, input: &[u8]) {
+    let file = format!("fuzz-failure-{}", target.name);
+    println!("{}: run {run} failed on {} bytes, see {file}", target.name, input.len());
+    if let Err(error) = std::fs::write(&file, input) {
+        println!("{file}: cannot be written: {error}; the bytes are {input:02X?}");
+    }
+}

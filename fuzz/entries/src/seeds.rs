@@ -1,0 +1,200 @@
+//! Good inputs, from which damage begins.
+
+use std::path::Path;
+
+use firmware::block::MAX_BYTES;
+use firmware::frame::FrameReader;
+use firmware::link::checked::{CHECKSUM, Kind, open};
+use firmware::link::{
+    Command, MAX_FRAME_BYTES, PIECE_BYTES, PROTOCOL_VERSION, Request, Source, ToBoard,
+};
+use firmware::store::slot_record;
+use firmware::{Mode, ParameterBlock};
+use host_tool::files::excitation_file::JointTable;
+use host_tool::files::{ExcitationFile, JointLog, Log, Position, RobotFile};
+use host_tool::simulation::{Rig, plan};
+use model::reference_robot::reference_robot;
+
+/// Blocks with every kind of reference.
+fn parameter_blocks() -> Vec<ParameterBlock> {
+    let rig = Rig::new(reference_robot());
+    let plans = [
+        plan::task(10.0).with_mode(Mode::PdModel),
+        plan::excitation(1, 10.0).with_mode(Mode::PdFriction),
+        plan::driven_noise(10.0, 1),
+        plan::constant_velocity(2),
+        plan::friction_excitation(&rig),
+    ];
+    plans.iter().map(|plan| plan.block(&rig)).collect()
+}
+
+fn encoded(block: &ParameterBlock) -> Vec<u8> {
+    let mut buffer = [0; MAX_BYTES];
+    block.encode(&mut buffer).unwrap_or_default().to_vec()
+}
+
+/// Bodies of blocks, without header and checksum.
+pub fn blocks() -> Vec<Vec<u8>> {
+    let body = |block: &ParameterBlock| {
+        let bytes = encoded(block);
+        bytes.get(4..bytes.len().saturating_sub(4)).unwrap_or_default().to_vec()
+    };
+    parameter_blocks().iter().map(body).collect()
+}
+
+/// All that is needed from an empty board to motion, and what comes after it.
+fn commands(block: &[u8]) -> Vec<Command<'_>> {
+    let checksum = CHECKSUM.checksum(block);
+    let mut commands = vec![
+        Command::Query,
+        Command::Challenge,
+        Command::UploadBegin { length: block.len() as u16, checksum },
+    ];
+    let offsets = (0..).step_by(PIECE_BYTES);
+    let pieces = offsets.zip(block.chunks(PIECE_BYTES));
+    commands.extend(pieces.map(|(offset, bytes)| Command::UploadPiece { offset, bytes }));
+    commands.extend([
+        Command::Commit,
+        Command::Download { source: Source::Stored, offset: 0 },
+        Command::Download { source: Source::InUse, offset: 192 },
+        Command::Arm,
+        Command::Run { host_timeout_ms: Some(100) },
+        Command::Stop,
+        Command::Disarm,
+        Command::ClearFault,
+        Command::SetKey { key: Some([0x5A; 32]) },
+        Command::Stream { on: true },
+    ]);
+    commands
+}
+
+/// The contents of a whole conversation's frames, with a Hello first.
+fn contents(block: &[u8]) -> Vec<Vec<u8>> {
+    let hello = ToBoard::Hello { protocol_version: PROTOCOL_VERSION };
+    let requests = (1..)
+        .zip(commands(block))
+        .map(|(number, command)| ToBoard::Request(Request { number, proof: None, command }));
+    let messages = core::iter::once(hello).chain(requests);
+    messages
+        .map(|message| message.write(&mut [0; MAX_FRAME_BYTES]).unwrap_or_default().to_vec())
+        .collect()
+}
+
+/// Frames of a Hello and of every command.
+pub fn frames() -> Vec<Vec<u8>> {
+    parameter_blocks().first().map(|block| contents(&encoded(block))).unwrap_or_default()
+}
+
+/// Ticks of a joint at rest, as the target reads them: 200 bytes, 50 ticks.
+fn rest() -> Vec<u8> {
+    [&[3, 200][..], &[0; 200]].concat()
+}
+
+/// A frame's payload, as the target reads it.
+fn piece(frame: &[u8]) -> Vec<u8> {
+    let mut reader = FrameReader::new();
+    let mut piece = Vec::new();
+    for &byte in frame {
+        if let Some((kind, payload)) = reader.push(byte).and_then(open) {
+            let what = if kind == Kind::Hello { 2 } else { 1 };
+            let payload = &payload[..payload.len().min(255)];
+            piece = [&[what, payload.len() as u8], payload].concat();
+        }
+    }
+    piece
+}
+
+/// Conversations, as the target reads them: from upload to motion, with rest before arming.
+pub fn conversations() -> Vec<Vec<u8>> {
+    let conversation = |block: &ParameterBlock| {
+        let mut bytes = vec![0];
+        for frame in contents(&encoded(block)) {
+            bytes.extend(piece(&frame));
+            bytes.extend(rest());
+        }
+        bytes
+    };
+    parameter_blocks().iter().take(2).map(conversation).collect()
+}
+
+/// Records in the slots of the store.
+pub fn banks() -> Vec<Vec<u8>> {
+    let blocks = parameter_blocks();
+    let records = (1..).zip(&blocks).map(|(sequence, block)| {
+        let mut page = [0xFF; 2048];
+        slot_record(sequence, &encoded(block), &mut page);
+        page.to_vec()
+    });
+    let records: Vec<Vec<u8>> = records.collect();
+    let pairs = records.windows(2).map(|pair| pair.concat());
+    pairs.map(|slots| [slots, vec![0xFF; 4 * 2048]].concat()).collect()
+}
+
+fn log() -> Log {
+    let joint = |joint: u8| JointLog {
+        joint,
+        position: Position::Count((0..6).map(|i| 1000 * i64::from(joint) - i).collect()),
+        command_v: (0..6).map(|i| f64::from(i % 7) * 0.125 - 0.25).collect(),
+        reference_rad: Some((0..6).map(|i| f64::from(i) / 8.0 - 1.5).collect()),
+    };
+    Log {
+        time_s: (0..6).map(|i| f64::from(i) / 1000.0).collect(),
+        joints: (1..=3).map(joint).collect(),
+    }
+}
+
+/// The bytes of a file that `write` makes.
+fn written(name: &str, write: impl Fn(&Path)) -> Vec<u8> {
+    let directory = tempfile::tempdir().expect("a temporary directory");
+    let path = directory.path().join(name);
+    write(&path);
+    std::fs::read(path).unwrap_or_default()
+}
+
+fn log_as(name: &str) -> Vec<u8> {
+    written(name, |path| log().write(path).expect("the log is good"))
+}
+
+/// Logs as text, plain and compressed.
+pub fn logs_csv() -> Vec<Vec<u8>> {
+    vec![
+        log_as("log.csv"),
+        log_as("log.csv.gz"),
+        b"t_s,q3_rad,u3_V,note\n0,0.5,-1e-3,a\n0.001,0.25,2,b\n".to_vec(),
+    ]
+}
+
+/// Logs as MCAP.
+pub fn logs_mcap() -> Vec<Vec<u8>> {
+    vec![log_as("log.mcap")]
+}
+
+const EFFECTS: &str = "[[effect]]\neffect = \"payload\"\njoint = 0\nmass_kg = 0.3\n[[effect]]\n\
+    effect = \"cogging\"\njoint = 3\namplitude_V = 0.1\nharmonic = 8\nphase_rad = 0.2\n";
+const PENDULUM: &str = "format = 1\n[robot]\ntorque_constant_Nm_per_V = [3]\n\
+    gravity_m_s2 = 9.81\n[pendulum]\njoint = 3\ninertia_kg_m2 = 0.07\ngravity_torque_Nm = 1.9\n\
+    [[friction]]\njoint = 3\nalpha0_V = 0.3\nalpha1_V = 0.1\nstribeck_velocity_rad_per_s = 0.003\n\
+    alpha2_V_s_per_rad = 0.1\n";
+const DATASET: &str = "format = 1\nencoder_counts_per_rev = 655360\n[[log]]\nfile = \"a.csv\"\n\
+    experiment = \"slow\"\nrole = \"train\"\n";
+/// Models, data sets and excitations.
+pub fn toml_files() -> Vec<Vec<u8>> {
+    let model = written("model.toml", |path| {
+        RobotFile::from_robot(&reference_robot()).write(path).expect("the model is good");
+    });
+    let excitation = written("excitation.toml", |path| {
+        let joint = |joint| JointTable {
+            joint,
+            centre_rad: 0.5,
+            period_s: 10.0,
+            sine_rad: [1.0, 0.5, 0.0, 0.0, 0.0],
+            cosine_rad: [0.0; 5],
+            peak_velocity_rad_per_s: Some(1.0),
+            peak_command_v: Some(2.0),
+        };
+        let file = ExcitationFile::new(1.0, [1, 2, 3].map(joint));
+        file.write(path).expect("the excitation is good");
+    });
+    let with_effects = [&model, EFFECTS.as_bytes()].concat();
+    vec![model, with_effects, PENDULUM.into(), DATASET.into(), excitation]
+}

@@ -1,0 +1,19 @@
+//! Models, data sets and excitations.
+
+use host_tool::compensation::Compensations;
+use host_tool::files::{Dataset, ExcitationFile, RobotFile};
+use host_tool::simulation::{Rig, plan};
+
+/// Reads the bytes as each; a model goes on to the parameter block.
+pub fn run(bytes: &[u8]) {
+    let _ = Dataset::parse(".", bytes.to_vec());
+    if let Ok(file) = ExcitationFile::parse("excitation.toml", bytes.to_vec()) {
+        let _ = file.motion();
+    }
+    let Ok(file) = RobotFile::parse("model.toml", bytes.to_vec()) else { return };
+    let _ = (file.robot(), file.pendulum());
+    let compensations = Compensations::of(&file.effects);
+    if let (Ok(rig), Ok((compensations, _))) = (Rig::of_file(&file), compensations) {
+        let _ = plan::task(1.0).block(&rig.with_compensations(compensations)).check();
+    }
+}
