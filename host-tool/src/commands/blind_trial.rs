@@ -1,7 +1,8 @@
 //! `rrr blind-trial`: how well the diagnosis does on robots that nobody told it of.
 
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::thread::ScopedJoinHandle;
 
 use clap::Args;
 
@@ -93,25 +94,46 @@ impl Arguments {
         })
     }
 
-    /// Diagnoses the cases one after the other, for a diagnosis uses all cores, and tells
-    /// each answer as it comes.
+    /// Diagnoses the cases, one on each core, and tells each answer as it comes.
     fn diagnose_all(&self, cases: &[Case]) -> Result<Vec<Outcome>, Failure> {
-        let settings =
-            RunSettings { out: self.out.clone(), keep_logs: self.keep_logs, ceiling: self.ceiling };
+        let workers = std::thread::available_parallelism().map_or(1, usize::from);
+        let next = AtomicUsize::new(0);
+        let all = std::thread::scope(|scope| {
+            let begin = |_| scope.spawn(|| self.diagnose_some(cases, &next));
+            let workers: Vec<_> = (0..workers).map(begin).collect();
+            workers.into_iter().map(ScopedJoinHandle::join).collect::<Vec<_>>()
+        });
         let mut outcomes = Vec::with_capacity(cases.len());
-        for (done, case) in (1..).zip(cases) {
-            let steps = Steps::new();
-            steps.at(&format!("case {} ({done} of {})", case.number, cases.len()));
-            let outcome = diagnose_case(case, &settings, &|campaign| {
-                let diagnosis = diagnose(campaign, &steps);
-                diagnosis.map(|found| found.report).map_err(|error| error.to_string())
-            })?;
-            steps.finish();
+        for some in all {
+            let stopped = |_| Failure::new("a diagnosis has ended unasked", "");
+            outcomes.extend(some.map_err(stopped)??);
+        }
+        outcomes.sort_by_key(|outcome| outcome.case);
+        Ok(outcomes)
+    }
+
+    /// What one core does: a diagnosis after the other, without help of the others.
+    fn diagnose_some(&self, cases: &[Case], next: &AtomicUsize) -> Result<Vec<Outcome>, Failure> {
+        let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+        let alone = alone.map_err(|error| Failure::new(error.to_string(), ""))?;
+        let mut outcomes = Vec::new();
+        while let Some(case) = cases.get(next.fetch_add(1, Ordering::Relaxed)) {
+            let outcome = alone.install(|| self.diagnose_one(case))?;
             let answer = table::answer(&outcome.answer);
             println!("case {:03}: {answer}, {:.0} s", case.number, outcome.seconds);
             outcomes.push(outcome);
         }
         Ok(outcomes)
+    }
+
+    fn diagnose_one(&self, case: &Case) -> Result<Outcome, Failure> {
+        let settings =
+            RunSettings { out: self.out.clone(), keep_logs: self.keep_logs, ceiling: self.ceiling };
+        let outcome = diagnose_case(case, &settings, &|campaign| {
+            let diagnosis = diagnose(campaign, &Steps::hidden());
+            diagnosis.map(|found| found.report).map_err(|error| error.to_string())
+        })?;
+        Ok(outcome)
     }
 
     /// Writes the logs of all cases with their truth.
