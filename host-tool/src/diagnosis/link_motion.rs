@@ -316,7 +316,8 @@ mod tests {
         let motion = motion(angles);
         let (role, settled) = (Role::Train, [0; 3]);
         let (log, start_s, period_s, brisk) = (0, 0.0, PERIOD_S, true);
-        Stretch { log, role, start_s, period_s, motion, command_v, brisk, settled }
+        let postures = motion.postures();
+        Stretch { log, role, start_s, period_s, motion, postures, command_v, brisk, settled }
     }
 
     fn motion(angles: [Vec<f64>; 3]) -> Kinematics {
