@@ -105,7 +105,7 @@ pub fn select(
         }
         let Some(untuned) = untuned(evidence, subject, &now.linear) else { break };
         let mut finalists = finalists(evidence, subject, &untuned, &now.rest);
-        let paying = finalists.iter().position(|finalist| pays(&now.rest, &finalist.1.rest));
+        let paying = finalists.iter().position(|finalist| is_worth_it(&now.rest, &finalist.1));
         let taken = paying.map(|place| finalists.remove(place));
         let lost = finalists.into_iter().map(|(candidate, step)| Rivalry {
             round,
@@ -119,7 +119,7 @@ pub fn select(
                 // What fits better in the end may yet foretell worse.
                 let effects = &finished.linear.point.effects;
                 let physical = effects.iter().all(|e| is_physical(e, subject, evidence));
-                if !physical || !pays(&selection.steps[round].rest, &finished.rest) {
+                if !physical || !is_worth_it(&selection.steps[round].rest, &finished) {
                     break;
                 }
                 selection.steps.push(finished);
@@ -212,11 +212,11 @@ fn finalists(
     for _ in 0..MOST_BATCHES {
         let batch = next_batch(&mut promising, before);
         finalists.extend(retuned(evidence, subject, now, batch));
-        if promising.is_empty() || finalists.iter().any(|(_, step)| pays(rest, &step.rest)) {
+        if promising.is_empty() || finalists.iter().any(|(_, step)| is_worth_it(rest, step)) {
             break;
         }
     }
-    if !finalists.iter().any(|(_, step)| pays(rest, &step.rest)) {
+    if !finalists.iter().any(|(_, step)| is_worth_it(rest, step)) {
         let batch = overlooked(evidence, subject, now, &finalists);
         finalists.extend(retuned(evidence, subject, now, batch));
     }
@@ -303,6 +303,13 @@ fn is_as_good_as_clean(gap: &Rest, rest: &Rest) -> bool {
     const RATIO: f64 = 3.0;
     const PART: f64 = 5e-4;
     rest.worst() < RATIO && rest.excess < PART * gap.excess && rest.misses < MISSES
+}
+
+/// Whether the last effect of a model pays. A spring rings, and that shows in the rows; where
+/// those are noise alone, it could only smooth what a coarse encoder reads.
+fn is_worth_it(before: &Rest, after: &Step) -> bool {
+    let is_spring = after.linear.point.effects.last().is_some_and(Added::is_spring);
+    (before.excess > 0.0 || !is_spring) && pays(before, &after.rest)
 }
 
 /// Whether an effect takes enough away, and does not do so by bending the model beyond
