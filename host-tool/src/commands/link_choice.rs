@@ -108,6 +108,7 @@ fn hint(error: &LinkError) -> &'static str {
              `rrr flash` bring the firmware up to date"
         }
         LinkError::Refused { why, .. } => refusal_hint(why),
+        LinkError::NotAtRest { .. } => "hold the arm still, or look at the encoder's wiring",
         LinkError::OtherAnswer(_) => "build tool and firmware from the same sources",
         LinkError::Checksum { .. } | LinkError::ReadBack { .. } => {
             "try again; if it comes back, the flash is worn"

@@ -115,8 +115,6 @@ fn error_mrad(record: &Telemetry, joint: usize, position_rad: f64) -> String {
 }
 
 fn row(text: &mut String, [joint, position, voltage, error, cut, mode]: [String; 6]) {
-    let _ = writeln!(
-        text,
-        "{joint:>5} {position:>14} {voltage:>11} {error:>12} {cut:>9} {mode:>14}"
-    );
+    let _ =
+        writeln!(text, "{joint:>5} {position:>14} {voltage:>11} {error:>12} {cut:>9} {mode:>14}");
 }

@@ -25,9 +25,8 @@ pub fn approach(
 ) -> Option<ParameterBlock> {
     let from_rad = positions_rad(block, now);
     let start_rad = start_of(block);
-    let way_rad = [0, 1, 2].map(|i| {
-        Angle::from_radians(start_rad[i] as f32).minus(Angle::from_radians(from_rad[i]))
-    });
+    let way_rad = [0, 1, 2]
+        .map(|i| Angle::from_radians(start_rad[i] as f32).minus(Angle::from_radians(from_rad[i])));
     let furthest_rad = way_rad.iter().fold(0.0f32, |most, way| most.max(way.abs()));
     if furthest_rad < NEAR_RAD {
         return None;
@@ -44,12 +43,15 @@ pub fn approach(
         closed => closed,
     });
     // A second longer than the motion, so that what is left of it dies out.
-    Some(ParameterBlock { reference: Reference { duration_s: duration_s + 1.0, ..reference }, mode, ..block.clone() })
+    Some(ParameterBlock {
+        reference: Reference { duration_s: duration_s + 1.0, ..reference },
+        mode,
+        ..block.clone()
+    })
 }
 
 /// Where the joints are [rad].
 pub fn positions_rad(block: &ParameterBlock, now: &Telemetry) -> [f32; 3] {
-    now.counts.map(|count| {
-        (f64::from(count) / f64::from(block.encoder_counts_per_turn)) as f32 * TAU
-    })
+    now.counts
+        .map(|count| (f64::from(count) / f64::from(block.encoder_counts_per_turn)) as f32 * TAU)
 }

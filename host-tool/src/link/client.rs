@@ -6,8 +6,8 @@ use std::time::{Duration, Instant};
 use firmware::frame::FrameReader;
 
 use firmware::link::{
-    Command, Hello, Key, MAX_FRAME_BYTES, Nonce, PROTOCOL_VERSION, Parameters, Refusal, Reply, key,
-    Report, Request, Telemetry, ToBoard, ToHost, schema,
+    Command, Hello, Key, MAX_FRAME_BYTES, Nonce, PROTOCOL_VERSION, Parameters, Refusal, Reply,
+    Report, Request, Telemetry, ToBoard, ToHost, key, schema,
 };
 
 use super::address::Address;
@@ -15,11 +15,11 @@ use super::error::LinkError;
 use super::port::Port;
 
 /// No answer for so long: ask again.
-const PATIENCE: Duration = Duration::from_millis(300);
+const PATIENCE: Duration = Duration::from_millis(150);
 /// So often is asked.
-const TRIES: u32 = 10;
+const TRIES: u32 = 20;
 /// So often is the first Hello said: at a line where nobody is, this is what one waits for.
-const HELLO_TRIES: u32 = 7;
+const HELLO_TRIES: u32 = 14;
 
 /// A [`Reply`] that owns its bytes.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,8 +97,8 @@ impl Client {
     /// No line, no board, or one of another build.
     pub fn connect(address: &Address, key: Option<Key>) -> Result<Self, LinkError> {
         let name = address.to_string();
-        let port = Port::open(address)
-            .map_err(|source| LinkError::Open { port: name.clone(), source })?;
+        let port =
+            Port::open(address).map_err(|source| LinkError::Open { port: name.clone(), source })?;
         let mut client = Self {
             port,
             name,

@@ -70,6 +70,16 @@ pub enum LinkError {
         /// How long was waited [s].
         waited_s: f64,
     },
+    /// The arm does not come to rest.
+    #[error("joint {joint} is not at rest: it moved by {moved_rad:.4} rad, waited {waited_s:.0} s")]
+    NotAtRest {
+        /// The joint, 1 to 3.
+        joint: u8,
+        /// How far it went within 0.2 s [rad].
+        moved_rad: f64,
+        /// How long was waited [s].
+        waited_s: f64,
+    },
     /// An answer of another kind than the request's.
     #[error("the board's answer to {0} is of another kind")]
     OtherAnswer(&'static str),

@@ -2,11 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use firmware::ParameterBlock;
 use firmware::link::Telemetry;
 use firmware::supervisor::State;
+use firmware::{Mode, ParameterBlock};
 
-use crate::files::{JointLog, Log, Position};
+use crate::files::{BoardSample, JointLog, Log, Position};
 use crate::simulation::sensor::Unwrapper;
 
 /// Turns the records of a run into a log, in the order in which they come.
@@ -14,6 +14,8 @@ use crate::simulation::sensor::Unwrapper;
 pub struct Recorder {
     /// The log so far; a record that is missing is a gap in its times.
     pub log: Log,
+    /// What the board told beside the joints, row by row of the log.
+    pub board: Vec<BoardSample>,
     /// Records that did not arrive, by their numbers.
     pub missed: u32,
     /// The ones of them that the board itself could not send.
@@ -48,6 +50,7 @@ impl Recorder {
         };
         Self {
             log: Log { time_s: Vec::new(), joints: (1..=3).map(joint).collect() },
+            board: Vec::new(),
             missed: 0,
             dropped: 0,
             longest_tick_tenth_us: 0,
@@ -62,7 +65,7 @@ impl Recorder {
 
     /// Takes a record; those outside the run are nothing to it.
     pub fn push(&mut self, record: &Telemetry) {
-        if record.state != State::Running || self.is_complete() {
+        if record.state != State::Running {
             return;
         }
         let mut begun = self.begun.take().unwrap_or_else(|| self.begin(record));
@@ -91,11 +94,6 @@ impl Recorder {
         }
     }
 
-    /// Whether the last tick, or one after it, was seen.
-    pub fn is_complete(&self) -> bool {
-        self.ticks_seen() >= self.ticks
-    }
-
     fn begin(&self, record: &Telemetry) -> Begun {
         let counts = record.counts.map(i64::from);
         let near_rad = counts.map(|count| count as f64 * TAU / self.counts_per_turn);
@@ -104,7 +102,16 @@ impl Recorder {
     }
 
     fn add_row(&mut self, since: u32, record: &Telemetry, begun: &mut Begun) {
-        self.log.time_s.push(f64::from(since) * self.period_s);
+        let t_s = f64::from(since) * self.period_s;
+        self.log.time_s.push(t_s);
+        self.board.push(BoardSample {
+            t_s,
+            state: record.state.name(),
+            mode: record.mode.map(Mode::name),
+            saturated: [0, 1, 2].map(|i| record.saturated >> i & 1 == 1),
+            tick_time_us: f64::from(record.tick_time_tenth_us) / 10.0,
+            telemetry_dropped: record.dropped,
+        });
         for (i, joint) in self.log.joints.iter_mut().enumerate() {
             if let Position::Count(column) = &mut joint.position {
                 column.push(begun.counts[i]);
@@ -131,7 +138,7 @@ impl Begun {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use firmware::{Angle, DacCode, Mode};
+    use firmware::{Angle, DacCode};
 
     use crate::simulation::{Rig, plan};
 
@@ -161,7 +168,7 @@ mod tests {
         for sequence in (1..30).filter(|s| !(5..8).contains(s)) {
             recorder.push(&record(sequence, State::Running));
         }
-        assert!(recorder.is_complete());
+        assert_eq!(recorder.ticks_seen(), 29);
         assert_eq!(recorder.log.len(), 17);
         assert_eq!((recorder.missed, recorder.dropped), (3, 2));
         assert_eq!(recorder.saturated, [0, 0, 17]);

@@ -1,16 +1,24 @@
 //! A run: arm, play, follow, stop, disarm.
 
+use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use firmware::link::{Command, Refusal, Telemetry};
-use firmware::supervisor::{FaultRecord, State};
 use firmware::supervisor::fault::Implausible;
+use firmware::supervisor::{FaultRecord, State};
 
 use super::client::Client;
 use super::error::LinkError;
 use super::recorder::Recorder;
 
+/// After its end a reference brakes to rest within half a second; the voltage stays so long.
+const BRAKING_TICKS: u32 = 600;
+/// A joint that goes less far in that many ticks is at rest.
+const REST_TICKS: u32 = 200;
+const REST_RAD: f64 = 0.002;
+/// So long is waited for rest.
+const SWINGING: Duration = Duration::from_secs(30);
 /// Time between two signs of life.
 const ALIVE: Duration = Duration::from_millis(100);
 /// So long is waited until the estimates have settled.
@@ -102,7 +110,7 @@ fn follow(
         client.listen()?;
         client.take_records().iter().for_each(|record| recorder.push(record));
         progress(recorder.ticks_seen());
-        if recorder.is_complete() {
+        if recorder.ticks_seen() >= recorder.ticks() + BRAKING_TICKS {
             return Ok(Ending::Finished);
         }
     }
@@ -121,6 +129,37 @@ pub fn halt(client: &mut Client) -> Result<State, LinkError> {
         }
     }
     Ok(client.report()?.state)
+}
+
+/// Waits until no joint moves; the last record, or the newest one once `interrupted`.
+///
+/// # Errors
+/// The line is broken, no telemetry comes, or a joint goes on moving.
+pub fn rest(
+    client: &mut Client,
+    counts_per_turn: u32,
+    interrupted: &AtomicBool,
+) -> Result<Telemetry, LinkError> {
+    let begin = Instant::now();
+    let mut before = next_record(client)?;
+    loop {
+        let now = next_record(client)?;
+        let moved_rad = [0, 1, 2].map(|i| {
+            let counts = now.counts[i].wrapping_sub(before.counts[i]);
+            f64::from(counts).abs() * TAU / f64::from(counts_per_turn)
+        });
+        let moving = (1..=3).zip(moved_rad).find(|(_, moved_rad)| *moved_rad > REST_RAD);
+        match moving {
+            _ if interrupted.load(Ordering::Relaxed) => return Ok(now),
+            Some((joint, moved_rad)) if begin.elapsed() > SWINGING => {
+                let waited_s = SWINGING.as_secs_f64();
+                return Err(LinkError::NotAtRest { joint, moved_rad, waited_s });
+            }
+            Some(_) => before = now,
+            None if now.sequence.wrapping_sub(before.sequence) >= REST_TICKS => return Ok(now),
+            None => {}
+        }
+    }
 }
 
 /// The next record of telemetry, once `Stream` has asked for it.

@@ -106,8 +106,7 @@ struct Machine {
 
 impl Machine {
     fn new(settings: BoardSettings, listener: TcpListener) -> Self {
-        let simulation =
-            Settings { sample_period_s: 1e-3, substeps: 10, noise_v: 0.004, seed: 1 };
+        let simulation = Settings { sample_period_s: 1e-3, substeps: 10, noise_v: 0.004, seed: 1 };
         Self {
             listener,
             line: None,

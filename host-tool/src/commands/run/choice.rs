@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use firmware::ParameterBlock;
 use firmware::link::Telemetry;
 use firmware::reference::Motion;
-use firmware::ParameterBlock;
 
 use crate::commands::{Failure, simulate};
 use crate::files::ExcitationFile;
@@ -68,7 +68,9 @@ impl Choice {
         let needs_joint = matches!(self.experiment, Name::ConstantVelocity | Name::PreslidingNoise);
         let refused = |message: &str, hint: &str| Err(Failure::new(message, hint));
         match (needs_joint, self.joint) {
-            (true, None) => refused("--joint is missing", "name the joint that is moved: 1, 2 or 3"),
+            (true, None) => {
+                refused("--joint is missing", "name the joint that is moved: 1, 2 or 3")
+            }
             (false, Some(joint)) if (self.experiment, joint) != (Name::FrictionExcitation, 3) => {
                 let message = format!("--joint {joint}: not with this experiment");
                 refused(&message, "only constant-velocity and presliding-noise take one")
@@ -105,7 +107,8 @@ impl Choice {
         Ok(match self.experiment {
             Name::Hold => {
                 let here = positions_rad(stored, now);
-                plan::hold(seconds(10)).with_motion(here.map(|angle_rad| Motion::Hold { angle_rad }))
+                plan::hold(seconds(10))
+                    .with_motion(here.map(|angle_rad| Motion::Hold { angle_rad }))
             }
             Name::Excitation => match &self.excitation {
                 Some(path) => plan::excitation(1, seconds(30))

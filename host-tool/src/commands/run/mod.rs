@@ -15,7 +15,7 @@ use super::link_choice::{LinkChoice, openness};
 use super::upload::encoded;
 use crate::files::Role;
 use crate::link::approach::approach;
-use crate::link::session::{self, Ending, next_record};
+use crate::link::session::{self, Ending};
 use crate::link::{Client, Recorder, transfer};
 use crate::progress::Progress;
 use crate::simulation::Plan;
@@ -82,7 +82,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     println!("link        {}", openness(&report));
     let interrupted = interrupt();
-    let (plan, block) = arguments.prepare(&mut client)?;
+    let (plan, block) = arguments.prepare(&mut client, interrupted)?;
     let ticks = plan_ticks(&plan, &block);
     let prepared = arguments.go_there(&mut client, &block, interrupted).and_then(|arrived| {
         transfer::put_into_use(&mut client, &encoded(&block)?)?;
@@ -102,14 +102,18 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 impl Arguments {
     /// The experiment, and the board's own parameters with it.
-    fn prepare(&self, client: &mut Client) -> Result<(Plan, ParameterBlock), Failure> {
+    fn prepare(
+        &self,
+        client: &mut Client,
+        interrupted: &AtomicBool,
+    ) -> Result<(Plan, ParameterBlock), Failure> {
         let bytes = transfer::download(client, Source::Stored)?;
         let stored = ParameterBlock::decode(&bytes).map_err(|error| {
             let hint = "build tool and firmware from the same sources";
             Failure::new(format!("the board's block: {error}"), hint)
         })?;
         client.order(Command::Stream { on: true })?;
-        let now = next_record(client)?;
+        let now = session::rest(client, stored.encoder_counts_per_turn, interrupted)?;
         let plan = self.choice.plan(&stored, &now)?;
         let block = ParameterBlock {
             mode: plan.mode,
@@ -129,7 +133,7 @@ impl Arguments {
         block: &ParameterBlock,
         interrupted: &AtomicBool,
     ) -> Result<bool, Failure> {
-        let now = next_record(client)?;
+        let now = session::next_record(client)?;
         let Some(way) = approach(block, &now, self.approach_speed) else { return Ok(true) };
         transfer::put_into_use(client, &encoded(&way)?)?;
         let ticks = (way.reference.duration_s / way.sample_period_s).round() as u32;

@@ -47,7 +47,8 @@ impl Folder {
         let name = self.free_name(&plan.name);
         let file = format!("{name}.csv.gz");
         recorder.log.write(self.directory.join(&file))?;
-        recorder.log.write(self.directory.join(format!("{name}.mcap")))?;
+        let mcap = self.directory.join(format!("{name}.mcap"));
+        recorder.log.write_with_board(mcap, &recorder.board)?;
         println!("log         {}", self.directory.join(&file).display());
         let entry = Entry { file, role: role.unwrap_or(plan.role), ..plan.entry("csv.gz") };
         self.add(entry, f64::from(block.encoder_counts_per_turn))
