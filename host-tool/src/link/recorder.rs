@@ -25,7 +25,7 @@ pub struct Recorder {
     /// Ticks in which the command of a joint was cut at its limit.
     pub saturated: [u32; 3],
     counts_per_turn: f64,
-    period_s: f64,
+    period_ns: f64,
     ticks: u32,
     begun: Option<Begun>,
 }
@@ -57,7 +57,7 @@ impl Recorder {
             saturated: [0; 3],
             counts_per_turn: f64::from(block.encoder_counts_per_turn),
             // The block has it as an f32; in whole nanoseconds it is what was meant.
-            period_s: (f64::from(block.sample_period_s) * 1e9).round() * 1e-9,
+            period_ns: (f64::from(block.sample_period_s) * 1e9).round(),
             ticks,
             begun: None,
         }
@@ -102,7 +102,7 @@ impl Recorder {
     }
 
     fn add_row(&mut self, since: u32, record: &Telemetry, begun: &mut Begun) {
-        let t_s = f64::from(since) * self.period_s;
+        let t_s = f64::from(since) * self.period_ns / 1e9;
         self.log.time_s.push(t_s);
         self.board.push(BoardSample {
             t_s,
