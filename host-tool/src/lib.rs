@@ -5,6 +5,7 @@
 //! | [`files`] | logs, data sets and models, as they lie on disk |
 //! | [`board`] | the control firmware, in this process or in QEMU |
 //! | [`flash_image`] | what goes into the board's flash, and what may |
+//! | [`link`] | the board's serial line: upload, run, record |
 //! | [`effects`] | the catalogue of what the model does not hold |
 //! | [`compensation`] | what the controller makes up for of it |
 //! | [`simulation`] | the simulated robot, and experiments recorded with it |
@@ -28,6 +29,7 @@ pub mod excitation_design;
 pub mod files;
 pub mod flash_image;
 pub mod identification;
+pub mod link;
 pub mod progress;
 pub mod report;
 pub mod signal;

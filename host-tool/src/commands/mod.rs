@@ -12,14 +12,25 @@ use crate::files::FileError;
 
 pub mod blind_trial;
 pub mod block_choice;
+pub mod clear_fault;
+pub mod completions;
+pub mod connect;
 pub mod demo;
 pub mod design_excitation;
 pub mod diagnose;
+pub mod download;
 pub mod export_block;
 pub mod flash;
 pub mod identify;
+pub mod interrupt;
 pub mod inverse_dynamics;
+pub mod link_choice;
+pub mod monitor;
+pub mod run;
+pub mod set_key;
 pub mod simulate;
+pub mod stop;
+pub mod upload;
 pub mod validate;
 
 /// Simulates the RRR robot, identifies it from its logs and judges the model.
@@ -48,12 +59,30 @@ pub enum Command {
     DesignExcitation(design_excitation::Arguments),
     /// Judge the diagnosis on robots whose hidden effects it is not told.
     BlindTrial(blind_trial::Arguments),
+    /// Tell what is at the board's line, and how it is.
+    Connect(connect::Arguments),
+    /// Store a model on the board, for this and every later power-on.
+    Upload(upload::Arguments),
+    /// Fetch the board's parameters.
+    Download(download::Arguments),
+    /// Do an experiment with the arm and record it.
+    Run(Box<run::Arguments>),
+    /// Look at positions, voltages, errors, ticks and faults as they change.
+    Monitor(monitor::Arguments),
+    /// Take the voltage away and disarm the board.
+    Stop(stop::Arguments),
+    /// Let the board leave a fault whose cause is gone.
+    ClearFault(clear_fault::Arguments),
+    /// Give the board a key, change it or take it away.
+    SetKey(set_key::Arguments),
     /// Write a model as the image of a parameter slot.
     ExportBlock(export_block::Arguments),
     /// Put firmware and parameters onto the board through a debug probe.
     Flash(flash::Arguments),
     /// Record, identify and control a simulated robot with the firmware in QEMU.
     Demo(demo::Arguments),
+    /// Write what a shell needs to complete this tool's command line.
+    Completions(completions::Arguments),
 }
 
 impl Command {
@@ -70,9 +99,18 @@ impl Command {
             Self::Diagnose(arguments) => diagnose::run(&arguments),
             Self::DesignExcitation(arguments) => design_excitation::run(&arguments),
             Self::BlindTrial(arguments) => blind_trial::run(&arguments),
+            Self::Connect(arguments) => connect::run(&arguments),
+            Self::Upload(arguments) => upload::run(&arguments),
+            Self::Download(arguments) => download::run(&arguments),
+            Self::Run(arguments) => run::run(&arguments),
+            Self::Monitor(arguments) => monitor::run(&arguments),
+            Self::Stop(arguments) => stop::run(&arguments),
+            Self::ClearFault(arguments) => clear_fault::run(&arguments),
+            Self::SetKey(arguments) => set_key::run(&arguments),
             Self::ExportBlock(arguments) => export_block::run(&arguments),
             Self::Flash(arguments) => flash::run(&arguments),
             Self::Demo(arguments) => demo::run(&arguments),
+            Self::Completions(arguments) => completions::run(&arguments),
         }
     }
 }

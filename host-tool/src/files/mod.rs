@@ -18,5 +18,5 @@ mod toml_source;
 pub use dataset::{Dataset, Entry, Experiment, Recording, Role};
 pub use error::{FileError, Problem};
 pub use excitation_file::ExcitationFile;
-pub use log::{JointLog, Log, Position};
+pub use log::{BoardSample, JointLog, Log, Position};
 pub use robot_file::{EffectTable, FrictionTable, PendulumTable, RobotFile, RobotTable};

@@ -5,12 +5,15 @@ use std::path::Path;
 use super::bytes;
 use super::error::{FileError, Problem};
 
+mod board_message;
 mod check;
 mod from_table;
 mod joint_message;
 mod read_mcap;
 mod write_csv;
 mod write_mcap;
+
+pub use board_message::BoardSample;
 
 /// A recorded log.
 ///
@@ -97,6 +100,18 @@ impl Log {
     /// # Errors
     /// A log that would not read back, or a path that cannot be written.
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), FileError> {
+        self.write_with_board(path, &[])
+    }
+
+    /// [`Log::write`] with what the board told beside its joints, which only `.mcap` holds.
+    ///
+    /// # Errors
+    /// As of [`Log::write`].
+    pub fn write_with_board(
+        &self,
+        path: impl AsRef<Path>,
+        board: &[BoardSample],
+    ) -> Result<(), FileError> {
         let path = path.as_ref();
         let format = Format::of(path)?;
         self.check()
@@ -104,7 +119,7 @@ impl Log {
             .map_err(|fault| fault.in_file(path))?;
         match format {
             Format::Csv => write_csv::write(self, path),
-            Format::Mcap => write_mcap::write(self, path),
+            Format::Mcap => write_mcap::write(self, board, path),
         }
     }
 

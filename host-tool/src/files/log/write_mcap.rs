@@ -1,5 +1,6 @@
 //! Logs as MCAP, which Foxglove plots.
 
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{BufWriter, Error};
 use std::path::Path;
@@ -7,16 +8,18 @@ use std::path::Path;
 use mcap::records::MessageHeader;
 use mcap::{McapError, WriteOptions, Writer};
 
+use super::board_message;
 use super::joint_message::{JointMessage, channel};
-use super::{JointLog, Log};
+use super::{BoardSample, JointLog, Log};
 use crate::files::error::{FileError, Place, Problem};
 use crate::files::replace::replace_file;
 
-/// Writes an MCAP file: a channel per joint, a message per sample.
-pub(super) fn write(log: &Log, path: &Path) -> Result<(), FileError> {
+/// Writes an MCAP file: a channel per joint, a message per sample; the board's own channel if
+/// there is something to tell.
+pub(super) fn write(log: &Log, board: &[BoardSample], path: &Path) -> Result<(), FileError> {
     let times_ns =
         times_ns(&log.time_s).map_err(|problem| problem.at(Place::column("t_s")).in_file(path))?;
-    replace_file(path, |file| write_all(log, &times_ns, file).map_err(unwritable))
+    replace_file(path, |file| write_all(log, board, &times_ns, file).map_err(unwritable))
 }
 
 /// Times in nanoseconds, as MCAP has them.
@@ -29,23 +32,29 @@ fn times_ns(times_s: &[f64]) -> Result<Vec<u64>, Problem> {
 
 fn write_all(
     log: &Log,
+    board: &[BoardSample],
     times_ns: &[u64],
     file: &mut BufWriter<&mut File>,
 ) -> Result<(), McapError> {
     let options = WriteOptions::new().library(concat!("rrr ", env!("CARGO_PKG_VERSION")));
     let mut writer = options.create(file)?;
     let channels = add_channels(&mut writer, &log.joints)?;
+    let board_channel = if board.is_empty() { 0 } else { add_board_channel(&mut writer)? };
     for (row, &time_ns) in times_ns.iter().enumerate() {
+        let header = |channel_id| MessageHeader {
+            channel_id,
+            sequence: row as u32,
+            log_time: time_ns,
+            publish_time: time_ns,
+        };
         for (joint, &channel_id) in log.joints.iter().zip(&channels) {
             let message = JointMessage::of(joint, row, log.time_s[row]);
-            let header = MessageHeader {
-                channel_id,
-                sequence: row as u32,
-                log_time: time_ns,
-                publish_time: time_ns,
-            };
             let text = serde_json::to_vec(&message).map_err(Error::from)?;
-            writer.write_to_known_channel(&header, &text)?;
+            writer.write_to_known_channel(&header(channel_id), &text)?;
+        }
+        if let Some(sample) = board.get(row) {
+            let text = serde_json::to_vec(sample).map_err(Error::from)?;
+            writer.write_to_known_channel(&header(board_channel), &text)?;
         }
     }
     writer.finish()?;
@@ -70,6 +79,15 @@ where
     };
     let encoding = &channel.message_encoding;
     writer.add_channel(schema_id, &channel.topic, encoding, &channel.metadata)
+}
+
+fn add_board_channel<W>(writer: &mut Writer<W>) -> Result<u16, McapError>
+where
+    W: std::io::Write + std::io::Seek,
+{
+    let schema = board_message::schema();
+    let schema_id = writer.add_schema(board_message::NAME, "jsonschema", schema.as_bytes())?;
+    writer.add_channel(schema_id, board_message::TOPIC, "json", &BTreeMap::new())
 }
 
 fn unwritable(error: McapError) -> Problem {

@@ -1,0 +1,71 @@
+//! `rrr download`: the board's parameter block into a file.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use firmware::ParameterBlock;
+use firmware::link::Source;
+
+use super::Failure;
+use super::link_choice::LinkChoice;
+use crate::files::replace::replace_file;
+use crate::files::{Problem, RobotFile};
+use crate::link::transfer;
+
+/// Arguments of `rrr download`.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// The file: .bin (the block's bytes) or .toml (its model, without its effects).
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// The block in use instead of the one that is stored.
+    #[arg(long)]
+    pub in_use: bool,
+    /// Which board.
+    #[command(flatten)]
+    pub link: LinkChoice,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// A board that does not answer or has no such block, or a file that cannot be written.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let out = &arguments.out;
+    let write = writer_for(out)?;
+    let mut client = arguments.link.connect()?;
+    let source = if arguments.in_use { Source::InUse } else { Source::Stored };
+    let bytes = transfer::download(&mut client, source)?;
+    write(out, &bytes)?;
+    println!("{}: a block of {} bytes", out.display(), bytes.len());
+    Ok(())
+}
+
+type Writer = fn(&Path, &[u8]) -> Result<(), Failure>;
+
+fn writer_for(out: &Path) -> Result<Writer, Failure> {
+    match out.extension().and_then(|ending| ending.to_str()) {
+        Some("bin") => Ok(|out, bytes| {
+            Ok(replace_file(out, |file| file.write_all(bytes).map_err(Problem::Unwritable))?)
+        }),
+        Some("toml") => Ok(|out, bytes| Ok(model_of(bytes)?.write(out)?)),
+        _ => {
+            let message = format!("--out {}: ends neither in .bin nor in .toml", out.display());
+            Err(Failure::new(message, "name it params.bin or model.toml, say"))
+        }
+    }
+}
+
+/// The model of a block, with what a model file tells of the board.
+fn model_of(bytes: &[u8]) -> Result<RobotFile, Failure> {
+    let block = ParameterBlock::decode(bytes).map_err(|error| {
+        let hint = "build tool and firmware from the same sources, or download to a .bin file";
+        Failure::new(format!("the board's block: {error}"), hint)
+    })?;
+    let mut file = RobotFile::from_robot(&block.robot.cast());
+    file.robot.encoder_counts_per_rev = Some(f64::from(block.encoder_counts_per_turn));
+    file.robot.sample_period_s = Some(f64::from(block.sample_period_s));
+    file.robot.command_limit_v = Some(f64::from(block.command_limit_v));
+    Ok(file)
+}

@@ -1,0 +1,155 @@
+//! Which board a command talks to, with which key, and what to do when it does not work.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use firmware::link::{BlockRefusal, Key, Refusal, Report, StoreRefusal};
+
+use super::Failure;
+use crate::files::Problem;
+use crate::link::{Address, Client, LinkError};
+
+/// Names the key's file where --key does not.
+pub const KEY_VARIABLE: &str = "RRR_KEY_FILE";
+
+/// Where the board is, and the key to it.
+#[derive(Clone, Debug, Default, Args)]
+pub struct LinkChoice {
+    /// The board's line: a serial port or pty, tcp:HOST:PORT, or unix:SOCKET; not needed
+    /// where there is just one serial port.
+    #[arg(long, value_name = "PORT")]
+    pub port: Option<String>,
+    /// The board's key: a file of 64 hexadecimal digits, as `rrr set-key` makes it; without
+    /// the option, the file that RRR_KEY_FILE names.
+    #[arg(long, value_name = "FILE")]
+    pub key: Option<PathBuf>,
+}
+
+impl LinkChoice {
+    /// Opens the line and says Hello.
+    ///
+    /// # Errors
+    /// No line, no board, one of another build, or a key file that is none.
+    pub fn connect(&self) -> Result<Client, Failure> {
+        let key = self.key()?;
+        Ok(Client::connect(&self.address()?, key)?)
+    }
+
+    fn address(&self) -> Result<Address, LinkError> {
+        self.port.as_deref().map_or_else(Address::find, |text| Ok(Address::of(text)))
+    }
+
+    fn key(&self) -> Result<Option<Key>, Failure> {
+        let named = std::env::var_os(KEY_VARIABLE).filter(|name| !name.is_empty());
+        let path = self.key.clone().or(named.map(PathBuf::from));
+        path.as_deref().map(read_key).transpose()
+    }
+}
+
+/// The key in a file: 64 hexadecimal digits.
+///
+/// # Errors
+/// The file cannot be read, or holds something else.
+pub fn read_key(path: &Path) -> Result<Key, Failure> {
+    let text = std::fs::read_to_string(path).map_err(|error| {
+        let missing = error.kind() == std::io::ErrorKind::NotFound;
+        let problem = if missing { Problem::Missing } else { Problem::Unreadable(error) };
+        problem.in_file(path)
+    })?;
+    key_of(text.trim()).ok_or_else(|| {
+        let message = format!("{}: a key has 64 hexadecimal digits", path.display());
+        Failure::new(message, "`rrr set-key FILE` makes a key and gives it to the board")
+    })
+}
+
+fn key_of(text: &str) -> Option<Key> {
+    if text.len() != 64 || !text.bytes().all(|digit| digit.is_ascii_hexdigit()) {
+        return None;
+    }
+    let mut key = [0; 32];
+    for (byte, digits) in key.iter_mut().zip(text.as_bytes().chunks(2)) {
+        *byte = u8::from_str_radix(std::str::from_utf8(digits).ok()?, 16).ok()?;
+    }
+    Some(key)
+}
+
+/// Whether the board keeps its key to itself, in words.
+pub fn openness(report: &Report) -> &'static str {
+    match report.has_key {
+        true => "needs the key to upload, arm, run and clear faults",
+        false => "open: whoever has the line may upload and arm; `rrr set-key` changes that",
+    }
+}
+
+impl From<LinkError> for Failure {
+    fn from(error: LinkError) -> Self {
+        Self::new(error.to_string(), hint(&error))
+    }
+}
+
+fn hint(error: &LinkError) -> &'static str {
+    match error {
+        LinkError::NoPort => {
+            "connect the board's USB port (ST-LINK), or name the line with --port: a serial \
+             port, tcp:HOST:PORT or unix:SOCKET"
+        }
+        LinkError::ManyPorts(_) => "name the board's with --port",
+        LinkError::Open { .. } => {
+            "look at the name; on Linux your user must be in the group that owns the port, \
+             and no other program may have it"
+        }
+        LinkError::Broke { .. } => "look at the cable and the board's power, then try again",
+        LinkError::Silent { .. } | LinkError::NoTelemetry { .. } => {
+            "look whether the board is powered and runs this firmware (lamp LD2 flashes), and \
+             whether --port names its line"
+        }
+        LinkError::OtherProtocol(_) | LinkError::OtherMessages(_) => {
+            "build tool and firmware from the same sources; `cargo xtask firmware nucleo` and \
+             `rrr flash` bring the firmware up to date"
+        }
+        LinkError::Refused { why, .. } => refusal_hint(why),
+        LinkError::NotAtRest { .. } => "hold the arm still, or look at the encoder's wiring",
+        LinkError::OtherAnswer(_) => "build tool and firmware from the same sources",
+        LinkError::Checksum { .. } | LinkError::ReadBack { .. } => {
+            "try again; if it comes back, the flash is worn"
+        }
+    }
+}
+
+fn refusal_hint(why: &Refusal) -> &'static str {
+    match why {
+        Refusal::Proof => "give the board's key with --key FILE",
+        Refusal::NotNow { .. } => {
+            "`rrr stop` stops and disarms the board; `rrr clear-fault` leaves a fault"
+        }
+        Refusal::HelloFirst | Refusal::OldNumber { .. } => {
+            "the board was reset, or somebody else talks to it; try again"
+        }
+        Refusal::NoParameters | Refusal::Store(StoreRefusal::Empty) => {
+            "`rrr upload model.toml` gives it some"
+        }
+        Refusal::Implausible { .. } => "let the arm come to rest; look at the encoder's wiring",
+        Refusal::FarFromStart { .. } => "move the arm there by hand, or let `rrr run` approach",
+        Refusal::FaultPersists => "remove the cause first; docs/safety.md lists the faults",
+        Refusal::Block(BlockRefusal::Value { .. }) => "correct the value in the model file",
+        Refusal::Block(BlockRefusal::Version { .. }) => {
+            "build tool and firmware from the same sources"
+        }
+        Refusal::Upload { .. } | Refusal::Block(_) => "try again",
+        Refusal::Store(_) => "try again; if it comes back, the flash is worn",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_are_64_digits() {
+        let key = key_of(&"0aFf".repeat(16)).unwrap();
+        assert_eq!(key[..4], [0x0A, 0xFF, 0x0A, 0xFF]);
+        for text in ["", "0aff", &"0aFg".repeat(16), &"ä".repeat(32)] {
+            assert_eq!(key_of(text), None, "{text}");
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! `rrr monitor`: a live table of what the board does.
+
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::sync::atomic::Ordering;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use firmware::ParameterBlock;
+use firmware::link::{Command, Report, Source, Telemetry};
+use firmware::supervisor::State;
+
+use super::Failure;
+use super::interrupt::interrupt;
+use super::link_choice::{LinkChoice, openness};
+use crate::link::session::next_record;
+use crate::link::transfer;
+
+/// Time between two tables.
+const PERIOD: Duration = Duration::from_millis(200);
+
+/// Arguments of `rrr monitor`.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// Print one table and end.
+    #[arg(long)]
+    pub once: bool,
+    /// Which board.
+    #[command(flatten)]
+    pub link: LinkChoice,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// A board that does not answer.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let mut client = arguments.link.connect()?;
+    let bytes = transfer::download(&mut client, Source::InUse)?;
+    let counts_per_turn = ParameterBlock::decode(&bytes)
+        .map(|block| f64::from(block.encoder_counts_per_turn))
+        .map_err(|error| {
+            let hint = "build tool and firmware from the same sources";
+            Failure::new(format!("the board's block: {error}"), hint)
+        })?;
+    client.order(Command::Stream { on: true })?;
+    let interrupted = interrupt();
+    let mut lines = 0;
+    while !interrupted.load(Ordering::Relaxed) {
+        let record = next_record(&mut client)?;
+        let table = table(&record, &client.report()?, counts_per_turn);
+        redraw(&table, &mut lines);
+        if arguments.once {
+            break;
+        }
+        let drawn = Instant::now();
+        while drawn.elapsed() < PERIOD && !interrupted.load(Ordering::Relaxed) {
+            client.listen()?;
+            client.take_records();
+        }
+    }
+    Ok(client.order(Command::Stream { on: false })?)
+}
+
+/// Writes a table over the one before.
+fn redraw(table: &str, lines: &mut usize) {
+    let up = if *lines > 0 { format!("\x1b[{lines}A\x1b[J") } else { String::new() };
+    print!("{up}{table}");
+    // A terminal that is gone is no reason to stop looking after the board.
+    let _ = std::io::stdout().flush();
+    *lines = table.lines().count();
+}
+
+/// What there is to see, as lines.
+fn table(record: &Telemetry, report: &Report, counts_per_turn: f64) -> String {
+    let mut text = format!(
+        "{}  tick {}  {:.1} us (longest {:.1})  overruns {}  telemetry dropped {}\n",
+        report.state,
+        record.sequence,
+        f64::from(record.tick_time_tenth_us) / 10.0,
+        f64::from(report.counters.longest_tick_tenth_us) / 10.0,
+        report.counters.overruns,
+        record.dropped,
+    );
+    let titles = ["joint", "position_rad", "voltage_V", "error_mrad", "cut", "mode"];
+    row(&mut text, titles.map(str::to_owned));
+    for joint in 0..3 {
+        let position_rad = f64::from(record.counts[joint]) / counts_per_turn * TAU;
+        row(
+            &mut text,
+            [
+                format!("{}", joint + 1),
+                format!("{position_rad:.5}"),
+                format!("{:.4}", f64::from(record.codes[joint].to_volts())),
+                error_mrad(record, joint, position_rad),
+                format!("{}", report.counters.saturated[joint]),
+                record.mode[joint].name().to_owned(),
+            ],
+        );
+    }
+    let fault = report.fault.map_or("none".to_owned(), |fault| fault.to_string());
+    let _ = writeln!(text, "fault {fault}\nlink  {}", openness(report));
+    text
+}
+
+/// The tracking error, where there is a reference.
+fn error_mrad(record: &Telemetry, joint: usize, position_rad: f64) -> String {
+    if record.state != State::Running {
+        return "-".to_owned();
+    }
+    let reference_rad = f64::from(record.reference[joint].0) / 2f64.powi(32) * TAU;
+    let turns = ((reference_rad - position_rad) / TAU).round();
+    format!("{:.3}", 1e3 * (reference_rad - position_rad - turns * TAU))
+}
+
+fn row(text: &mut String, [joint, position, voltage, error, cut, mode]: [String; 6]) {
+    let _ =
+        writeln!(text, "{joint:>5} {position:>14} {voltage:>11} {error:>12} {cut:>9} {mode:>14}");
+}

@@ -1,0 +1,63 @@
+//! `rrr upload`: a model file into the board's flash.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use firmware::ParameterBlock;
+use firmware::block::MAX_BYTES;
+use firmware::supervisor::HardLimits;
+
+use super::Failure;
+use super::block_choice::BlockChoice;
+use super::connect;
+use super::link_choice::{LinkChoice, openness};
+use crate::link::transfer;
+
+/// Arguments of `rrr upload`.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// The model.
+    #[arg(value_name = "MODEL.toml")]
+    pub model: PathBuf,
+    /// What the board is to do.
+    #[command(flatten)]
+    pub choice: BlockChoice,
+    /// Which board.
+    #[command(flatten)]
+    pub link: LinkChoice,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// A model that cannot be used, here or on the board, or a board that does not answer.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    // What is wrong with the file is said before a board is looked for.
+    let block = arguments.choice.block(&arguments.model)?;
+    let file = arguments.model.display();
+    HardLimits::default().check(&block).map_err(|error| {
+        let message = format!("{file}: the board refuses it: {error}");
+        Failure::new(message, "correct the value in the model file")
+    })?;
+    let encoded = encoded(&block)?;
+    let mut client = arguments.link.connect()?;
+    let report = client.report()?;
+    let in_use = transfer::commit(&mut client, &encoded)?;
+    transfer::compare(&mut client, &encoded)?;
+    println!("{file}: stored, read back, the same byte for byte");
+    println!("parameters  {}", connect::parameters(Some(&in_use)));
+    println!("link        {}", openness(&report));
+    Ok(())
+}
+
+/// A block as it goes over the line.
+///
+/// # Errors
+/// It has more bytes than a block may.
+pub(super) fn encoded(block: &ParameterBlock) -> Result<Vec<u8>, Failure> {
+    let mut buffer = [0; MAX_BYTES];
+    let encoded = block.encode(&mut buffer).map_err(|error| {
+        Failure::new(format!("the parameter block: {error}"), "use fewer effects in the model file")
+    })?;
+    Ok(encoded.to_vec())
+}

@@ -1,0 +1,113 @@
+//! Why a conversation with the board does not come about.
+
+use firmware::link::{Hello, PROTOCOL_VERSION, Refusal, Source, schema};
+
+/// Why a conversation with the board does not come about, or ends.
+#[derive(Debug, thiserror::Error)]
+pub enum LinkError {
+    /// No port was named, and none was found.
+    #[error("no serial port is there")]
+    NoPort,
+    /// No port was named, and there is more than one.
+    #[error("{} serial ports are there: {}", .0.len(), .0.join(", "))]
+    ManyPorts(Vec<String>),
+    /// The port cannot be opened.
+    #[error("{port}: cannot be opened: {source}")]
+    Open {
+        /// The port.
+        port: String,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// Reading or writing failed.
+    #[error("{port}: the line broke: {source}")]
+    Broke {
+        /// The port.
+        port: String,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// Nothing that is an answer has come.
+    #[error("{port}: no answer to {what}, asked {tries} times in {waited_s:.1} s{}", seen(*.bytes))]
+    Silent {
+        /// The port.
+        port: String,
+        /// What was asked.
+        what: &'static str,
+        /// How often.
+        tries: u32,
+        /// For how long [s].
+        waited_s: f64,
+        /// Bytes that came, and were no answer.
+        bytes: u64,
+    },
+    /// The board speaks another version of the protocol.
+    #[error(
+        "the board ({}, build {}) speaks version {} of the protocol, this tool version \
+         {PROTOCOL_VERSION}: the {} is older",
+        .0.board.as_str(), .0.build_id.as_str(), .0.protocol_version, older(.0)
+    )]
+    OtherProtocol(Box<Hello>),
+    /// The board's messages have other types.
+    #[error(
+        "the board ({}, build {}) has messages of another build ({:08X}) than this tool \
+         (build {}, {:08X})",
+        .0.board.as_str(), .0.build_id.as_str(), .0.schema_hash, firmware::link::BUILD_ID,
+        schema::HASH
+    )]
+    OtherMessages(Box<Hello>),
+    /// The board said no.
+    #[error("{what}: {why}")]
+    Refused {
+        /// What was asked.
+        what: &'static str,
+        /// The board's reason.
+        why: Refusal,
+    },
+    /// The board answers, but sends no telemetry.
+    #[error("the board sends no telemetry, waited {waited_s:.1} s")]
+    NoTelemetry {
+        /// How long was waited [s].
+        waited_s: f64,
+    },
+    /// The arm does not come to rest.
+    #[error("joint {joint} is not at rest: it moved by {moved_rad:.4} rad, waited {waited_s:.0} s")]
+    NotAtRest {
+        /// The joint, 1 to 3.
+        joint: u8,
+        /// How far it went within 0.2 s [rad].
+        moved_rad: f64,
+        /// How long was waited [s].
+        waited_s: f64,
+    },
+    /// An answer of another kind than the request's.
+    #[error("the board's answer to {0} is of another kind")]
+    OtherAnswer(&'static str),
+    /// A downloaded block is not the one that the board announced.
+    #[error("the block came with CRC-32 {found:08X}, the board announced {announced:08X}")]
+    Checksum {
+        /// Of the bytes that came.
+        found: u32,
+        /// As the board told.
+        announced: u32,
+    },
+    /// What is on the board is not what was sent.
+    #[error("what was read back ({which:?}) differs from what was sent at byte {offset}")]
+    ReadBack {
+        /// Which of the board's blocks.
+        which: Source,
+        /// The first byte that differs.
+        offset: usize,
+    },
+}
+
+fn seen(bytes: u64) -> String {
+    match bytes {
+        0 => String::new(),
+        bytes => format!("; {bytes} bytes came that are no answer"),
+    }
+}
+
+fn older(board: &Hello) -> &'static str {
+    if board.protocol_version < PROTOCOL_VERSION { "firmware" } else { "tool" }
+}

@@ -1,0 +1,25 @@
+//! The host's end of the board's serial line; `firmware::link` says what goes over it.
+//!
+//! | module | what it holds |
+//! | --- | --- |
+//! | [`address`], [`port`] | where the board is: a serial port, TCP, a socket or a pty |
+//! | [`client`] | numbered requests, time-outs, retries, the key |
+//! | [`transfer`] | parameter blocks up, down, and compared |
+//! | [`session`], [`approach`] | a run from arming to disarming, and the way to its beginning |
+//! | [`recorder`] | telemetry to a log |
+//! | [`simulated_board`] | a board in this process at a simulated robot, for tests |
+
+pub mod address;
+pub mod approach;
+pub mod client;
+pub mod error;
+pub mod port;
+pub mod recorder;
+pub mod session;
+pub mod simulated_board;
+pub mod transfer;
+
+pub use address::Address;
+pub use client::{Client, Told};
+pub use error::LinkError;
+pub use recorder::Recorder;

@@ -1,0 +1,88 @@
+//! Bytes to the board and from it, whatever carries them.
+
+use std::io::{Error, ErrorKind, Read, Result, Write};
+use std::net::TcpStream;
+use std::os::unix::net::UnixStream;
+use std::time::Duration;
+
+use super::address::Address;
+
+/// Longest wait for a byte; a reader looks at the clock in between.
+const WAIT: Duration = Duration::from_millis(5);
+/// Longest wait until the line takes bytes.
+const WRITE_WAIT: Duration = Duration::from_secs(2);
+
+/// What carries the bytes.
+pub trait Stream: Read + Write + Send {}
+
+impl<T: Read + Write + Send> Stream for T {}
+
+/// An open line.
+pub struct Port(Box<dyn Stream>);
+
+impl std::fmt::Debug for Port {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Port")
+    }
+}
+
+impl Port {
+    /// Opens it.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn open(address: &Address) -> Result<Self> {
+        Ok(Self(match address {
+            Address::Serial(name) => {
+                Box::new(serialport::new(name, firmware::link::BAUD).timeout(WAIT).open()?)
+            }
+            Address::Tcp(address) => {
+                let stream = TcpStream::connect(address)?;
+                stream.set_nodelay(true)?;
+                stream.set_read_timeout(Some(WAIT))?;
+                stream.set_write_timeout(Some(WRITE_WAIT))?;
+                Box::new(stream)
+            }
+            Address::Unix(path) => {
+                let stream = UnixStream::connect(path)?;
+                stream.set_read_timeout(Some(WAIT))?;
+                stream.set_write_timeout(Some(WRITE_WAIT))?;
+                Box::new(stream)
+            }
+        }))
+    }
+
+    /// Sends all of the bytes.
+    ///
+    /// # Errors
+    /// The line is broken, or takes none for 2 s.
+    pub fn send(&mut self, bytes: &[u8]) -> Result<()> {
+        let mut rest = bytes;
+        let mut waits = WRITE_WAIT.as_millis() / WAIT.as_millis();
+        while !rest.is_empty() {
+            match self.0.write(rest) {
+                Ok(taken) => rest = &rest[taken..],
+                Err(error) if is_pause(&error) && waits > 0 => waits -= 1,
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(())
+    }
+
+    /// Bytes that have come; none after a few milliseconds without any.
+    ///
+    /// # Errors
+    /// The line is broken, or the other end has closed it.
+    pub fn receive(&mut self, buffer: &mut [u8]) -> Result<usize> {
+        match self.0.read(buffer) {
+            Ok(0) => Err(Error::new(ErrorKind::UnexpectedEof, "the other end has closed it")),
+            Ok(length) => Ok(length),
+            Err(error) if is_pause(&error) => Ok(0),
+            Err(error) => Err(error),
+        }
+    }
+}
+
+fn is_pause(error: &Error) -> bool {
+    matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut | ErrorKind::Interrupted)
+}

@@ -1,0 +1,82 @@
+//! Parameter blocks between host and board.
+
+use firmware::block::MAX_BYTES;
+use firmware::link::checked::CHECKSUM;
+use firmware::link::{Command, PIECE_BYTES, Parameters, Source};
+
+use super::client::{Client, Told};
+use super::error::LinkError;
+
+/// Sends an encoded block and has the board store it for good, read it back and use it.
+///
+/// # Errors
+/// The line, or the board's reason to refuse it; the board then goes on as before.
+pub fn commit(client: &mut Client, encoded: &[u8]) -> Result<Parameters, LinkError> {
+    send(client, encoded)?;
+    finish(client, Command::Commit)
+}
+
+/// Sends an encoded block and has the board use it until the next reset.
+///
+/// # Errors
+/// As of [`commit`].
+pub fn put_into_use(client: &mut Client, encoded: &[u8]) -> Result<Parameters, LinkError> {
+    send(client, encoded)?;
+    finish(client, Command::Use)
+}
+
+fn send(client: &mut Client, encoded: &[u8]) -> Result<(), LinkError> {
+    let checksum = CHECKSUM.checksum(encoded);
+    client.order(Command::UploadBegin { length: encoded.len() as u16, checksum })?;
+    for (index, bytes) in encoded.chunks(PIECE_BYTES).enumerate() {
+        let offset = (index * PIECE_BYTES) as u16;
+        client.order(Command::UploadPiece { offset, bytes })?;
+    }
+    Ok(())
+}
+
+fn finish(client: &mut Client, command: Command<'_>) -> Result<Parameters, LinkError> {
+    match client.ask(command)? {
+        Told::InUse(parameters) => Ok(parameters),
+        _ => Err(LinkError::OtherAnswer("the end of an upload")),
+    }
+}
+
+/// Fetches an encoded block and checks that it is the one that the board announces.
+///
+/// # Errors
+/// The line, a board without such a block, or one whose block changes meanwhile.
+pub fn download(client: &mut Client, source: Source) -> Result<Vec<u8>, LinkError> {
+    let mut block = Vec::new();
+    loop {
+        let offset = block.len() as u16;
+        let told = client.ask(Command::Download { source, offset })?;
+        let Told::Piece { length, checksum: announced, bytes } = told else {
+            return Err(LinkError::OtherAnswer("a download"));
+        };
+        block.extend_from_slice(&bytes);
+        let is_whole = bytes.is_empty() || block.len() >= usize::from(length);
+        if is_whole || block.len() > MAX_BYTES {
+            let found = CHECKSUM.checksum(&block);
+            return match found == announced {
+                true => Ok(block),
+                false => Err(LinkError::Checksum { found, announced }),
+            };
+        }
+    }
+}
+
+/// Fetches both of the board's blocks and holds them byte for byte against what was sent.
+///
+/// # Errors
+/// The line, or the first byte that differs.
+pub fn compare(client: &mut Client, sent: &[u8]) -> Result<(), LinkError> {
+    for which in [Source::Stored, Source::InUse] {
+        let found = download(client, which)?;
+        if found != sent {
+            let same = found.iter().zip(sent).take_while(|(a, b)| a == b).count();
+            return Err(LinkError::ReadBack { which, offset: same });
+        }
+    }
+    Ok(())
+}
