@@ -8,6 +8,7 @@ use super::error::{FileError, Problem};
 mod check;
 mod from_table;
 mod joint_message;
+mod mcap_records;
 mod read_mcap;
 mod write_csv;
 mod write_mcap;

@@ -1,0 +1,78 @@
+//! The records of an MCAP file that a log needs: channels and messages, read by hand.
+//!
+//! The library's own parser reserves what a string claims to be long, up to 4 GiB, before it
+//! looks whether the string is there. Schemas, metadata and indices are not looked at.
+
+use std::collections::HashMap;
+use std::io::Read;
+
+use mcap::records::op::{CHANNEL, DATA_END, MESSAGE};
+use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
+use mcap::{McapError, McapResult};
+
+/// A message and its channel's topic.
+pub(super) struct TopicMessage<'a> {
+    pub topic: &'a str,
+    /// Time at which it was logged [ns].
+    pub log_time_ns: u64,
+    pub data: &'a [u8],
+}
+
+/// Hands every message on, chunk by chunk, each chunk once its checksum is right.
+///
+/// Sizes stand in the file itself, so without a limit a damaged one claims all memory.
+pub(super) fn for_each_message<E: From<McapError>>(
+    bytes: &[u8],
+    mut take: impl FnMut(TopicMessage<'_>) -> Result<(), E>,
+) -> Result<(), E> {
+    const LARGEST_CHUNK: usize = 64 << 20;
+    let options = LinearReaderOptions::default()
+        .with_record_length_limit(bytes.len().saturating_add(LARGEST_CHUNK))
+        .with_prevalidate_chunk_crcs(true);
+    let mut reader = LinearReader::new_with_options(options);
+    let (mut rest, mut topics, mut ended) = (bytes, HashMap::new(), false);
+    while let Some(event) = reader.next_event() {
+        match event? {
+            LinearReadEvent::ReadRequest(wanted) => {
+                let read = rest.read(reader.insert(wanted)).map_err(McapError::from)?;
+                reader.notify_read(read);
+            }
+            // Behind the end of the data channels are repeated, for who seeks in the file.
+            LinearReadEvent::Record { opcode: DATA_END, .. } => ended = true,
+            LinearReadEvent::Record { opcode: CHANNEL, data } if !ended => {
+                let (id, topic) = channel(data)?;
+                topics.insert(id, topic);
+            }
+            LinearReadEvent::Record { opcode: MESSAGE, data } if !ended => {
+                take(message(data, &topics)?)?;
+            }
+            LinearReadEvent::Record { .. } => {}
+        }
+    }
+    Ok(())
+}
+
+/// A channel's number and topic.
+fn channel(data: &[u8]) -> McapResult<(u16, String)> {
+    let (id, data) = number(data)?;
+    let (_schema, data) = number::<2>(data)?;
+    let (length, data) = number(data)?;
+    let topic = data.get(..u32::from_le_bytes(length) as usize).ok_or(McapError::UnexpectedEof)?;
+    Ok((u16::from_le_bytes(id), String::from_utf8_lossy(topic).into_owned()))
+}
+
+fn message<'a>(data: &'a [u8], topics: &'a HashMap<u16, String>) -> McapResult<TopicMessage<'a>> {
+    let (id, data) = number(data)?;
+    let (sequence, data) = number(data)?;
+    let (log_time, data) = number(data)?;
+    let (_publish_time, data) = number::<8>(data)?;
+    let (id, sequence) = (u16::from_le_bytes(id), u32::from_le_bytes(sequence));
+    let topic = topics.get(&id).ok_or(McapError::UnknownChannel(sequence, id))?;
+    Ok(TopicMessage { topic, log_time_ns: u64::from_le_bytes(log_time), data })
+}
+
+/// The first bytes, and what follows them.
+fn number<const N: usize>(data: &[u8]) -> McapResult<([u8; N], &[u8])> {
+    let (number, rest) = data.split_first_chunk().ok_or(McapError::UnexpectedEof)?;
+    Ok((*number, rest))
+}
