@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 use std::io::Read;
 
-use mcap::records::op::{CHANNEL, DATA_END, MESSAGE};
+use mcap::records::op::{CHANNEL, CHUNK, DATA_END, MESSAGE};
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 use mcap::{McapError, McapResult};
 
@@ -26,6 +26,7 @@ pub(super) fn for_each_message<E: From<McapError>>(
     mut take: impl FnMut(TopicMessage<'_>) -> Result<(), E>,
 ) -> Result<(), E> {
     const LARGEST_CHUNK: usize = 64 << 20;
+    check_plain_chunks(bytes)?;
     let options = LinearReaderOptions::default()
         .with_record_length_limit(bytes.len().saturating_add(LARGEST_CHUNK))
         .with_prevalidate_chunk_crcs(true);
@@ -50,6 +51,50 @@ pub(super) fn for_each_message<E: From<McapError>>(
         }
     }
     Ok(())
+}
+
+/// Bytes of a record before its content: kind and length.
+const RECORD_HEAD: usize = 9;
+const MAGIC_BYTES: usize = 8;
+
+/// Checks that records end with their chunk where that is not compressed: the library counts
+/// down without looking, and would read on behind it.
+fn check_plain_chunks(bytes: &[u8]) -> McapResult<()> {
+    let mut rest = bytes.get(MAGIC_BYTES..).unwrap_or_default();
+    // What does not end as it should is an error of the library's.
+    while let Some((opcode, content, behind)) = record(rest) {
+        if opcode == CHUNK && !plain_records(content).is_none_or(is_whole) {
+            return Err(McapError::UnexpectedEoc);
+        }
+        rest = behind;
+    }
+    Ok(())
+}
+
+/// Kind and content of the first record, and what follows it.
+fn record(bytes: &[u8]) -> Option<(u8, &[u8], &[u8])> {
+    let (head, rest) = bytes.split_first_chunk::<RECORD_HEAD>()?;
+    let (opcode, length) = head.split_first()?;
+    let length = u64::from_le_bytes(length.try_into().ok()?);
+    let (content, behind) = rest.split_at_checked(usize::try_from(length).ok()?)?;
+    Some((*opcode, content, behind))
+}
+
+/// The records of a chunk that is not compressed.
+fn plain_records(chunk: &[u8]) -> Option<&[u8]> {
+    // Two times, size and checksum of the records.
+    let (_, chunk) = chunk.split_first_chunk::<28>()?;
+    let (compression, chunk) = chunk.split_first_chunk::<4>()?;
+    let (length, chunk) = chunk.split_first_chunk::<8>()?;
+    let length = usize::try_from(u64::from_le_bytes(*length)).ok()?;
+    (*compression == [0; 4]).then(|| chunk.get(..length)).flatten()
+}
+
+fn is_whole(mut records: &[u8]) -> bool {
+    while let Some((_, _, behind)) = record(records) {
+        records = behind;
+    }
+    records.is_empty()
 }
 
 /// A channel's number and topic.
