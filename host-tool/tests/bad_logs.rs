@@ -255,8 +255,10 @@ fn mcap_that_claims_memory() {
 #[test]
 fn mcap_whose_record_outgrows_its_chunk() {
     let chunk = [&[0; 28][..], &[0; 4], &9_u64.to_le_bytes(), &[5], &4_u64.to_le_bytes()].concat();
-    let length = (chunk.len() as u64).to_le_bytes();
-    let bytes = [&b"\x89MCAP0\r\n\x06"[..], &length, &chunk, &[0; 64]].concat();
-    let message = error_of("bad.mcap", &bytes).to_string();
-    assert!(message.contains("bad.mcap: the MCAP data is cut short or damaged"), "{message}");
+    for length in [chunk.len() as u64, 1 << 26] {
+        let length = length.to_le_bytes();
+        let bytes = [&b"\x89MCAP0\r\n\x06"[..], &length, &chunk, &[0; 64]].concat();
+        let message = error_of("bad.mcap", &bytes).to_string();
+        assert!(message.contains("bad.mcap: the MCAP data is cut short or damaged"), "{message}");
+    }
 }

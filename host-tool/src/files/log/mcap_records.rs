@@ -57,12 +57,13 @@ pub(super) fn for_each_message<E: From<McapError>>(
 const RECORD_HEAD: usize = 9;
 const MAGIC_BYTES: usize = 8;
 
-/// Checks that records end with their chunk where that is not compressed: the library counts
-/// down without looking, and would read on behind it.
+/// Checks that records end with the file, and with their chunk where that is not compressed:
+/// the library counts down without looking, and would read on behind it.
 fn check_plain_chunks(bytes: &[u8]) -> McapResult<()> {
     let mut rest = bytes.get(MAGIC_BYTES..).unwrap_or_default();
-    // What does not end as it should is an error of the library's.
-    while let Some((opcode, content, behind)) = record(rest) {
+    // The magic number stands at the end as well.
+    while rest.len() > MAGIC_BYTES {
+        let (opcode, content, behind) = record(rest).ok_or(McapError::UnexpectedEof)?;
         if opcode == CHUNK && !plain_records(content).is_none_or(is_whole) {
             return Err(McapError::UnexpectedEoc);
         }
