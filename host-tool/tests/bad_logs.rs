@@ -242,3 +242,23 @@ fn a_failed_write_leaves_what_was_there() {
     assert!(message.contains("cannot be written"), "{message}");
     assert_eq!(std::fs::read_dir(directory.path()).unwrap().count(), 1);
 }
+
+/// Found by fuzzing: a metadata record whose text claims to be 3 GB long, which is not looked at.
+#[test]
+fn mcap_that_claims_memory() {
+    let bytes = b"\x89MCAP0\r\n\x0c\x0a\0\0\0\0\0\0\0\0\x7a\0\xff\xba%M\0\x89MC\0";
+    let message = error_of("bad.mcap", bytes).to_string();
+    assert!(message.contains("bad.mcap: the MCAP data is cut short or damaged"), "{message}");
+}
+
+/// Found by fuzzing: a record that is longer than the chunk around it.
+#[test]
+fn mcap_whose_record_outgrows_its_chunk() {
+    let chunk = [&[0; 28][..], &[0; 4], &9_u64.to_le_bytes(), &[5], &4_u64.to_le_bytes()].concat();
+    for length in [chunk.len() as u64, 1 << 26] {
+        let length = length.to_le_bytes();
+        let bytes = [&b"\x89MCAP0\r\n\x06"[..], &length, &chunk, &[0; 64]].concat();
+        let message = error_of("bad.mcap", &bytes).to_string();
+        assert!(message.contains("bad.mcap: the MCAP data is cut short or damaged"), "{message}");
+    }
+}

@@ -146,7 +146,7 @@ pub enum Problem {
     },
     /// A damaged MCAP file.
     #[error("the MCAP data is cut short or damaged: {0}")]
-    BrokenMcap(mcap::McapError),
+    BrokenMcap(#[from] mcap::McapError),
     /// An MCAP message that is not a joint's sample.
     #[error("message {number} on {topic}: {what}")]
     BrokenMessage {

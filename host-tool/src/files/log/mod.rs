@@ -9,6 +9,7 @@ mod board_message;
 mod check;
 mod from_table;
 mod joint_message;
+mod mcap_records;
 mod read_mcap;
 mod write_csv;
 mod write_mcap;

@@ -2,11 +2,8 @@
 
 use std::path::Path;
 
-use mcap::Message;
-use mcap::io::MessageReader;
-use mcap::sans_io::LinearReaderOptions;
-
 use super::joint_message::{JointMessage, topic};
+use super::mcap_records::{TopicMessage, for_each_message};
 use super::{JointLog, Log, Position};
 use crate::files::error::{Fault, FileError, Problem};
 
@@ -18,27 +15,16 @@ pub(super) fn of(path: &Path, bytes: &[u8]) -> Result<Log, FileError> {
 /// The log that an MCAP file's messages make; messages on other topics are ignored.
 pub(super) fn log_from(bytes: &[u8]) -> Result<Log, Fault> {
     let mut joints: [Samples; 3] = Default::default();
-    for message in messages(bytes) {
-        let message = message.map_err(Problem::BrokenMcap)?;
-        let on_topic = |(joint, _): &(u8, &mut Samples)| topic(*joint) == message.channel.topic;
-        if let Some((_, samples)) = (1..).zip(&mut joints).find(on_topic) {
-            samples.push(&message)?;
+    let topics = [1, 2, 3].map(topic);
+    for_each_message(bytes, |message| {
+        match topics.iter().position(|topic| topic == message.topic) {
+            Some(index) => joints[index].push(&message),
+            None => Ok(()),
         }
-    }
+    })?;
     let log = join((1..).zip(joints).filter(|(_, samples)| !samples.time_s.is_empty()))?;
     log.check().map_err(Fault::without_line)?;
     Ok(log)
-}
-
-/// The messages, chunk by chunk, each chunk once its checksum is right.
-///
-/// Sizes stand in the file itself, so without a limit a damaged one claims all memory.
-fn messages(bytes: &[u8]) -> MessageReader<&[u8]> {
-    const LARGEST_CHUNK: usize = 64 << 20;
-    let options = LinearReaderOptions::default()
-        .with_record_length_limit(bytes.len().saturating_add(LARGEST_CHUNK))
-        .with_prevalidate_chunk_crcs(true);
-    MessageReader::new_with_options(bytes, options)
 }
 
 /// One joint's messages, column by column.
@@ -52,14 +38,14 @@ struct Samples {
 }
 
 impl Samples {
-    fn push(&mut self, message: &Message) -> Result<(), Problem> {
+    fn push(&mut self, message: &TopicMessage<'_>) -> Result<(), Problem> {
         let sample: JointMessage =
-            serde_json::from_slice(&message.data).map_err(|error| Problem::BrokenMessage {
-                topic: message.channel.topic.clone(),
+            serde_json::from_slice(message.data).map_err(|error| Problem::BrokenMessage {
+                topic: message.topic.to_owned(),
                 number: self.time_s.len() + 1,
                 what: error.to_string(),
             })?;
-        self.time_s.push(sample.t_s.unwrap_or(message.log_time as f64 / 1e9));
+        self.time_s.push(sample.t_s.unwrap_or(message.log_time_ns as f64 / 1e9));
         self.counts.extend(sample.position_count);
         self.angles_rad.extend(sample.position_rad);
         self.command_v.push(sample.command_v);
