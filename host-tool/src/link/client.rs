@@ -172,7 +172,7 @@ impl Client {
         if matches!(command, Command::SetKey { .. }) {
             self.nonce = None;
         }
-        result.map_err(|why| LinkError::Refused { what, why })
+        result.map_err(|why| LinkError::Refused { what, why: Box::new(why) })
     }
 
     /// Asks what is answered by nothing but that it is done.

@@ -62,7 +62,7 @@ pub enum LinkError {
         /// What was asked.
         what: &'static str,
         /// The board's reason.
-        why: Refusal,
+        why: Box<Refusal>,
     },
     /// The board answers, but sends no telemetry.
     #[error("the board sends no telemetry, waited {waited_s:.1} s")]

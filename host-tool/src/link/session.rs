@@ -73,8 +73,8 @@ fn arm(client: &mut Client, interrupted: &AtomicBool) -> Result<(), LinkError> {
     let begin = Instant::now();
     loop {
         match client.order(Command::Arm) {
-            Err(LinkError::Refused { why: Refusal::Implausible { why, .. }, .. })
-                if passes(why)
+            Err(LinkError::Refused { why, .. })
+                if passes(&why)
                     && begin.elapsed() < SETTLING
                     && !interrupted.load(Ordering::Relaxed) =>
             {
@@ -85,8 +85,9 @@ fn arm(client: &mut Client, interrupted: &AtomicBool) -> Result<(), LinkError> {
     }
 }
 
-fn passes(why: Implausible) -> bool {
-    matches!(why, Implausible::NotSettled | Implausible::Moving | Implausible::Jumped)
+fn passes(why: &Refusal) -> bool {
+    use Implausible::{Jumped, Moving, NotSettled};
+    matches!(why, Refusal::Implausible { why: NotSettled | Moving | Jumped, .. })
 }
 
 fn follow(
@@ -124,7 +125,8 @@ pub fn halt(client: &mut Client) -> Result<State, LinkError> {
     for command in [Command::Stop, Command::Disarm] {
         match client.order(command) {
             // Not running, not armed: that is what is wanted.
-            Ok(()) | Err(LinkError::Refused { why: Refusal::NotNow { .. }, .. }) => {}
+            Ok(()) => {}
+            Err(LinkError::Refused { why, .. }) if matches!(*why, Refusal::NotNow { .. }) => {}
             Err(error) => return Err(error),
         }
     }
