@@ -126,3 +126,15 @@ fn a_proof_holds_for_one_command_under_one_number_and_challenge() {
     assert!(!key::is_proven(&key, &[3; 16], &request));
     assert!(!key::is_proven(&[0; 32], &nonce, &request));
 }
+
+/// A block ends with a checksum of its own; the line's must still tell one from another.
+#[test]
+fn a_checksum_tells_one_block_from_another() {
+    let of = |limit_v: f32| {
+        let mut block = firmware::store::safe_defaults();
+        block.command_limit_v = limit_v;
+        let mut buffer = [0; firmware::block::MAX_BYTES];
+        firmware::link::checked::CHECKSUM.checksum(block.encode(&mut buffer).unwrap())
+    };
+    assert_ne!(of(1.0), of(2.0));
+}

@@ -1,12 +1,15 @@
 //! Frames with a checksum: kind, payload, CRC-32, all inside COBS, ended by a zero.
 
 use cobs::CobsEncoder;
-use crc::{CRC_32_ISO_HDLC, Crc, Table};
+use crc::{CRC_32_ISCSI, Crc, Table};
 
 use crate::frame::MAX_CONTENT_BYTES;
 
 /// The CRC of frames, blocks and pieces. A table of 256 words makes it quick.
-pub const CHECKSUM: Crc<u32, Table<1>> = Crc::<u32, Table<1>>::new(&CRC_32_ISO_HDLC);
+///
+/// Not the one that ends a parameter block: over bytes that end with their own checksum, the
+/// same one gives the same number whatever they are.
+pub const CHECKSUM: Crc<u32, Table<1>> = Crc::<u32, Table<1>>::new(&CRC_32_ISCSI);
 /// Longest frame on the line, with its zero [bytes].
 pub const MAX_FRAME_BYTES: usize = MAX_CONTENT_BYTES + MAX_CONTENT_BYTES / 254 + 2;
 /// Longest payload of a frame [bytes].
