@@ -3,7 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::evidence::{Evidence, Rows};
-use super::linearisation::{Linearisation, Score, Which, step_of};
+use super::linearisation::{Linearisation, Score, Which};
+use super::slopes::step_of;
 use super::voltage::Added;
 
 /// An effect with its best values so far, and how well the model does with it.

@@ -31,6 +31,7 @@ pub mod selection;
 pub mod sentence;
 mod shake;
 mod shrinkage;
+mod slopes;
 pub mod stretch;
 pub mod subject;
 #[cfg(test)]
