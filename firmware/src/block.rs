@@ -8,6 +8,7 @@ use model::{ParameterError, Robot};
 use serde::{Deserialize, Serialize};
 
 use crate::compensation::{Compensations, Outside};
+use crate::link::checked::CHECKSUM as LINE_CHECKSUM;
 use crate::reference::Reference;
 use crate::supervisor::SafetyLimits;
 
@@ -157,6 +158,12 @@ impl ParameterBlock {
         let checksum = CHECKSUM.checksum(&buffer[..end]);
         buffer[end..end + CHECKSUM_BYTES].copy_from_slice(&checksum.to_le_bytes());
         Ok(&buffer[..end + CHECKSUM_BYTES])
+    }
+
+    /// [`LINE_CHECKSUM`] of the encoded block, which tells one from another; 0 without encoding.
+    pub fn fingerprint(&self) -> u32 {
+        let mut buffer = [0; MAX_BYTES];
+        self.encode(&mut buffer).map_or(0, |bytes| LINE_CHECKSUM.checksum(bytes))
     }
 
     /// Reads a block and checks every value in it.

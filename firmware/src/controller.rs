@@ -76,6 +76,8 @@ pub struct Controller {
     tick: u32,
     running: bool,
     block: ParameterBlock,
+    /// Of the block when it was taken.
+    fingerprint: u32,
 }
 
 impl Controller {
@@ -88,6 +90,7 @@ impl Controller {
             last_tick: (block.reference.duration_s * rate_per_s + 0.5) as u32,
             tick: 0,
             running: false,
+            fingerprint: block.fingerprint(),
             block,
         }
     }
@@ -95,6 +98,17 @@ impl Controller {
     /// The block that it works with.
     pub fn block(&self) -> &ParameterBlock {
         &self.block
+    }
+
+    /// Whether the block still is what it was when it was taken. Some 10,000 instructions.
+    pub fn is_whole(&self) -> bool {
+        self.block.fingerprint() == self.fingerprint
+    }
+
+    /// Changes the block as broken memory would; for tests.
+    #[cfg(feature = "fault-injection")]
+    pub(crate) fn break_block(&mut self, change: impl FnOnce(&mut ParameterBlock)) {
+        change(&mut self.block);
     }
 
     /// Where each joint shall be at the first tick of the reference.

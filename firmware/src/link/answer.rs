@@ -31,7 +31,7 @@ pub enum Reply<'a> {
     Piece {
         /// Bytes of the whole encoded block.
         length: u16,
-        /// CRC-32 (ISO-HDLC) of the whole encoded block.
+        /// CRC-32C of the whole encoded block.
         checksum: u32,
         /// From the offset that was asked for; empty beyond the end.
         #[serde(borrow)]
@@ -63,7 +63,7 @@ pub struct Parameters {
     pub origin: Origin,
     /// Bytes of the encoded block.
     pub length: u16,
-    /// CRC-32 (ISO-HDLC) of the encoded block.
+    /// CRC-32C of the encoded block.
     pub checksum: u32,
 }
 

@@ -1,4 +1,4 @@
-//! Frames with a checksum: kind, payload, CRC-32, all inside COBS, ended by a zero.
+//! Frames with a checksum: kind, payload, CRC-32C, all inside COBS, ended by a zero.
 
 use cobs::CobsEncoder;
 use crc::{CRC_32_ISCSI, Crc, Table};

@@ -37,7 +37,7 @@ pub enum Command<'a> {
     UploadBegin {
         /// Bytes of the whole encoded block.
         length: u16,
-        /// CRC-32 (ISO-HDLC) of the whole encoded block.
+        /// CRC-32C of the whole encoded block.
         checksum: u32,
     },
     /// The next piece; pieces follow one another without a gap. Key.

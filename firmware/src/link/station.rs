@@ -1,18 +1,15 @@
 //! Supervisor, handler and outbox in one thread, for boards that poll their line.
 
-use super::checked::{CHECKSUM, MAX_FRAME_BYTES};
+use super::checked::MAX_FRAME_BYTES;
 use super::desk::BlockStore;
 use super::handler::Handler;
 use super::messages::ToHost;
 use super::outbox::Outbox;
 use super::telemetry::Telemetry;
-use crate::block::MAX_BYTES;
-use crate::supervisor::{Health, Supervisor};
+use crate::supervisor::{CHECK_EVERY_TICKS, Health, Supervisor};
 
 /// Room for what waits to be sent [bytes].
 const OUTBOX_BYTES: usize = 2048;
-/// Every so many ticks the parameters in use are held against what was checked.
-const CHECK_EVERY_TICKS: u32 = 1000;
 
 /// A board from the line to the codes.
 #[derive(Debug)]
@@ -58,7 +55,7 @@ impl<S: BlockStore> Station<S> {
         }
         self.handler.keep_fault(&self.supervisor);
         if record.sequence.is_multiple_of(CHECK_EVERY_TICKS) {
-            self.parameters_corrupt = !self.parameters_are_whole();
+            self.parameters_corrupt = !self.supervisor.parameters_are_whole();
         }
     }
 
@@ -73,16 +70,5 @@ impl<S: BlockStore> Station<S> {
     /// The next byte for the line.
     pub fn send(&mut self) -> Option<u8> {
         self.outbox.pop()
-    }
-
-    /// Whether the controller's block still is the one that was checked.
-    fn parameters_are_whole(&self) -> bool {
-        let mut buffer = [0; MAX_BYTES];
-        match (self.supervisor.block(), self.handler.parameters()) {
-            (Some(block), Some(parameters)) => block
-                .encode(&mut buffer)
-                .is_ok_and(|bytes| CHECKSUM.checksum(bytes) == parameters.checksum),
-            (in_use, told) => in_use.is_none() == told.is_none(),
-        }
     }
 }

@@ -13,7 +13,7 @@
 //! | modes 3, state 1, saturated 1 | 5 |
 //! | fault and joint, with the byte that says there is one | 3 |
 //! | tick time 3, dropped 5 | 8 |
-//! | CRC-32 | 4 |
+//! | CRC-32C | 4 |
 //! | COBS's own byte and the zero | 2 |
 //! | **sum** | **67** |
 //!

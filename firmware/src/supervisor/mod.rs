@@ -28,6 +28,9 @@ use crate::link::{Counters, Telemetry};
 use crate::{Angle, Controller, DacCode, Mode, ParameterBlock, TickOutput};
 use watch::{Excess, JointWatch, Seen, follows};
 
+/// Every so many ticks a board asks [`Supervisor::parameters_are_whole`].
+pub const CHECK_EVERY_TICKS: u32 = 1000;
+
 /// What the board knows of itself at a tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Health {
@@ -116,6 +119,20 @@ impl Supervisor {
     /// The block in use.
     pub fn block(&self) -> Option<&ParameterBlock> {
         self.watched.as_ref().map(|watched| watched.controller.block())
+    }
+
+    /// Whether the parameters in use still are those that were checked. For
+    /// [`Health::parameters_corrupt`], now and then, once a tick's codes are out.
+    pub fn parameters_are_whole(&self) -> bool {
+        self.watched.as_ref().is_none_or(|watched| watched.controller.is_whole())
+    }
+
+    /// Changes the parameters in use as broken memory would; for tests.
+    #[cfg(feature = "fault-injection")]
+    pub fn break_parameters(&mut self, change: impl FnOnce(&mut ParameterBlock)) {
+        if let Some(watched) = &mut self.watched {
+            watched.controller.break_block(change);
+        }
     }
 
     /// Leaves Boot: for Disarmed, or for Faulted if there is a cause.

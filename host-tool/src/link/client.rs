@@ -30,11 +30,11 @@ pub enum Told {
     Report(Box<Report>),
     /// What proofs are made with.
     Challenge(Nonce),
-    /// A piece of a block of that length and CRC-32.
+    /// A piece of a block of that length and CRC-32C.
     Piece {
         /// Bytes of the whole block.
         length: u16,
-        /// CRC-32 of the whole block.
+        /// CRC-32C of the whole block.
         checksum: u32,
         /// The piece.
         bytes: Vec<u8>,

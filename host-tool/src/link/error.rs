@@ -84,7 +84,7 @@ pub enum LinkError {
     #[error("the board's answer to {0} is of another kind")]
     OtherAnswer(&'static str),
     /// A downloaded block is not the one that the board announced.
-    #[error("the block came with CRC-32 {found:08X}, the board announced {announced:08X}")]
+    #[error("the block came with CRC-32C {found:08X}, the board announced {announced:08X}")]
     Checksum {
         /// Of the bytes that came.
         found: u32,

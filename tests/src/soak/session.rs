@@ -1,12 +1,14 @@
-//! The soak itself: board, arm, line and host, tick by tick, session by session.
+//! The soak itself: board, arm, line and host, session by session.
+
+mod conversation;
+mod faults;
+mod tick;
 
 use std::collections::VecDeque;
 
 use firmware::frame::FrameReader;
-use firmware::link::checked::CHECKSUM;
 use firmware::link::{
-    Beginning, Command, Handler, Kept, PIECE_BYTES, Refusal, Reply, Report, Request, Source,
-    Station, Telemetry, ToBoard, ToHost,
+    Beginning, Command, Handler, Kept, Refusal, Reply, Report, Station, Telemetry,
 };
 use firmware::store::{Layout, RamFlash, Store};
 use firmware::supervisor::{BootReport, Fault, HardLimits, Health, State, Supervisor};
@@ -19,7 +21,6 @@ use super::dice::Dice;
 use super::draw;
 use super::noisy_line::NoisyLine;
 use super::tally::Tally;
-use crate::operator::frame;
 
 type Flash = RamFlash<Vec<u8>>;
 
@@ -42,6 +43,16 @@ enum Told {
     Done,
     Report(Report),
     Piece(Vec<u8>),
+}
+
+impl Told {
+    fn of(reply: Reply<'_>) -> Self {
+        match reply {
+            Reply::Report(report) => Self::Report(report),
+            Reply::Piece { bytes, .. } => Self::Piece(bytes.to_vec()),
+            Reply::Done | Reply::InUse(_) | Reply::Challenge { .. } => Self::Done,
+        }
+    }
 }
 
 /// Everything of a soak.
@@ -145,41 +156,6 @@ impl Soak {
         panic!("the arm does not come to rest");
     }
 
-    fn upload(&mut self, block: &ParameterBlock, commit: bool) {
-        let mut buffer = [0; firmware::block::MAX_BYTES];
-        let bytes = block.encode(&mut buffer).expect("the block fits").to_vec();
-        let checksum = CHECKSUM.checksum(&bytes);
-        let begin = Command::UploadBegin { length: bytes.len() as u16, checksum };
-        let begun = self.ask(begin);
-        assert!(begun.is_ok(), "{begun:?}: {:?}", self.station.supervisor.fault());
-        for (index, piece) in bytes.chunks(PIECE_BYTES).enumerate() {
-            let offset = (index * PIECE_BYTES) as u16;
-            self.ask(Command::UploadPiece { offset, bytes: piece }).expect("a piece is taken");
-        }
-        self.ask(if commit { Command::Commit } else { Command::Use }).expect("a block is taken");
-        self.tally.uploads += 1;
-        assert_eq!(self.download(Source::InUse), bytes, "what was acknowledged is in use");
-        if commit {
-            self.tally.commits += 1;
-            self.committed = Some(bytes);
-        }
-        if let Some(committed) = self.committed.clone() {
-            assert_eq!(self.download(Source::Stored), committed, "and what was committed stays");
-        }
-    }
-
-    fn download(&mut self, source: Source) -> Vec<u8> {
-        let mut bytes = Vec::new();
-        loop {
-            let offset = bytes.len() as u16;
-            match self.ask(Command::Download { source, offset }) {
-                Ok(Told::Piece(piece)) if piece.is_empty() => return bytes,
-                Ok(Told::Piece(piece)) => bytes.extend(piece),
-                other => panic!("a download brought {other:?}"),
-            }
-        }
-    }
-
     fn run(&mut self, block: &ParameterBlock, index: u32, end: u64) {
         (0..300).for_each(|_| self.tick());
         self.ask(Command::Arm).expect("an arm at rest can be armed");
@@ -241,37 +217,16 @@ impl Soak {
         }
     }
 
-    /// Makes something go wrong, sees it found in its tick, and clears it.
-    fn inject(&mut self, which: u32) {
-        let fault = [Fault::EncoderJump, Fault::TickOverrun, Fault::LinkLost, Fault::Converter]
-            [which as usize % 4];
-        self.expected = Some(fault);
-        match fault {
-            Fault::EncoderJump => self.arm.jump(which as usize % 3, 5000),
-            Fault::TickOverrun => self.injected.overrun = true,
-            Fault::Converter => self.injected.converter_fault = true,
-            // Nothing is said from now on; the last sign of life is at most 100 ticks old.
-            _ => (0..u64::from(HOST_TIMEOUT) - 2 * ALIVE_TICKS).for_each(|_| self.tick()),
-        }
-        let due_ticks = if fault == Fault::LinkLost { 3 * ALIVE_TICKS } else { 1 };
-        (0..due_ticks).for_each(|_| self.tick());
-        assert_eq!(self.station.supervisor.fault().map(|record| record.fault), Some(fault));
-        self.tally.faults_injected += 1;
-        self.expected = None;
-        self.arm.forget_jumps();
-        let report = self.report();
-        assert_eq!(report.fault.map(|record| record.fault), Some(fault), "the host is told");
-        self.rest_faulted();
-        self.ask(Command::ClearFault).expect("a fault that is gone can be cleared");
-    }
-
-    fn rest_faulted(&mut self) {
-        (0..200).for_each(|_| self.tick());
-    }
-
     /// Power off and on; the arm stays where it is.
     fn reset(&mut self) {
         self.rest();
+        let kept = self.power_cycle();
+        assert_eq!((kept.fault, kept.corrupt), (None, false));
+        self.tally.resets += 1;
+    }
+
+    /// Boots anew; what was committed last must be there.
+    fn power_cycle(&mut self) -> Kept {
         self.tally.records_dropped += u64::from(self.report().counters.telemetry_dropped);
         let empty = Store::new(RamFlash::new(Vec::new()), 0, Layout::G474);
         let flash = std::mem::replace(self.station.handler.store(), empty).into_flash();
@@ -280,135 +235,7 @@ impl Soak {
         self.last_sequence = None;
         self.true_records.clear();
         assert_eq!(Some(kept.encoded.to_vec()), self.committed, "the block committed last");
-        assert_eq!((kept.fault, kept.corrupt), (None, false));
-        self.tally.resets += 1;
-    }
-
-    /// One millisecond of everything.
-    fn tick(&mut self) {
-        let counts = self.arm.counts();
-        let heard = self.station.health();
-        let Health { overrun, converter_fault, .. } = std::mem::take(&mut self.injected);
-        let health = Health { overrun, converter_fault, ..heard };
-        let record = self.station.supervisor.tick(&counts, health);
-        self.station.after_tick(&record);
-        self.assert_as_it_should_be(&record);
-        self.arm.advance(record.codes.map(|code| f64::from(code.to_volts())));
-        self.tally.ticks += 1;
-        if self.true_records.len() == REMEMBERED {
-            self.true_records.pop_front();
-        }
-        self.true_records.push_back(record);
-        self.carry();
-    }
-
-    fn assert_as_it_should_be(&mut self, record: &Telemetry) {
-        let zero = record.codes.iter().all(|code| code.0 == 0);
-        assert!(zero || record.state == State::Running, "voltage while {}", record.state);
-        let Some(found) = self.station.supervisor.fault() else { return };
-        if self.expected.is_some() && self.expected != Some(found.fault) {
-            self.tally.faults_otherwise += 1;
-            panic!("instead of {:?}: {found}", self.expected);
-        }
-        if self.expected.is_none() && record.sequence == found.tick {
-            self.tally.faults_otherwise += 1;
-            panic!("nobody injected it: {found}; {record:?}");
-        }
-    }
-
-    /// A millisecond of the line.
-    fn carry(&mut self) {
-        for _ in 0..BYTES_PER_TICK {
-            let Some(byte) = self.to_board.pop() else { break };
-            self.station.receive(byte);
-        }
-        for _ in 0..BYTES_PER_TICK {
-            let Some(byte) = self.station.send() else { break };
-            self.to_host.push(byte);
-        }
-        while let Some(byte) = self.to_host.pop() {
-            let told = match self.reader.push(byte).map(ToHost::read) {
-                Some(Ok(ToHost::Answer(answer))) => {
-                    let result = answer.result.map(|reply| match reply {
-                        Reply::Report(report) => Told::Report(report),
-                        Reply::Piece { bytes, .. } => Told::Piece(bytes.to_vec()),
-                        Reply::Done | Reply::InUse(_) | Reply::Challenge { .. } => Told::Done,
-                    });
-                    Some((answer.number, result))
-                }
-                Some(Ok(ToHost::Hello(_))) => Some((0, Ok(Told::Done))),
-                Some(Ok(ToHost::Telemetry(record))) => {
-                    self.note(&record);
-                    None
-                }
-                Some(Err(_)) | None => None,
-            };
-            if told.is_some() {
-                self.tally.answered += 1;
-                self.answer = told;
-            }
-        }
-    }
-
-    /// A record that arrived is one that was sent, and those between were missed.
-    fn note(&mut self, record: &Telemetry) {
-        let sent = self.true_records.iter().rev().find(|sent| sent.sequence == record.sequence);
-        if let Some(sent) = sent {
-            assert_eq!(Telemetry { dropped: 0, ..*record }, *sent, "what came is what was sent");
-        }
-        self.tally.records += 1;
-        if let Some(last) = self.last_sequence {
-            let missed = record.sequence.wrapping_sub(last).wrapping_sub(1);
-            self.tally.records_missed += u64::from(missed);
-        }
-        self.last_sequence = Some(record.sequence);
-    }
-
-    fn greet(&mut self) {
-        self.number = 0;
-        self.deliver(0, &frame(&ToBoard::Hello { protocol_version: 1 })).expect("a Hello");
-    }
-
-    fn report(&mut self) -> Report {
-        match self.ask(Command::Query) {
-            Ok(Told::Report(report)) => report,
-            other => panic!("a query brought {other:?}"),
-        }
-    }
-
-    /// Asks without waiting for the answer.
-    fn say(&mut self, command: Command<'_>) {
-        self.number += 1;
-        let request = Request { number: self.number, proof: None, command };
-        self.put(&frame(&ToBoard::Request(request)));
-    }
-
-    /// Asks until there is an answer.
-    fn ask(&mut self, command: Command<'_>) -> Result<Told, Refusal> {
-        self.number += 1;
-        let request = Request { number: self.number, proof: None, command };
-        self.deliver(self.number, &frame(&ToBoard::Request(request)))
-    }
-
-    fn deliver(&mut self, number: u32, frame: &[u8]) -> Result<Told, Refusal> {
-        for attempt in 0..20 {
-            self.tally.asked_again += u64::from(attempt > 0);
-            self.put(frame);
-            for _ in 0..PATIENCE_TICKS {
-                self.tick();
-                match self.answer.take() {
-                    Some((answered, result)) if answered == number => return result,
-                    _ => {}
-                }
-            }
-        }
-        panic!("no answer to request {number}");
-    }
-
-    /// A zero first ends whatever noise has begun.
-    fn put(&mut self, frame: &[u8]) {
-        self.to_board.push(0);
-        frame.iter().for_each(|&byte| self.to_board.push(byte));
+        kept
     }
 }
 

@@ -15,7 +15,7 @@ use embassy_stm32::time::Hertz;
 use embassy_stm32::timer::low_level::Timer;
 use firmware::DacCode;
 use firmware::link::{Desk, Telemetry};
-use firmware::supervisor::{BootReport, Health, State, Supervisor};
+use firmware::supervisor::{BootReport, CHECK_EVERY_TICKS, Health, State, Supervisor};
 use heapless::spsc::Consumer;
 
 use crate::converter::Converter;
@@ -98,6 +98,7 @@ impl Tick {
         REPORT.host_heard.store(false, Relaxed);
         let record = self.supervisor.tick(&counts, self.health);
         self.put_out(&record);
+        self.look_at_parameters(record.sequence);
         self.tell(record);
         self.look_at_clock();
     }
@@ -132,6 +133,13 @@ impl Tick {
             // At once; the supervisor hears of it in the next tick.
             self.converter.hold_at_zero();
             self.health.converter_fault = true;
+        }
+    }
+
+    /// Once a second, after the codes are out, so that it delays nothing.
+    fn look_at_parameters(&mut self, tick: u32) {
+        if tick.is_multiple_of(CHECK_EVERY_TICKS) {
+            self.health.parameters_corrupt = !self.supervisor.parameters_are_whole();
         }
     }
 

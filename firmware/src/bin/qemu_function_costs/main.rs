@@ -13,6 +13,8 @@ use core::hint::black_box;
 use cortex_m as _;
 use cortex_m_rt::entry;
 use cortex_m_semihosting::{debug, hprintln};
+use firmware::Controller;
+use firmware::block::MAX_BYTES;
 use micromath::F32Ext;
 use model::trigonometry::{sin_cos_radians, sin_cos_turn, sin_turn};
 
@@ -27,6 +29,7 @@ fn main() -> ! {
     sines();
     exponentials();
     roots();
+    parameters();
     loop {
         debug::exit(debug::EXIT_SUCCESS);
     }
@@ -59,6 +62,16 @@ fn roots() {
     let positive = |index: i32| index as f32 * 1e-2;
     report("sqrt, libm", &libm::sqrtf, &libm::sqrt, &positive);
     report("sqrt, micromath", &|x| F32Ext::sqrt(x), &libm::sqrt, &positive);
+}
+
+/// What a board does once a second after a tick.
+fn parameters() {
+    let controller = Controller::new(firmware::store::safe_defaults());
+    let begin = timer::now();
+    black_box(black_box(&controller).is_whole());
+    let instructions = timer::now().wrapping_sub(begin) as f32 / COUNTS_PER_INSTRUCTION;
+    let bytes = controller.block().encode(&mut [0; MAX_BYTES]).map_or(0, <[u8]>::len);
+    hprintln!("parameters in use checked, {} bytes: {:.0}", bytes, instructions);
 }
 
 /// Prints a function's mean cost above that of an empty one, and its largest error.

@@ -1,0 +1,67 @@
+//! What goes wrong on purpose, and that it is found.
+
+use firmware::link::Command;
+use firmware::supervisor::{CHECK_EVERY_TICKS, Fault};
+
+use super::{ALIVE_TICKS, HOST_TIMEOUT, Soak};
+
+/// Injected one after the other.
+const FAULTS: [Fault; 5] = [
+    Fault::EncoderJump,
+    Fault::TickOverrun,
+    Fault::LinkLost,
+    Fault::Converter,
+    Fault::CorruptParameters,
+];
+
+impl Soak {
+    /// Makes something go wrong, sees it found in time, and clears it.
+    pub(super) fn inject(&mut self, which: u32) {
+        let which = which as usize;
+        let fault = FAULTS[which % FAULTS.len()];
+        self.expected = Some(fault);
+        let due_ticks = self.go_wrong(fault, which % 3);
+        (0..due_ticks).for_each(|_| self.tick());
+        assert_eq!(self.station.supervisor.fault().map(|record| record.fault), Some(fault));
+        self.tally.faults_injected += 1;
+        self.expected = None;
+        self.make_good(fault);
+        let report = self.report();
+        assert_eq!(report.fault.map(|record| record.fault), Some(fault), "the host is told");
+        (0..200).for_each(|_| self.tick());
+        self.ask(Command::ClearFault).expect("a fault that is gone can be cleared");
+    }
+
+    /// The ticks in which the fault must be found.
+    fn go_wrong(&mut self, fault: Fault, joint: usize) -> u64 {
+        match fault {
+            Fault::EncoderJump => self.arm.jump(joint, 5000),
+            Fault::TickOverrun => self.injected.overrun = true,
+            Fault::Converter => self.injected.converter_fault = true,
+            Fault::CorruptParameters => {
+                // The lowest bit of a gain.
+                self.station.supervisor.break_parameters(|block| {
+                    let gain = &mut block.gains[joint].proportional_v_per_rad;
+                    *gain = f32::from_bits(gain.to_bits() ^ 1);
+                });
+                return u64::from(CHECK_EVERY_TICKS) + 1;
+            }
+            // Nothing is said from now on; the last sign of life is at most 100 ticks old.
+            _ => {
+                (0..u64::from(HOST_TIMEOUT) - 2 * ALIVE_TICKS).for_each(|_| self.tick());
+                return 3 * ALIVE_TICKS;
+            }
+        }
+        1
+    }
+
+    fn make_good(&mut self, fault: Fault) {
+        self.arm.forget_jumps();
+        if fault == Fault::CorruptParameters {
+            // The flash still has them; the fault is latched over the reset.
+            let kept = self.power_cycle();
+            assert_eq!(kept.fault.map(|record| record.fault), Some(fault), "kept over a reset");
+            self.greet();
+        }
+    }
+}
