@@ -39,6 +39,9 @@ fn tell(report: &Report) {
     if let Some(fault) = &report.fault {
         println!("fault       {fault}");
     }
+    if !report.position_known {
+        println!("position    not known since power-on: `rrr home` tells it");
+    }
     println!("parameters  {}", parameters(report.parameters.as_ref()));
     println!("link        {}", openness(report));
     println!(
