@@ -19,7 +19,8 @@
 
 use model::{FrictionState, Posture};
 
-use crate::block::{Gains, Mode, ParameterBlock};
+use crate::Mode;
+use crate::block::{Gains, ParameterBlock};
 use crate::compensation::Moving;
 use crate::encoder::{Encoder, EncoderScale};
 use crate::reference::{InjectionSource, Setpoint, Time};
