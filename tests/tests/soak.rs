@@ -12,5 +12,6 @@ fn minutes_at_a_noisy_line_lose_nothing_that_was_acknowledged() {
     assert!(tally.ticks >= 120_000);
     assert!(tally.bytes_broken * 2000 > tally.bytes, "the line was noisy");
     assert_eq!((tally.uploads, tally.resets), (25, 2));
+    assert!(tally.records_dropped > 0 && tally.records_missed >= tally.records_dropped);
     assert_eq!((tally.faults_injected, tally.faults_otherwise), (5, 0));
 }

@@ -26,6 +26,8 @@ type Flash = RamFlash<Vec<u8>>;
 
 /// What 921,600 baud carry in a tick, each way [bytes].
 const BYTES_PER_TICK: usize = 92;
+/// A line that is too narrow for a record a tick [bytes].
+const NARROW_BYTES_PER_TICK: usize = 40;
 /// No answer for so long: ask again [ticks].
 const PATIENCE_TICKS: u32 = 60;
 /// The run ends if the host is silent for longer [ticks, ms].
@@ -73,6 +75,10 @@ pub struct Soak {
     committed: Option<Vec<u8>>,
     /// What the board is told to be wrong with it in the next tick.
     injected: Health,
+    /// The tick in which the board heard the host last.
+    heard_at: u32,
+    /// What the line takes to the host in a tick.
+    bytes_per_tick: usize,
     /// The fault that is due, if one is.
     expected: Option<Fault>,
     tally: Tally,
@@ -98,6 +104,8 @@ impl Soak {
             last_sequence: None,
             committed: None,
             injected: Health::default(),
+            heard_at: 0,
+            bytes_per_tick: BYTES_PER_TICK,
             expected: None,
             tally: Tally::default(),
         }
@@ -119,6 +127,7 @@ impl Soak {
     pub fn session(&mut self, index: u32) {
         let share = 1000 * u64::from(self.settings.duration_s) / u64::from(self.settings.sessions);
         let end = (share * u64::from(index + 1)).max(self.tally.ticks + 8_000);
+        self.bytes_per_tick = if index % 10 == 3 { NARROW_BYTES_PER_TICK } else { BYTES_PER_TICK };
         self.greet();
         self.rest();
         let mode = Mode::ALL[index as usize % 5];
@@ -128,6 +137,8 @@ impl Soak {
         self.run(&block, index, end);
         self.ask(Command::Disarm).expect("a board can be disarmed");
         self.tally.sessions += 1;
+        let dropped = self.report().counters.telemetry_dropped;
+        assert!(index % 10 != 3 || dropped > 0, "a narrow line cannot take every record");
         for mode in block.mode {
             self.tally.modes[Mode::ALL.iter().position(|m| *m == mode).unwrap_or(0)] += 1;
         }

@@ -22,7 +22,11 @@ impl Soak {
         self.expected = Some(fault);
         let due_ticks = self.go_wrong(fault, which % 3);
         (0..due_ticks).for_each(|_| self.tick());
-        assert_eq!(self.station.supervisor.fault().map(|record| record.fault), Some(fault));
+        let found = self.station.supervisor.fault().expect("it is found");
+        assert_eq!(found.fault, fault);
+        if fault == Fault::LinkLost {
+            assert_eq!(found.tick, self.heard_at + u32::from(HOST_TIMEOUT) + 1);
+        }
         self.tally.faults_injected += 1;
         self.expected = None;
         self.make_good(fault);

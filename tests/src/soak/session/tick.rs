@@ -13,6 +13,9 @@ impl Soak {
         let Health { overrun, converter_fault, .. } = std::mem::take(&mut self.injected);
         let health = Health { overrun, converter_fault, ..heard };
         let record = self.station.supervisor.tick(&counts, health);
+        if health.host_heard {
+            self.heard_at = record.sequence;
+        }
         self.station.after_tick(&record);
         self.assert_as_it_should_be(&record);
         self.arm.advance(record.codes.map(|code| f64::from(code.to_volts())));
@@ -44,7 +47,7 @@ impl Soak {
             let Some(byte) = self.to_board.pop() else { break };
             self.station.receive(byte);
         }
-        for _ in 0..BYTES_PER_TICK {
+        for _ in 0..self.bytes_per_tick {
             let Some(byte) = self.station.send() else { break };
             self.to_host.push(byte);
         }
@@ -63,9 +66,8 @@ impl Soak {
     /// A record that arrived is one that was sent, and those between were missed.
     fn note(&mut self, record: &Telemetry) {
         let sent = self.true_records.iter().rev().find(|sent| sent.sequence == record.sequence);
-        if let Some(sent) = sent {
-            assert_eq!(Telemetry { dropped: 0, ..*record }, *sent, "what came is what was sent");
-        }
+        let sent = sent.expect("nothing comes that was not sent a moment ago");
+        assert_eq!(Telemetry { dropped: 0, ..*record }, *sent, "what came is what was sent");
         self.tally.records += 1;
         if let Some(last) = self.last_sequence {
             let missed = record.sequence.wrapping_sub(last).wrapping_sub(1);
