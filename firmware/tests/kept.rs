@@ -7,8 +7,8 @@ mod common;
 use firmware::block::MAX_BYTES;
 use firmware::link::{BlockStore, Kept, Origin};
 use firmware::store::{Kind, Layout, RamFlash, Store, slot_record};
-use firmware::supervisor::{BootReport, Fault, FaultRecord, State, Supervisor};
-use firmware::{Controller, Mode, ParameterBlock};
+use firmware::supervisor::{Fault, FaultRecord, State};
+use firmware::{Mode, ParameterBlock};
 
 const LAYOUT: Layout = Layout::G474;
 const FAULT: FaultRecord =
@@ -34,13 +34,8 @@ fn store(bytes: Vec<u8>) -> Store<RamFlash<Vec<u8>>> {
 
 /// The state of a board that boots with this, as every board boots.
 fn state_after_boot(kept: &Kept) -> (State, Option<Fault>) {
-    let mut supervisor = Supervisor::default();
-    supervisor.replace(Controller::new(kept.block.clone())).unwrap();
-    supervisor.booted(BootReport {
-        latched: kept.fault,
-        parameters_corrupt: kept.corrupt,
-        ..BootReport::default()
-    });
+    let mut supervisor = kept.supervisor();
+    supervisor.booted(kept.report());
     (supervisor.state(), supervisor.fault().map(|record| record.fault))
 }
 

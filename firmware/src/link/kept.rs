@@ -4,12 +4,13 @@ use embedded_storage::nor_flash::NorFlash;
 
 use super::answer::{Origin, StoreRefusal};
 use super::desk::BlockStore;
+use super::handler::{Beginning, Handler};
 use super::key::Key;
 use super::upload::Block;
-use crate::ParameterBlock;
 use crate::block::MAX_BYTES;
 use crate::store::{Content, Kind, NOTE_BYTES, Source, Store, StoreError};
-use crate::supervisor::{Fault, FaultRecord};
+use crate::supervisor::{BootReport, Fault, FaultRecord, HardLimits, Supervisor};
+use crate::{Controller, ParameterBlock};
 
 /// Raised when [`FaultRecord`] changes.
 const FAULT_LAYOUT: u8 = 1;
@@ -51,6 +52,45 @@ impl Kept {
             corrupt: origin == Origin::SafeDefaults && !nothing_stored,
             fault: note(store, Kind::Fault, fault_of),
             key: note(store, Kind::Key, |bytes| bytes.try_into().ok()),
+        }
+    }
+}
+
+impl Kept {
+    /// The board's end of the conversation.
+    ///
+    /// `nonce_seed` is from the board's random generator.
+    pub fn handler<S: BlockStore>(
+        &self,
+        store: S,
+        board: &str,
+        nonce_seed: [u8; 16],
+    ) -> Handler<S> {
+        let beginning = Beginning {
+            board,
+            limits: HardLimits::default(),
+            nonce_seed,
+            key: self.key,
+            fault: self.fault,
+            in_use: Some((&self.encoded, self.origin)),
+        };
+        Handler::new(store, &beginning)
+    }
+
+    /// A supervisor with the parameters; its boot has not ended yet.
+    pub fn supervisor(&self) -> Supervisor {
+        let mut supervisor = Supervisor::default();
+        // Before the end of the boot it takes any.
+        let _ = supervisor.replace(Controller::new(self.block.clone()));
+        supervisor
+    }
+
+    /// What there is to tell the supervisor, as far as the flash knows.
+    pub fn report(&self) -> BootReport {
+        BootReport {
+            latched: self.fault,
+            parameters_corrupt: self.corrupt,
+            ..BootReport::default()
         }
     }
 }

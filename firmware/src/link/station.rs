@@ -1,12 +1,16 @@
 //! Supervisor, handler and outbox in one thread, for boards that poll their line.
 
+use embedded_storage::nor_flash::NorFlash;
+
 use super::checked::MAX_FRAME_BYTES;
 use super::desk::BlockStore;
 use super::handler::Handler;
+use super::kept::Kept;
 use super::messages::ToHost;
 use super::outbox::Outbox;
 use super::telemetry::Telemetry;
-use crate::supervisor::{CHECK_EVERY_TICKS, Health, Supervisor};
+use crate::store::Store;
+use crate::supervisor::{BootReport, CHECK_EVERY_TICKS, Health, Supervisor};
 
 /// Room for what waits to be sent [bytes].
 const OUTBOX_BYTES: usize = 2048;
@@ -21,6 +25,23 @@ pub struct Station<S> {
     outbox: Outbox<OUTBOX_BYTES>,
     answers_lost: u32,
     parameters_corrupt: bool,
+}
+
+impl<F: NorFlash> Station<Store<F>> {
+    /// Boots with what the flash has kept, which is returned too.
+    ///
+    /// `position_lost`: the encoders count from zero, wherever the arm is.
+    pub fn boot(
+        mut store: Store<F>,
+        board: &str,
+        nonce_seed: [u8; 16],
+        position_lost: bool,
+    ) -> (Self, Kept) {
+        let kept = Kept::of(&mut store);
+        let mut supervisor = kept.supervisor();
+        supervisor.booted(BootReport { position_lost, ..kept.report() });
+        (Self::new(supervisor, kept.handler(store, board, nonce_seed)), kept)
+    }
 }
 
 impl<S: BlockStore> Station<S> {

@@ -15,55 +15,28 @@
 //! boundary, all at once.
 
 pub mod fault;
+mod health;
 mod home;
 pub mod latch;
 pub mod limits;
 mod orders;
 mod watch;
+mod watched;
 mod words;
 
 pub use fault::{Fault, FaultRecord, Implausible, State};
+pub use health::{BootReport, Health};
 pub use limits::{HardLimits, SafetyLimits};
 pub use orders::{Denied, Order};
 
 use crate::link::{Counters, Telemetry};
-use crate::{Angle, Controller, DacCode, Mode, ParameterBlock, TickOutput};
+use crate::{Angle, Controller, DacCode, Mode, ParameterBlock};
 use home::Home;
-use watch::{Excess, JointWatch, Seen, follows};
+use watch::{Excess, JointWatch, follows};
+use watched::Watched;
 
 /// Every so many ticks a board asks [`Supervisor::parameters_are_whole`].
 pub const CHECK_EVERY_TICKS: u32 = 1000;
-
-/// What the board knows of itself at a tick.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Health {
-    /// The tick before this one was not done when this one was due.
-    pub overrun: bool,
-    /// The converter does not answer as it should.
-    pub converter_fault: bool,
-    /// The parameters in use are not those that were checked.
-    pub parameters_corrupt: bool,
-    /// The host was heard since the last tick.
-    pub host_heard: bool,
-    /// From the last tick's beginning to its codes [0.1 us].
-    pub tick_time_tenth_us: u16,
-}
-
-/// What was found while the board booted.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct BootReport {
-    /// The fault that was latched before the reset.
-    pub latched: Option<FaultRecord>,
-    /// The watchdog caused the reset.
-    pub watchdog_reset: bool,
-    /// Parameters were stored, but none of them is whole.
-    pub parameters_corrupt: bool,
-    /// The converter does not answer as it should.
-    pub converter_fault: bool,
-    /// The encoders count from zero, wherever the arm is: it cannot be armed before
-    /// [`Order::Home`] has told.
-    pub position_lost: bool,
-}
 
 /// The controller under watch.
 #[derive(Clone, Debug, Default)]
@@ -76,15 +49,6 @@ pub struct Supervisor {
     host_timeout_ticks: Option<u32>,
     silent_ticks: u32,
     counters: Counters,
-}
-
-/// A controller and who watches its joints.
-#[derive(Clone, Debug)]
-struct Watched {
-    controller: Controller,
-    joints: [JointWatch; 3],
-    mode: [Mode; 3],
-    last: TickOutput,
 }
 
 impl Supervisor {
@@ -337,77 +301,6 @@ impl Supervisor {
             tick_time_tenth_us: self.health.tick_time_tenth_us,
             dropped: 0,
         }
-    }
-}
-
-impl Watched {
-    fn new(controller: Controller) -> Self {
-        let block = controller.block();
-        Self {
-            joints: [0, 1, 2].map(|index| JointWatch::new(block, index)),
-            mode: block.mode,
-            last: TickOutput::default(),
-            controller,
-        }
-    }
-
-    /// The counts are others from now on.
-    fn begin_anew(&mut self) {
-        self.controller.begin_anew();
-        let block = self.controller.block();
-        self.joints = [0, 1, 2].map(|index| JointWatch::new(block, index));
-    }
-
-    /// Whether what was computed of the block once still is what the block says.
-    fn is_whole(&self) -> bool {
-        let block = self.controller.block();
-        let has_limits = |index: usize| self.joints[index].has_limits_of(block, index);
-        self.controller.is_whole() && self.mode == block.mode && (0..3).all(has_limits)
-    }
-
-    /// Whether every joint is at rest and its estimates can be right.
-    fn is_plausible(&self) -> Result<(), Denied> {
-        for (joint, index) in (1..).zip(0..3) {
-            let seen = self.seen(index, self.joints[index].last_count());
-            if let Some(why) = self.joints[index].implausible(&seen) {
-                return Err(Denied::Implausible { joint, why });
-            }
-        }
-        Ok(())
-    }
-
-    #[inline]
-    fn seen(&self, index: usize, count: i32) -> Seen {
-        let output = &self.last;
-        Seen {
-            count,
-            velocity_rad_per_s: output.velocity_rad_per_s[index],
-            measured: output.measured[index],
-            reference: output.reference[index],
-            command_v: output.codes[index].to_volts(),
-            saturated: output.saturated[index],
-            finite: output.is_finite(index),
-        }
-    }
-
-    /// Whether every joint that has a reference is where it begins.
-    fn is_near_start(&self) -> Result<(), Denied> {
-        let limits = self.controller.block().safety.tracking_error_rad;
-        let start = self.controller.start_of_reference();
-        for (number, index) in (1..).zip(0..3) {
-            let distance_rad = start[index].minus(self.last.measured[index]);
-            if follows(self.mode[index]) && distance_rad.abs() > limits[index] {
-                return Err(Denied::FarFromStart { joint: number, distance_rad });
-            }
-        }
-        Ok(())
-    }
-
-    /// Takes the voltage away, in this tick too.
-    fn stop(&mut self) {
-        self.controller.stop();
-        self.last.codes = [DacCode(0); 3];
-        self.last.saturated = [false; 3];
     }
 }
 

@@ -7,10 +7,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-use firmware::Controller;
-use firmware::link::{Beginning, Handler, Kept, Station};
+use firmware::link::Station;
 use firmware::store::{Layout, RamFlash, Store};
-use firmware::supervisor::{BootReport, HardLimits, Supervisor};
 use model::Robot;
 
 use crate::simulation::sensor::counts;
@@ -215,27 +213,8 @@ impl Noise {
 }
 
 fn booted(flash: Vec<u8>, position_lost: bool) -> Station<Store<Flash>> {
-    let mut store = Store::new(RamFlash::new(flash), Layout::G474.bank_start, Layout::G474);
-    let kept = Kept::of(&mut store);
-    let beginning = Beginning {
-        board: NAME,
-        limits: HardLimits::default(),
-        nonce_seed: rand_seed(),
-        key: kept.key,
-        fault: kept.fault,
-        in_use: Some((&kept.encoded, kept.origin)),
-    };
-    let handler = Handler::new(store, &beginning);
-    let mut supervisor = Supervisor::default();
-    // In Boot a block is always taken.
-    let _ = supervisor.replace(Controller::new(kept.block));
-    supervisor.booted(BootReport {
-        latched: kept.fault,
-        parameters_corrupt: kept.corrupt,
-        position_lost,
-        ..BootReport::default()
-    });
-    Station::new(supervisor, handler)
+    let store = Store::new(RamFlash::new(flash), Layout::G474.bank_start, Layout::G474);
+    Station::boot(store, NAME, rand_seed(), position_lost).0
 }
 
 /// Another one at every power-on; a simulated board needs no better one.

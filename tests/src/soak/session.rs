@@ -7,12 +7,10 @@ mod tick;
 use std::collections::VecDeque;
 
 use firmware::frame::FrameReader;
-use firmware::link::{
-    Beginning, Command, Handler, Kept, Refusal, Reply, Report, Station, Telemetry,
-};
+use firmware::link::{Command, Kept, Refusal, Reply, Report, Station, Telemetry};
 use firmware::store::{Layout, RamFlash, Store};
-use firmware::supervisor::{BootReport, Fault, HardLimits, Health, State, Supervisor};
-use firmware::{Controller, Mode, ParameterBlock};
+use firmware::supervisor::{Fault, Health, State};
+use firmware::{Mode, ParameterBlock};
 use host_tool::simulation::Rig;
 
 use super::Settings;
@@ -252,23 +250,6 @@ impl Soak {
 
 /// A board that has just found this in its flash.
 fn booted(flash: Flash) -> (Station<Store<Flash>>, Kept) {
-    let mut store = Store::new(flash, Layout::G474.bank_start, Layout::G474);
-    let kept = Kept::of(&mut store);
-    let beginning = Beginning {
-        board: "soak",
-        limits: HardLimits::default(),
-        nonce_seed: [0; 16],
-        key: kept.key,
-        fault: kept.fault,
-        in_use: Some((&kept.encoded, kept.origin)),
-    };
-    let handler = Handler::new(store, &beginning);
-    let mut supervisor = Supervisor::default();
-    supervisor.replace(Controller::new(kept.block.clone())).expect("a board that boots takes it");
-    supervisor.booted(BootReport {
-        latched: kept.fault,
-        parameters_corrupt: kept.corrupt,
-        ..BootReport::default()
-    });
-    (Station::new(supervisor, handler), kept)
+    let store = Store::new(flash, Layout::G474.bank_start, Layout::G474);
+    Station::boot(store, "soak", [0; 16], false)
 }

@@ -23,9 +23,8 @@ use embassy_executor::Spawner;
 use embassy_stm32::peripherals::RNG;
 use embassy_stm32::rng::{self, Rng};
 use embassy_stm32::{Peri, bind_interrupts};
-use firmware::Controller;
-use firmware::link::{Beginning, Handler, Kept};
-use firmware::supervisor::{BootReport, HardLimits, Supervisor};
+use firmware::link::Kept;
+use firmware::supervisor::BootReport;
 use panic_probe as _;
 
 use crate::converter::{Converter, ConverterPins};
@@ -59,27 +58,14 @@ async fn main(spawner: Spawner) {
         load: p.PB11,
         clear: p.PB10,
     });
-    let handler = Handler::new(
-        store,
-        &Beginning {
-            board: NAME,
-            limits: HardLimits::default(),
-            nonce_seed: random(p.RNG),
-            key: kept.key,
-            fault: kept.fault,
-            in_use: Some((&kept.encoded, kept.origin)),
-        },
-    );
+    let handler = kept.handler(store, NAME, random(p.RNG));
     let report = BootReport {
         latched: kept.fault.or(latch::read()),
         watchdog_reset,
-        parameters_corrupt: kept.corrupt,
-        converter_fault: false,
         position_lost: true,
+        ..kept.report()
     };
-    let mut supervisor = Supervisor::default();
-    // Before the end of the boot it takes any.
-    let _ = supervisor.replace(Controller::new(kept.block));
+    let supervisor = kept.supervisor();
     let (remote, records) = tick::start(p.TIM6, encoders, converter, supervisor, report);
     // The fault is latched by now; another reset does not forget it.
     health::forget_resets();

@@ -17,9 +17,8 @@ mod timer;
 use cortex_m as _;
 use cortex_m_rt::entry;
 use cortex_m_semihosting::debug;
-use firmware::link::{Beginning, Handler, Kept, Station};
-use firmware::supervisor::{BootReport, HardLimits, Supervisor};
-use firmware::{Controller, lockstep::Reply};
+use firmware::link::Station;
+use firmware::lockstep::Reply;
 
 use crate::flash::FileFlash;
 use crate::host_file::HostFile;
@@ -106,25 +105,7 @@ fn tenth_us(counts: u32) -> u16 {
 
 /// Takes what the flash has kept; `None` where there can be no flash.
 fn boot() -> Option<Station<Store>> {
-    let mut store = flash::store()?;
-    let kept = Kept::of(&mut store);
-    let beginning = Beginning {
-        board: NAME,
-        limits: HardLimits::default(),
-        nonce_seed: random()?,
-        key: kept.key,
-        fault: kept.fault,
-        in_use: Some((&kept.encoded, kept.origin)),
-    };
-    let handler = Handler::new(store, &beginning);
-    let mut supervisor = Supervisor::default();
-    supervisor.replace(Controller::new(kept.block)).ok()?;
-    supervisor.booted(BootReport {
-        latched: kept.fault,
-        parameters_corrupt: kept.corrupt,
-        ..BootReport::default()
-    });
-    Some(Station::new(supervisor, handler))
+    Some(Station::boot(flash::store()?, NAME, random()?, false).0)
 }
 
 /// Bytes of the host's random generator.

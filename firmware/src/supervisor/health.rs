@@ -1,0 +1,34 @@
+//! What the board knows of itself, at a tick and at its boot.
+
+use super::fault::FaultRecord;
+
+/// What the board knows of itself at a tick.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Health {
+    /// The tick before this one was not done when this one was due.
+    pub overrun: bool,
+    /// The converter does not answer as it should.
+    pub converter_fault: bool,
+    /// The parameters in use are not those that were checked.
+    pub parameters_corrupt: bool,
+    /// The host was heard since the last tick.
+    pub host_heard: bool,
+    /// From the last tick's beginning to its codes [0.1 us].
+    pub tick_time_tenth_us: u16,
+}
+
+/// What was found while the board booted.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BootReport {
+    /// The fault that was latched before the reset.
+    pub latched: Option<FaultRecord>,
+    /// The watchdog caused the reset.
+    pub watchdog_reset: bool,
+    /// Parameters were stored, but none of them is whole.
+    pub parameters_corrupt: bool,
+    /// The converter does not answer as it should.
+    pub converter_fault: bool,
+    /// The encoders count from zero, wherever the arm is: it cannot be armed before
+    /// [`Order::Home`] has told.
+    pub position_lost: bool,
+}
