@@ -128,7 +128,7 @@ fn hint(error: &FlashError) -> &'static str {
             "name one with --probe VID:PID:SERIAL"
         }
         FlashError::Probe { .. } => "check the cable and the board's power, then try again",
-        FlashError::Verify { .. } | FlashError::OtherSlotChanged { .. } => {
+        FlashError::Verify { .. } | FlashError::OthersChanged { .. } => {
             "try again; if it comes back, the flash is worn"
         }
         FlashError::NoProbeSupport => {
