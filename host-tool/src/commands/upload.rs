@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use clap::Args;
 use firmware::ParameterBlock;
 use firmware::block::MAX_BYTES;
-use firmware::supervisor::HardLimits;
 
 use super::Failure;
 use super::block_choice::BlockChoice;
@@ -35,10 +34,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     // What is wrong with the file is said before a board is looked for.
     let block = arguments.choice.block(&arguments.model)?;
     let file = arguments.model.display();
-    HardLimits::default().check(&block).map_err(|error| {
-        let message = format!("{file}: the board refuses it: {error}");
-        Failure::new(message, "correct the value in the model file")
-    })?;
     let encoded = encoded(&block)?;
     let mut client = arguments.link.connect()?;
     let report = client.report()?;
