@@ -14,6 +14,10 @@ use crate::files::replace::replace_file;
 use crate::flash_image::FlashImage;
 
 /// Arguments of `rrr export-block`.
+/// Highest sequence number that a file may have: every later upload needs a higher one, and
+/// the board has room for as many again.
+const MOST: i64 = u32::MAX as i64 / 2;
+
 #[derive(Debug, Args)]
 pub struct Arguments {
     /// The model.
@@ -25,8 +29,8 @@ pub struct Arguments {
     /// The slot that it is for.
     #[arg(long, value_enum, default_value_t = SlotName::A)]
     pub slot: SlotName,
-    /// Its sequence number: the board begins with the highest.
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    /// Its sequence number, 1 to 2147483647: the board begins with the highest.
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=MOST))]
     pub sequence: u32,
     /// What the board is to do.
     #[command(flatten)]
