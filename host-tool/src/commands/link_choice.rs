@@ -1,5 +1,6 @@
 //! Which board a command talks to, with which key, and what to do when it does not work.
 
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -16,7 +17,7 @@ pub const KEY_VARIABLE: &str = "RRR_KEY_FILE";
 #[derive(Clone, Debug, Default, Args)]
 pub struct LinkChoice {
     /// The board's line: a serial port or pty, tcp:HOST:PORT, or unix:SOCKET; not needed
-    /// where there is just one serial port.
+    /// where there is just one ST-LINK or one serial port at USB.
     #[arg(long, value_name = "PORT")]
     pub port: Option<String>,
     /// The board's key: a file of 64 hexadecimal digits, as `rrr set-key` makes it; without
@@ -89,15 +90,13 @@ impl From<LinkError> for Failure {
 
 fn hint(error: &LinkError) -> &'static str {
     match error {
-        LinkError::NoPort => {
+        LinkError::NoPort { .. } => {
             "connect the board's USB port (ST-LINK), or name the line with --port: a serial \
              port, tcp:HOST:PORT or unix:SOCKET"
         }
         LinkError::ManyPorts(_) => "name the board's with --port",
-        LinkError::Open { .. } => {
-            "look at the name; on Linux your user must be in the group that owns the port, \
-             and no other program may have it"
-        }
+        LinkError::Ports(_) => "name the board's line with --port",
+        LinkError::Open { source, .. } => open_hint(source.kind()),
         LinkError::Broke { .. } => "look at the cable and the board's power, then try again",
         LinkError::Silent { .. } | LinkError::NoTelemetry { .. } => {
             "look whether the board is powered and runs this firmware (lamp LD2 flashes), and \
@@ -113,6 +112,16 @@ fn hint(error: &LinkError) -> &'static str {
         LinkError::Checksum { .. } | LinkError::ReadBack { .. } => {
             "try again; if it comes back, the flash is worn"
         }
+    }
+}
+
+fn open_hint(kind: ErrorKind) -> &'static str {
+    match kind {
+        ErrorKind::ResourceBusy => {
+            "if another `rrr` has it, press Ctrl-C there, or `kill -INT` it: `rrr run` stops the \
+             arm first; `fuser` with the port's name tells which program it is"
+        }
+        _ => "look at the name; on Linux your user must be in the group that owns the port",
     }
 }
 
