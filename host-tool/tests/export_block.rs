@@ -162,3 +162,20 @@ fn a_sequence_number_that_bars_later_uploads_is_refused() {
     bank[..bytes.len()].copy_from_slice(&bytes);
     assert_eq!(next_slot(bank).unwrap(), (Slot::B, 2_147_483_648));
 }
+
+// The model has an effect that no board makes up for, which is said before the block is made.
+#[cfg(target_os = "linux")]
+#[test]
+fn full_outputs_end_in_status_2_and_not_in_a_panic() {
+    let directory = with_model();
+    let model = directory.path().join("model.toml");
+    let effect = "[[effect]]\neffect = \"delay\"\njoint = 2\nparameters = { delay_s = 0.002 }\n";
+    std::fs::write(&model, std::fs::read_to_string(&model).unwrap() + effect).unwrap();
+    let full = || std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let line = "export-block model.toml --out p.bin --compensate";
+    let mut command = std::process::Command::new(assert_cmd::cargo::cargo_bin("rrr"));
+    command.current_dir(directory.path()).args(line.split(' ')).stdout(full()).stderr(full());
+    assert_eq!(command.status().unwrap().code(), Some(2));
+    assert!(!directory.path().join("p.bin").exists());
+    assert_eq!(command.stdout(std::process::Stdio::null()).status().unwrap().code(), Some(0));
+}

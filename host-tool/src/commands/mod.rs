@@ -27,6 +27,7 @@ pub mod inverse_dynamics;
 pub mod link_choice;
 pub mod monitor;
 pub mod run;
+pub mod output;
 pub mod set_key;
 pub mod simulate;
 pub mod stop;

@@ -10,6 +10,7 @@ use super::Failure;
 use super::block_choice::BlockChoice;
 use super::connect;
 use super::link_choice::{LinkChoice, openness};
+use super::output::say;
 use crate::link::transfer;
 
 /// Arguments of `rrr upload`.
@@ -39,10 +40,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let report = client.report()?;
     let in_use = transfer::commit(&mut client, &encoded)?;
     transfer::compare(&mut client, &encoded)?;
-    println!("{file}: stored, read back, the same byte for byte");
-    println!("parameters  {}", connect::parameters(Some(&in_use)));
-    println!("link        {}", openness(&report));
-    Ok(())
+    say(format_args!("{file}: stored, read back, the same byte for byte"))?;
+    say(format_args!("parameters  {}", connect::parameters(Some(&in_use))))?;
+    say(format_args!("link        {}", openness(&report)))
 }
 
 /// A block as it goes over the line.
