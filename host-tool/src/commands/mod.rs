@@ -24,10 +24,11 @@ pub mod flash;
 pub mod identify;
 pub mod interrupt;
 pub mod inverse_dynamics;
+pub mod key_file;
 pub mod link_choice;
 pub mod monitor;
-pub mod run;
 pub mod output;
+pub mod run;
 pub mod set_key;
 pub mod simulate;
 pub mod stop;
@@ -68,7 +69,7 @@ pub enum Command {
     Download(download::Arguments),
     /// Do an experiment with the arm and record it.
     Run(Box<run::Arguments>),
-    /// Look at positions, voltages, errors, ticks and faults as they change.
+    /// Look at positions, voltages, errors, ticks and faults as they change, until Ctrl-C.
     Monitor(monitor::Arguments),
     /// Take the voltage away and disarm the board.
     Stop(stop::Arguments),

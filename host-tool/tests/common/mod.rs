@@ -6,6 +6,9 @@ use std::path::{Path, PathBuf};
 use host_tool::files::{JointLog, Log, Position, RobotFile};
 use model::reference_robot::reference_robot;
 
+#[cfg(unix)]
+pub mod at_board;
+
 /// A file of the collected data, or `None`, with a note on stderr, where it is absent.
 pub fn data(name: &str) -> Option<PathBuf> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data").join(name);
