@@ -1,6 +1,6 @@
 //! The commands beside `rrr run`, at a simulated board: outputs that fail, the live table,
 //! the port, the slots.
-#![cfg(unix)]
+#![cfg(target_os = "linux")] // for /dev/full
 #![allow(missing_docs)]
 
 use std::fs::OpenOptions;

@@ -5,11 +5,13 @@
 use std::io::{Read, Write};
 use std::net::{Shutdown, TcpListener, TcpStream};
 use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use assert_cmd::cargo::cargo_bin;
 use firmware::frame::FrameReader;
-use firmware::link::{Command, Request, ToBoard};
+use firmware::link::{Command, MAX_FRAME_BYTES, PROTOCOL_VERSION, Request, ToBoard};
 use firmware::supervisor::State;
 use host_tool::link::Client;
 use host_tool::link::simulated_board::SimulatedBoard;
@@ -144,5 +146,60 @@ fn a_line_cut_before_the_answer_leaves_the_key_in_a_file_that_is_named() {
     std::thread::sleep(Duration::from_millis(300));
     assert!(client(&board).report().unwrap().has_key, "the cut came too early for this test");
     assert_tells(&said(at, &board, &format!("set-key {left} --key {left}")), &["needs the key"]);
+    assert_tells(&said(at, &board, &format!("set-key --remove --key {left}")), &["open: "]);
+}
+
+/// A line where the board's answer to a new key is lost, and somebody else says Hello to the
+/// board before it is asked again: then it refuses what it has done.
+fn refusal_after_the_key(board: &SimulatedBoard) -> String {
+    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+    let port = format!("tcp:{}", listener.local_addr().unwrap());
+    let mut board = TcpStream::connect(board.port().trim_start_matches("tcp:")).unwrap();
+    std::thread::spawn(move || {
+        let (mut host, _) = listener.accept().unwrap();
+        let is_mute = Arc::new(AtomicBool::new(false));
+        pass_unless(is_mute.clone(), board.try_clone().unwrap(), host.try_clone().unwrap());
+        let (mut reader, mut bytes, mut lost) = (FrameReader::new(), [0; 256], false);
+        while let Ok(length @ 1..) = host.read(&mut bytes) {
+            let told = bytes[..length].iter().any(|&byte| is_set_key(&mut reader, byte));
+            is_mute.store(told && !lost, Ordering::Relaxed);
+            board.write_all(&bytes[..length]).unwrap();
+            if told && !lost {
+                std::thread::sleep(Duration::from_millis(100));
+                board.write_all(&hello()).unwrap();
+                std::thread::sleep(Duration::from_millis(100));
+                lost = true;
+            }
+        }
+    });
+    port
+}
+
+/// Passes bytes on, and loses them while the line is mute.
+fn pass_unless(is_mute: Arc<AtomicBool>, mut from: TcpStream, mut to: TcpStream) {
+    std::thread::spawn(move || {
+        let mut bytes = [0; 256];
+        while let Ok(length @ 1..) = from.read(&mut bytes) {
+            if !is_mute.load(Ordering::Relaxed) && to.write_all(&bytes[..length]).is_err() {
+                return;
+            }
+        }
+    });
+}
+
+fn hello() -> Vec<u8> {
+    let mut frame = [0; MAX_FRAME_BYTES];
+    let hello = ToBoard::Hello { protocol_version: PROTOCOL_VERSION };
+    hello.write(&mut frame).unwrap().to_vec()
+}
+
+#[test]
+fn a_refusal_after_a_lost_answer_leaves_the_key_too() {
+    let (directory, board) = (directory(), board());
+    let at = directory.path();
+    let text = refused(rrr(at, &refusal_after_the_key(&board), "set-key key").assert().stdout(""));
+    assert_tells(&text, &["does not prove it; the board may have the new key all the same"]);
+    let [left] = &files(at)[..] else { panic!("{:?}", files(at)) };
+    assert!(client(&board).report().unwrap().has_key);
     assert_tells(&said(at, &board, &format!("set-key --remove --key {left}")), &["open: "]);
 }
