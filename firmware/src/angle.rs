@@ -35,6 +35,12 @@ impl Angle {
         self.0.wrapping_sub(other.0) as f32 * Self::RADIANS_PER_UNIT
     }
 
+    /// The nearest count within half a turn of zero, of an encoder with so many counts a turn.
+    pub fn in_counts(self, counts_per_turn: u32) -> i32 {
+        let product = i64::from(self.0) * i64::from(counts_per_turn);
+        ((product + (1 << 31)) >> 32) as i32
+    }
+
     /// Sine and cosine.
     #[inline]
     pub fn sin_cos(self) -> (f32, f32) {
@@ -51,6 +57,13 @@ mod tests {
         for angle_rad in [-3.1_f32, -1.0, -1e-3, 0.0, 0.5, 3.1] {
             let error = Angle::from_radians(angle_rad).minus(Angle::default()) - angle_rad;
             assert!(error.abs() < 5e-7, "{angle_rad}: {error:e}");
+        }
+    }
+
+    #[test]
+    fn an_angle_is_the_nearest_count() {
+        for (angle_rad, count) in [(0.0, 0), (1e-5, 1), (-1e-5, -1), (-TAU / 4.0, -163_840)] {
+            assert_eq!(Angle::from_radians(angle_rad).in_counts(655_360), count);
         }
     }
 

@@ -19,7 +19,8 @@
 
 use model::{FrictionState, Posture};
 
-use crate::block::{Gains, Mode, ParameterBlock};
+use crate::Mode;
+use crate::block::{Gains, ParameterBlock};
 use crate::compensation::Moving;
 use crate::encoder::{Encoder, EncoderScale};
 use crate::reference::{InjectionSource, Setpoint, Time};
@@ -87,7 +88,7 @@ impl Controller {
         Self {
             joints: [0, 1, 2].map(|i| Joint::new(&block, i, rate_per_s)),
             rate_per_s,
-            last_tick: (block.reference.duration_s * rate_per_s + 0.5) as u32,
+            last_tick: last_tick(&block, rate_per_s),
             tick: 0,
             running: false,
             fingerprint: block.fingerprint(),
@@ -100,9 +101,19 @@ impl Controller {
         &self.block
     }
 
-    /// Whether the block still is what it was when it was taken. Some 10,000 instructions.
+    /// Whether the block, and what was computed of it once, still are what they were when it
+    /// was taken. Some 5,000 instructions and more, `docs/board.md`.
     pub fn is_whole(&self) -> bool {
+        let fresh = |i| Joint::new(&self.block, i, self.rate_per_s);
         self.block.fingerprint() == self.fingerprint
+            && self.rate_per_s == 1.0 / self.block.sample_period_s
+            && self.last_tick == last_tick(&self.block, self.rate_per_s)
+            && (0..3).all(|i| self.joints[i].measures_as(&fresh(i)))
+    }
+
+    /// The counts are others from the next tick on.
+    pub(crate) fn begin_anew(&mut self) {
+        self.joints = [0, 1, 2].map(|i| Joint::new(&self.block, i, self.rate_per_s));
     }
 
     /// Changes the block as broken memory would; for tests.
@@ -293,6 +304,11 @@ impl Mode {
     }
 }
 
+/// The tick in which the reference ends.
+fn last_tick(block: &ParameterBlock, rate_per_s: f32) -> u32 {
+    (block.reference.duration_s * rate_per_s + 0.5) as u32
+}
+
 /// What is put out for a voltage beyond +-`limit_v`: the limit, or 0 V if it is not finite.
 #[cold]
 fn cut(voltage_v: f32, limit_v: f32) -> f32 {
@@ -309,6 +325,10 @@ impl Joint {
             friction: FrictionState::default(),
             injection: InjectionSource::new(&block.reference.injection[index], rate_per_s),
         }
+    }
+
+    fn measures_as(&self, other: &Self) -> bool {
+        self.tracker_gains == other.tracker_gains && self.encoder.scale() == other.encoder.scale()
     }
 
     #[inline]

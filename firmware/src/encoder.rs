@@ -60,6 +60,11 @@ impl Encoder {
         Self { scale, last_count: 0, count_in_turn: 0 }
     }
 
+    /// Its scale.
+    pub fn scale(&self) -> EncoderScale {
+        self.scale
+    }
+
     /// The angle at a count since power-on, which may wrap at 32 bits.
     ///
     /// Only differences of counts are used, so a wrap (after an hour at full

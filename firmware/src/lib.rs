@@ -32,12 +32,14 @@ pub mod encoder;
 pub mod frame;
 pub mod link;
 pub mod lockstep;
+pub mod mode;
 pub mod reference;
 pub mod store;
 pub mod supervisor;
 pub mod velocity;
 
 pub use angle::Angle;
-pub use block::{BlockError, Gains, Mode, ParameterBlock};
+pub use block::{BlockError, Gains, ParameterBlock};
 pub use controller::{Controller, TickOutput};
 pub use dac::DacCode;
+pub use mode::Mode;

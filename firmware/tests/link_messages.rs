@@ -1,14 +1,13 @@
 //! Messages to frames and back; what is broken on the way is seen.
 #![allow(missing_docs)]
 
-use firmware::block::Mode;
 use firmware::frame::FrameReader;
 use firmware::link::{
     Answer, BAUD, Command, Hello, MAX_FRAME_BYTES, PIECE_BYTES, Refusal, Reply, Request, Source,
     Telemetry, ToBoard, ToHost, key,
 };
 use firmware::supervisor::{Fault, State};
-use firmware::{Angle, DacCode};
+use firmware::{Angle, DacCode, Mode};
 
 fn to_board(message: &ToBoard<'_>) -> Vec<u8> {
     message.write(&mut [0; MAX_FRAME_BYTES]).unwrap().to_vec()
@@ -42,6 +41,23 @@ fn longest_record() -> Telemetry {
         tick_time_tenth_us: u16::MAX,
         dropped: u32::MAX,
     }
+}
+
+/// Byte for byte, checksum included: a host and a firmware of any age can say Hello.
+#[test]
+fn a_hello_on_the_line_never_changes() {
+    let ask = to_board(&ToBoard::Hello { protocol_version: 1 });
+    assert_eq!(ask, b"\x06HRRR\x01\x05)\x11\xd6\xe7\x00");
+    let hello = Hello {
+        protocol_version: 1,
+        schema_hash: 0x0403_0201,
+        ..Hello::of_this_build("nucleo-g474re")
+    };
+    let hello = Hello { build_id: firmware::link::hello::Text::new("0.1.0"), ..hello };
+    let frame = b"\x06HRRR\x01\x0a\x01\x02\x03\x040.1.0\x01\x01\
+        \x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\
+        \x0enucleo-g474re\x01\x01\x01\x01\x01\x01\x01\x01\x01\x01\x05\xa1*N\x9a\x00";
+    assert_eq!(to_host(&ToHost::Hello(hello)), frame);
 }
 
 #[test]

@@ -132,17 +132,19 @@ fn an_encoder_that_stands_while_its_reference_moves() {
 
 #[test]
 fn an_encoder_that_stands_under_an_open_loop_command() {
-    let mut block = holding(Mode::OpenLoop);
-    let excitation = firmware::reference::FrictionExcitation {
-        first_amplitude_v: 8.0,
-        last_amplitude_v: 8.0,
-        growth_s: 1.0,
-        slow_period_s: 10.0,
-        fast_period_s: 10.0,
-    };
-    block.reference.injection[0] = Injection::FrictionExcitation(excitation);
-    let found = play(&mut running(block), quiet(|_| [0; 3], 4000)).unwrap();
-    assert_eq!((found.record.fault, found.record.joint), (Fault::EncoderStuck, 1));
+    for fast_period_s in [10.0, 0.05] {
+        let mut block = holding(Mode::OpenLoop);
+        let excitation = firmware::reference::FrictionExcitation {
+            first_amplitude_v: 8.0,
+            last_amplitude_v: 8.0,
+            growth_s: 1.0,
+            slow_period_s: 10.0,
+            fast_period_s,
+        };
+        block.reference.injection[0] = Injection::FrictionExcitation(excitation);
+        let found = play(&mut running(block), quiet(|_| [0; 3], 4000)).unwrap();
+        assert_eq!((found.record.fault, found.record.joint), (Fault::EncoderStuck, 1));
+    }
 }
 
 #[test]

@@ -82,6 +82,7 @@ fn no_command_panics_at_a_closed_or_full_output() {
         "download --out a.bin",
         "stop",
         "clear-fault",
+        "home --at 0,-1.5708,0",
         "set-key --remove",
         "set-key key",
     ];

@@ -8,11 +8,13 @@ use firmware::link::Command;
 use firmware::supervisor::State;
 use firmware::{Angle, Mode, ParameterBlock};
 use host_tool::board::{Board, Qemu, QemuSettings};
+use host_tool::simulation::start_of;
 use tests::operator::{Line, request, upload};
 use tests::{image, minute_of, rig};
 
 /// Ticks counted with each line.
 const TICKS: usize = 3000;
+const COUNTS_PER_TURN: u32 = 655_360;
 
 /// What is on the line while the ticks are counted.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,32 +25,34 @@ enum Load {
     Broken,
 }
 
-/// The block that runs, with limits so wide that the encoders below are no fault.
-fn block() -> ParameterBlock {
-    let mut block = minute_of(&rig(), Mode::PdModel);
-    block.safety.tracking_error_rad = [std::f32::consts::PI; 3];
-    block.safety.saturation_s = 1e3;
-    block.safety.stuck_travel_rad = 1e3;
-    block
-}
-
-fn counts(tick: i32) -> [i32; 3] {
-    [7 * tick, -5 * tick, 3 * tick]
+/// Where an arm is at rest whose reference is about to begin.
+fn start(block: &ParameterBlock) -> [i32; 3] {
+    start_of(block).map(|q_rad| Angle::from_radians(q_rad as f32).in_counts(COUNTS_PER_TURN))
 }
 
 /// A board that notes what each tick of its run costs.
 struct Counted {
     board: Qemu,
+    /// The encoders of an arm that follows its reference a tick later.
+    counts: [i32; 3],
+    /// Where the reference was.
+    last: Option<[Angle; 3]>,
     /// Counts of the timer in each tick since the run began.
     run: Vec<u32>,
 }
 
 impl Counted {
-    /// A tick at the counts of the run's tick, or at rest before the run.
+    /// A tick of the run, or at rest before the run.
     fn tick(&mut self) {
-        let reply = self.board.tick(&counts(self.run.len() as i32)).unwrap();
-        if reply.reference != [Angle(0); 3] {
-            self.run.push(reply.timer_counts);
+        let reply = self.board.tick(&self.counts).unwrap();
+        if reply.reference == [Angle(0); 3] {
+            return;
+        }
+        self.run.push(reply.timer_counts);
+        let last = self.last.replace(reply.reference).unwrap_or(reply.reference);
+        for i in 0..3 {
+            let moved = Angle(reply.reference[i].0.wrapping_sub(last[i].0));
+            self.counts[i] += moved.in_counts(COUNTS_PER_TURN);
         }
     }
 }
@@ -60,12 +64,13 @@ fn ticks_with(load: Load, image: &Path) -> (Counted, Line) {
     let socket = directory.join("line");
     let mut settings = QemuSettings::new(image);
     settings.serial = format!("unix:{},server=on,wait=off", socket.display());
-    let mut counted = Counted { board: Qemu::start(&settings).unwrap(), run: Vec::new() };
+    let block = minute_of(&rig(), Mode::PdModel);
+    let board = Qemu::start(&settings).unwrap();
+    let mut counted = Counted { board, counts: start(&block), last: None, run: Vec::new() };
     let mut line = Line::connect(&socket);
     std::fs::remove_dir_all(&directory).unwrap();
 
     let mut buffer = [0; MAX_BYTES];
-    let block = block();
     let encoded = block.encode(&mut buffer).unwrap();
     line.greet(|| counted.tick());
     for command in upload(encoded).into_iter().chain([Command::Use]) {

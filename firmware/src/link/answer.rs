@@ -48,6 +48,8 @@ pub struct Report {
     pub state: State,
     /// The first cause, while Faulted.
     pub fault: Option<FaultRecord>,
+    /// Whether the counts are those of the model's zero.
+    pub position_known: bool,
     /// The parameter block in use; `None`: there is none, not even safe defaults.
     pub parameters: Option<Parameters>,
     /// Whether a key protects upload, arm, run and fault clearing. If not, the link is open.
@@ -99,7 +101,7 @@ pub struct Counters {
     pub requests: u32,
 }
 
-/// Why a request was not carried out. Nothing has changed.
+/// Why a request was not carried out. Nothing has changed, unless it says so.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Refusal {
     /// No Hello since the board's last reset: begin the conversation anew.
@@ -143,6 +145,9 @@ pub enum Refusal {
     Block(BlockRefusal),
     /// The store does not do what it should.
     Store(StoreRefusal),
+    /// After `Commit`: the block is stored for the next reset, but a fault came between: the old
+    /// one is still in use.
+    StoredNotInUse,
 }
 
 /// Why a parameter block is refused.

@@ -13,6 +13,9 @@ use crate::block::MAX_BYTES;
 use crate::supervisor::{FaultRecord, Order, State};
 use crate::{BlockError, ParameterBlock};
 
+/// So often is the store asked to keep the same fault.
+const TRIES_TO_KEEP: u8 = 3;
+
 impl<S: BlockStore> Conversation<S> {
     /// Carries a request out, or says why not; a piece of a block is put into `piece`.
     pub(super) fn carry_out<'p>(
@@ -42,6 +45,7 @@ impl<S: BlockStore> Conversation<S> {
             Command::Stop => board.order(Order::Stop)?,
             Command::Disarm => board.order(Order::Disarm)?,
             Command::ClearFault => self.clear_fault(board)?,
+            Command::Home { position } => board.order(Order::Home { position })?,
             Command::SetKey { key } => self.set_key(key, board)?,
         }
         Ok(Reply::Done)
@@ -62,6 +66,7 @@ impl<S: BlockStore> Conversation<S> {
         Report {
             state: standing.state,
             fault: standing.fault,
+            position_known: standing.position_known,
             parameters: self.parameters,
             has_key: self.key.is_some(),
             counters: Counters {
@@ -93,7 +98,10 @@ impl<S: BlockStore> Conversation<S> {
             self.store.commit(bytes)?;
             read_back(&mut self.store, bytes)?;
         }
-        board.replace(&block)?;
+        board.replace(&block).map_err(|denied| match origin {
+            Origin::Newest => Refusal::StoredNotInUse,
+            _ => denied.into(),
+        })?;
         let parameters = parameters(bytes, origin);
         self.parameters = Some(parameters);
         self.in_use = Block::from_slice(bytes).unwrap_or_default();
@@ -148,9 +156,18 @@ impl<S: BlockStore> Conversation<S> {
         if fault == self.kept_fault {
             return true;
         }
+        if fault != self.fault_to_keep {
+            (self.fault_to_keep, self.failures_to_keep) = (fault, 0);
+        }
+        // A flash that does not take it would be worn out by trying for ever.
+        if self.failures_to_keep == TRIES_TO_KEEP {
+            return false;
+        }
         let kept = self.store.keep_fault(fault.as_ref()).is_ok();
         if kept {
             self.kept_fault = fault;
+        } else {
+            self.failures_to_keep += 1;
         }
         kept
     }

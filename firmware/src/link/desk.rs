@@ -10,6 +10,8 @@ use crate::{BlockError, Controller, ParameterBlock};
 ///
 /// What is asked for is done between two ticks, and is done when the call returns.
 pub trait Desk {
+    /// Looks how things stand, where that takes time; called before a request is carried out.
+    fn refresh(&mut self) {}
     /// How things stand.
     fn standing(&self) -> Standing;
     /// Carries an order out, or says why not.
@@ -25,13 +27,20 @@ pub struct Standing {
     pub state: State,
     /// The first cause, while Faulted.
     pub fault: Option<FaultRecord>,
+    /// Whether the counts are those of the model's zero.
+    pub position_known: bool,
     /// What the ticks have counted; what the link counts is zero here.
     pub counters: Counters,
 }
 
 impl Desk for Supervisor {
     fn standing(&self) -> Standing {
-        Standing { state: self.state(), fault: self.fault(), counters: *self.counters() }
+        Standing {
+            state: self.state(),
+            fault: self.fault(),
+            position_known: self.is_position_known(),
+            counters: *self.counters(),
+        }
     }
 
     fn order(&mut self, order: Order) -> Result<(), Denied> {

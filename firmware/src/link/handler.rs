@@ -6,7 +6,7 @@
 
 use heapless::Vec;
 
-use super::answer::{Answer, Origin, Parameters, Refusal};
+use super::answer::{Answer, Origin, Parameters, Refusal, Reply};
 use super::checked::MAX_FRAME_BYTES;
 use super::commands::parameters;
 use super::desk::{BlockStore, Desk};
@@ -16,7 +16,7 @@ use super::messages::{ToBoard, ToHost};
 use super::request::PIECE_BYTES;
 use super::upload::{Block, Upload};
 use crate::frame::FrameReader;
-use crate::supervisor::{FaultRecord, HardLimits};
+use crate::supervisor::{FaultRecord, HardLimits, Order};
 
 /// What the handler begins with, found by the boot.
 #[derive(Clone, Debug)]
@@ -50,6 +50,9 @@ pub(super) struct Conversation<S> {
     pub(super) store: S,
     pub(super) key: Option<Key>,
     pub(super) kept_fault: Option<FaultRecord>,
+    /// What the store was asked to keep last, and how often it did not.
+    pub(super) fault_to_keep: Option<FaultRecord>,
+    pub(super) failures_to_keep: u8,
     pub(super) nonces: Nonces,
     pub(super) nonce: Option<Nonce>,
     /// `None` until there was a Hello, then the newest request of this conversation.
@@ -86,6 +89,8 @@ impl<S: BlockStore> Handler<S> {
             store,
             key: beginning.key,
             kept_fault: beginning.fault,
+            fault_to_keep: None,
+            failures_to_keep: 0,
             nonces: Nonces::new(beginning.nonce_seed),
             nonce: None,
             newest: None,
@@ -155,7 +160,6 @@ impl<S: BlockStore> Conversation<S> {
             self.foreign = self.foreign.wrapping_add(1);
             return None;
         };
-        self.heard = true;
         let request = match message {
             ToBoard::Hello { .. } => return Some(self.greet()),
             ToBoard::Request(request) => request,
@@ -163,15 +167,23 @@ impl<S: BlockStore> Conversation<S> {
         let newest = Newest { number: request.number, checksum: content.last_chunk().copied() };
         match self.newest {
             None => return Some(self.deny(request.number, Refusal::HelloFirst)),
-            Some(Some(last)) if last == newest => return Some(&self.answer),
+            Some(Some(last)) if last == newest => {
+                self.heard = true;
+                return Some(&self.answer);
+            }
             Some(Some(last)) if last.number >= newest.number => {
+                if let Some(order) = request.command.takes_voltage_away() {
+                    return Some(self.obey_at_once(request.number, order, board));
+                }
                 let newest = last.number;
                 return Some(self.deny(request.number, Refusal::OldNumber { newest }));
             }
             Some(_) => self.newest = Some(Some(newest)),
         }
+        board.refresh();
         let mut piece = [0; PIECE_BYTES];
         let result = self.carry_out(&request, dropped, &mut piece, board);
+        self.heard |= result.is_ok();
         self.requests = self.requests.wrapping_add(u32::from(result.is_ok()));
         write(&ToHost::Answer(Answer { number: request.number, result }), &mut self.answer);
         Some(&self.answer)
@@ -183,6 +195,14 @@ impl<S: BlockStore> Conversation<S> {
         self.newest = Some(None);
         write(&ToHost::Hello(self.hello), &mut self.answer);
         &self.answer
+    }
+
+    /// Takes the voltage away, whoever asks and under whatever number; the answer to the newest
+    /// request is still kept.
+    fn obey_at_once(&mut self, number: u32, order: Order, board: &mut impl Desk) -> &[u8] {
+        let result = board.order(order).map(|()| Reply::Done).map_err(Refusal::from);
+        write(&ToHost::Answer(Answer { number, result }), &mut self.aside);
+        &self.aside
     }
 
     /// Refuses a request out of its turn; the answer to the newest one is still kept.

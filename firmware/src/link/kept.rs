@@ -9,7 +9,13 @@ use super::upload::Block;
 use crate::ParameterBlock;
 use crate::block::MAX_BYTES;
 use crate::store::{Content, Kind, NOTE_BYTES, Source, Store, StoreError};
-use crate::supervisor::FaultRecord;
+use crate::supervisor::{Fault, FaultRecord};
+
+/// Raised when [`FaultRecord`] changes.
+const FAULT_LAYOUT: u8 = 1;
+/// A fault was kept by a firmware that writes it differently: it is latched all the same.
+const UNREADABLE_FAULT: FaultRecord =
+    FaultRecord { fault: Fault::CorruptParameters, joint: 0, tick: 0, value: 0.0, limit: 0.0 };
 
 /// What the board begins with.
 #[derive(Clone, Debug)]
@@ -43,7 +49,7 @@ impl Kept {
             block: boot.block,
             origin,
             corrupt: origin == Origin::SafeDefaults && !nothing_stored,
-            fault: note(store, Kind::Fault, |bytes| postcard::from_bytes(bytes).ok()),
+            fault: note(store, Kind::Fault, fault_of),
             key: note(store, Kind::Key, |bytes| bytes.try_into().ok()),
         }
     }
@@ -54,6 +60,13 @@ fn encoded(block: &ParameterBlock) -> Block {
     let mut buffer = [0; MAX_BYTES];
     let bytes = block.encode(&mut buffer).unwrap_or_default();
     Block::from_slice(bytes).unwrap_or_default()
+}
+
+/// The fault in a record of the store; none in an empty one.
+fn fault_of(bytes: &[u8]) -> Option<FaultRecord> {
+    let (&layout, record) = bytes.split_first()?;
+    let known = (layout == FAULT_LAYOUT).then(|| postcard::from_bytes(record).ok()).flatten();
+    Some(known.unwrap_or(UNREADABLE_FAULT))
 }
 
 fn note<F: NorFlash, T>(
@@ -79,13 +92,14 @@ impl<F: NorFlash> BlockStore for Store<F> {
 
     fn keep_fault(&mut self, fault: Option<&FaultRecord>) -> Result<(), StoreRefusal> {
         let mut buffer = [0; NOTE_BYTES];
-        let note = match fault {
-            Some(fault) => {
-                postcard::to_slice(fault, &mut buffer).map_err(|_| StoreRefusal::TooLong)?
-            }
-            None => &mut [],
-        };
-        self.keep(Kind::Fault, note)?;
+        let mut length = 0;
+        if let Some(fault) = fault {
+            let (layout, record) = buffer.split_at_mut(1);
+            layout.fill(FAULT_LAYOUT);
+            let written = postcard::to_slice(fault, record).map_err(|_| StoreRefusal::TooLong)?;
+            length = 1 + written.len();
+        }
+        self.keep(Kind::Fault, buffer.get(..length).unwrap_or_default())?;
         Ok(())
     }
 

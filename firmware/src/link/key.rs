@@ -8,6 +8,7 @@ use hmac::{Hmac, Mac};
 use sha2::{Digest, Sha256};
 
 use super::request::{Command, Request};
+use crate::supervisor::Order;
 
 /// A key of 32 bytes.
 pub type Key = [u8; 32];
@@ -49,7 +50,7 @@ fn mac(key: &Key, nonce: &Nonce, number: u32, command: &Command<'_>) -> Option<H
 #[derive(Clone, Debug)]
 pub struct Nonces {
     seed: [u8; 16],
-    given: u32,
+    given: u64,
 }
 
 impl Nonces {
@@ -70,6 +71,15 @@ impl Nonces {
 }
 
 impl Command<'_> {
+    /// The order of a command that can do no harm and must always be obeyed.
+    pub(super) fn takes_voltage_away(&self) -> Option<Order> {
+        match self {
+            Self::Stop => Some(Order::Stop),
+            Self::Disarm => Some(Order::Disarm),
+            _ => None,
+        }
+    }
+
     /// Whether a board with a key asks for a proof.
     pub fn needs_proof(&self) -> bool {
         match self {
@@ -80,6 +90,7 @@ impl Command<'_> {
             | Self::Arm
             | Self::Run { .. }
             | Self::ClearFault
+            | Self::Home { .. }
             | Self::SetKey { .. } => true,
             Self::Query
             | Self::Stream { .. }

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::Angle;
+
 /// Most bytes of a parameter block in one [`Command::UploadPiece`] or [`Command::Download`].
 pub const PIECE_BYTES: usize = 192;
 
@@ -74,6 +76,12 @@ pub enum Command<'a> {
     Disarm,
     /// From Faulted to Disarmed, unless the cause is still there. Key.
     ClearFault,
+    /// The joints, at rest, are here; Disarmed only. Needed where encoders count from zero at
+    /// power-on. Key.
+    Home {
+        /// Where each joint is.
+        position: [Angle; 3],
+    },
     /// Set the key, change it, or with `None` remove it; Disarmed only. Key, once one is set.
     ///
     /// The key itself goes over the line: do this at the rig, over a line of your own.

@@ -11,11 +11,12 @@ pub const HASH: u32 = {
     hash
 };
 
-const TEXTS: [&str; 4] = [
+const TEXTS: [&str; 5] = [
     include_str!("request.rs"),
     include_str!("answer.rs"),
     include_str!("telemetry.rs"),
     include_str!("../supervisor/fault.rs"),
+    include_str!("../mode.rs"),
 ];
 
 const fn add(mut hash: u32, text: &[u8]) -> u32 {

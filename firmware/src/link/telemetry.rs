@@ -21,7 +21,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::block::Mode;
+use crate::Mode;
 use crate::supervisor::fault::{Fault, State};
 use crate::{Angle, DacCode};
 

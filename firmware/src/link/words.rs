@@ -24,6 +24,9 @@ impl Display for Refusal {
             }
             Self::Block(why) => write!(f, "the board refuses the parameter block: {why}"),
             Self::Store(why) => write!(f, "the board's store: {why}"),
+            Self::StoredNotInUse => {
+                f.write_str("the block is stored for the next reset, but not in use: a fault came")
+            }
         }
     }
 }

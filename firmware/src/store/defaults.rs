@@ -2,7 +2,8 @@
 
 use model::reference_robot::reference_robot;
 
-use crate::block::{Gains, Mode, ParameterBlock};
+use crate::Mode;
+use crate::block::{Gains, ParameterBlock};
 use crate::reference::{Injection, Motion, Reference};
 
 /// Open loop without a voltage and gains of zero: every command is 0 V, started or not.

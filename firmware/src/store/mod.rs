@@ -24,6 +24,7 @@ pub use read::{Content, Stored};
 pub use record::slot_record;
 
 use crate::block::{BlockError, MAX_BYTES, ParameterBlock};
+use crate::supervisor::HardLimits;
 
 /// Room for a body in memory: a block, filled up to whole words.
 const BODY_ROOM: usize = record::whole_words(MAX_BYTES);
@@ -71,7 +72,7 @@ impl<F: NorFlash> Store<F> {
     /// The block would be refused at power-on, or the flash does not take it. What was in
     /// force still is.
     pub fn commit(&mut self, encoded: &[u8]) -> Result<Stored, StoreError> {
-        ParameterBlock::decode(encoded).map_err(StoreError::Refused)?;
+        usable(encoded).map_err(StoreError::Refused)?;
         let survey = self.survey(Kind::Parameters, is_usable);
         self.append(Kind::Parameters, encoded, &survey)
     }
@@ -144,9 +145,16 @@ impl<F: NorFlash> Store<F> {
 }
 
 fn decode(body: &[u8], length: usize) -> Result<ParameterBlock, BlockError> {
-    ParameterBlock::decode(body.get(..length).unwrap_or_default())
+    usable(body.get(..length).unwrap_or_default())
+}
+
+/// The block in these bytes, if a board may use it, however it came into the store.
+fn usable(encoded: &[u8]) -> Result<ParameterBlock, BlockError> {
+    let block = ParameterBlock::decode(encoded)?;
+    HardLimits::default().check(&block)?;
+    Ok(block)
 }
 
 fn is_usable(body: &[u8]) -> bool {
-    ParameterBlock::decode(body).is_ok()
+    usable(body).is_ok()
 }

@@ -74,4 +74,8 @@ pub enum Implausible {
     Jumped,
     /// An estimate is not a finite number.
     NotFinite,
+    /// The encoder counts from where the joint was at power-on, and nobody has told where that is.
+    NoHome,
+    /// The encoder has not moved since power-on: it may be dead.
+    NeverMoved,
 }

@@ -15,6 +15,8 @@
 //! boundary, all at once.
 
 pub mod fault;
+mod home;
+pub mod latch;
 pub mod limits;
 mod orders;
 mod watch;
@@ -26,6 +28,7 @@ pub use orders::{Denied, Order};
 
 use crate::link::{Counters, Telemetry};
 use crate::{Angle, Controller, DacCode, Mode, ParameterBlock, TickOutput};
+use home::Home;
 use watch::{Excess, JointWatch, Seen, follows};
 
 /// Every so many ticks a board asks [`Supervisor::parameters_are_whole`].
@@ -57,6 +60,9 @@ pub struct BootReport {
     pub parameters_corrupt: bool,
     /// The converter does not answer as it should.
     pub converter_fault: bool,
+    /// The encoders count from zero, wherever the arm is: it cannot be armed before
+    /// [`Order::Home`] has told.
+    pub position_lost: bool,
 }
 
 /// The controller under watch.
@@ -65,6 +71,7 @@ pub struct Supervisor {
     state: State,
     fault: Option<FaultRecord>,
     watched: Option<Watched>,
+    home: Home,
     health: Health,
     host_timeout_ticks: Option<u32>,
     silent_ticks: u32,
@@ -91,6 +98,7 @@ impl Supervisor {
         self.counters.longest_tick_tenth_us = longest;
         // Without a branch: what the tick costs shall not depend on the line.
         self.silent_ticks = self.silent_ticks.saturating_add(1) * u32::from(!health.host_heard);
+        let counts = &self.home.of_model(counts);
         let board = self.board_fault();
         let joint = self.control(counts);
         if let Some(excess) = board {
@@ -116,6 +124,11 @@ impl Supervisor {
         &self.counters
     }
 
+    /// Whether the counts are those of the model's zero.
+    pub fn is_position_known(&self) -> bool {
+        self.home.is_known()
+    }
+
     /// The block in use.
     pub fn block(&self) -> Option<&ParameterBlock> {
         self.watched.as_ref().map(|watched| watched.controller.block())
@@ -124,7 +137,7 @@ impl Supervisor {
     /// Whether the parameters in use still are those that were checked. For
     /// [`Health::parameters_corrupt`], now and then, once a tick's codes are out.
     pub fn parameters_are_whole(&self) -> bool {
-        self.watched.as_ref().is_none_or(|watched| watched.controller.is_whole())
+        self.watched.as_ref().is_none_or(Watched::is_whole)
     }
 
     /// Changes the parameters in use as broken memory would; for tests.
@@ -141,6 +154,7 @@ impl Supervisor {
             return;
         }
         self.state = State::Disarmed;
+        self.home = Home::at_boot(report.position_lost);
         let causes = [
             (report.watchdog_reset, Fault::Watchdog),
             (report.converter_fault, Fault::Converter),
@@ -158,6 +172,9 @@ impl Supervisor {
     pub fn replace(&mut self, controller: Controller) -> Result<(), Denied> {
         if !matches!(self.state, State::Boot | State::Disarmed) {
             return Err(self.not_now());
+        }
+        if self.block().is_some_and(|block| counts_differ(block, controller.block())) {
+            self.home.forget();
         }
         self.watched = Some(Watched::new(controller));
         Ok(())
@@ -178,6 +195,7 @@ impl Supervisor {
             }
             (Order::Stop, State::Armed) | (Order::Stop | Order::Disarm, State::Disarmed) => Ok(()),
             (Order::ClearFault, State::Faulted) => self.clear_fault(),
+            (Order::Home { position }, State::Disarmed) => self.tell_home(&position),
             _ => Err(self.not_now()),
         }
     }
@@ -191,18 +209,29 @@ impl Supervisor {
             return Err(Denied::FaultPersists);
         }
         let watched = self.watched.as_ref().ok_or(Denied::NoParameters)?;
-        for (number, index) in (1..).zip(0..3) {
-            let seen = watched.seen(index, watched.joints[index].last_count());
-            if let Some(why) = watched.joints[index].implausible(&seen) {
-                return Err(Denied::Implausible { joint: number, why });
+        watched.is_plausible()?;
+        for (joint, index) in (1..).zip(0..3) {
+            if let Some(why) = self.home.implausible(index, follows(watched.mode[index])) {
+                return Err(Denied::Implausible { joint, why });
             }
         }
         self.state = State::Armed;
         Ok(())
     }
 
+    fn tell_home(&mut self, position: &[Angle; 3]) -> Result<(), Denied> {
+        let watched = self.watched.as_mut().ok_or(Denied::NoParameters)?;
+        watched.is_plausible()?;
+        let now = watched.joints.each_ref().map(JointWatch::last_count);
+        let counts_per_turn = watched.controller.block().encoder_counts_per_turn;
+        self.home.tell(position, &now, counts_per_turn);
+        watched.begin_anew();
+        Ok(())
+    }
+
     fn run(&mut self, host_timeout_ticks: Option<u32>) -> Result<(), Denied> {
         let watched = self.watched.as_mut().ok_or(Denied::NoParameters)?;
+        watched.is_plausible()?;
         watched.is_near_start()?;
         watched.controller.start();
         watched.joints.iter_mut().for_each(JointWatch::begin);
@@ -322,6 +351,31 @@ impl Watched {
         }
     }
 
+    /// The counts are others from now on.
+    fn begin_anew(&mut self) {
+        self.controller.begin_anew();
+        let block = self.controller.block();
+        self.joints = [0, 1, 2].map(|index| JointWatch::new(block, index));
+    }
+
+    /// Whether what was computed of the block once still is what the block says.
+    fn is_whole(&self) -> bool {
+        let block = self.controller.block();
+        let has_limits = |index: usize| self.joints[index].has_limits_of(block, index);
+        self.controller.is_whole() && self.mode == block.mode && (0..3).all(has_limits)
+    }
+
+    /// Whether every joint is at rest and its estimates can be right.
+    fn is_plausible(&self) -> Result<(), Denied> {
+        for (joint, index) in (1..).zip(0..3) {
+            let seen = self.seen(index, self.joints[index].last_count());
+            if let Some(why) = self.joints[index].implausible(&seen) {
+                return Err(Denied::Implausible { joint, why });
+            }
+        }
+        Ok(())
+    }
+
     #[inline]
     fn seen(&self, index: usize, count: i32) -> Seen {
         let output = &self.last;
@@ -355,6 +409,10 @@ impl Watched {
         self.last.codes = [DacCode(0); 3];
         self.last.saturated = [false; 3];
     }
+}
+
+fn counts_differ(one: &ParameterBlock, other: &ParameterBlock) -> bool {
+    one.encoder_counts_per_turn != other.encoder_counts_per_turn
 }
 
 fn without_figures(fault: Fault) -> Excess {

@@ -1,6 +1,7 @@
 //! What the supervisor is told between two ticks, and why it may refuse.
 
 use super::fault::{Implausible, State};
+use crate::Angle;
 
 /// A change of state that is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,6 +19,11 @@ pub enum Order {
     Disarm,
     /// From Faulted to Disarmed.
     ClearFault,
+    /// The joints, at rest, are here; only Disarmed.
+    Home {
+        /// Where each joint is.
+        position: [Angle; 3],
+    },
 }
 
 /// Why an order is not carried out; nothing has changed.

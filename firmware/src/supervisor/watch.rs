@@ -35,7 +35,7 @@ pub(super) struct Excess {
 }
 
 /// The limits of one joint, in the units in which they are compared.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Limits {
     jump_counts: u32,
     speed_rad_per_s: f32,
@@ -44,6 +44,25 @@ struct Limits {
     stuck_travel_rad: f32,
     stuck_voltage_v: f32,
     stuck_ticks: u32,
+}
+
+impl Limits {
+    fn of(block: &ParameterBlock, index: usize) -> Self {
+        let (safety, period_s) = (&block.safety, block.sample_period_s);
+        let counts_per_radian = block.encoder_counts_per_turn as f32 / TAU;
+        let acceleration = safety.acceleration_rad_per_s2[index];
+        let jump = acceleration * period_s * period_s * counts_per_radian;
+        Self {
+            // Converting to integers saturates.
+            jump_counts: (jump as u32).saturating_add(DITHER_COUNTS),
+            speed_rad_per_s: safety.speed_rad_per_s[index],
+            tracking_error_rad: safety.tracking_error_rad[index],
+            saturated_ticks: (safety.saturation_s / period_s + 0.5) as u32,
+            stuck_travel_rad: safety.stuck_travel_rad,
+            stuck_voltage_v: safety.stuck_voltage_v,
+            stuck_ticks: (safety.stuck_s / period_s + 0.5) as u32,
+        }
+    }
 }
 
 /// One joint under watch.
@@ -72,7 +91,7 @@ pub(super) struct JointWatch {
 struct Standing {
     count: i32,
     reference: Angle,
-    /// Ticks at a voltage that should have moved the joint.
+    /// Ticks at a voltage that should have moved the joint, less those at a smaller one.
     pushed_ticks: u32,
 }
 
@@ -88,23 +107,11 @@ struct Window {
 impl JointWatch {
     /// A watch over joint `index` (0 to 2) with a checked block.
     pub fn new(block: &ParameterBlock, index: usize) -> Self {
-        let (safety, period_s) = (&block.safety, block.sample_period_s);
-        let counts_per_radian = block.encoder_counts_per_turn as f32 / TAU;
-        let acceleration = safety.acceleration_rad_per_s2[index];
-        let jump = acceleration * period_s * period_s * counts_per_radian;
+        let period_s = block.sample_period_s;
         Self {
-            limits: Limits {
-                // Converting to integers saturates.
-                jump_counts: (jump as u32).saturating_add(DITHER_COUNTS),
-                speed_rad_per_s: safety.speed_rad_per_s[index],
-                tracking_error_rad: safety.tracking_error_rad[index],
-                saturated_ticks: (safety.saturation_s / period_s + 0.5) as u32,
-                stuck_travel_rad: safety.stuck_travel_rad,
-                stuck_voltage_v: safety.stuck_voltage_v,
-                stuck_ticks: (safety.stuck_s / period_s + 0.5) as u32,
-            },
+            limits: Limits::of(block, index),
             follows: follows(block.mode[index]),
-            radians_per_count: 1.0 / counts_per_radian,
+            radians_per_count: TAU / block.encoder_counts_per_turn as f32,
             rate_per_s: 1.0 / period_s,
             sample_period_s: period_s,
             last_count: 0,
@@ -116,6 +123,16 @@ impl JointWatch {
             standing: Standing::default(),
             window: Window::default(),
         }
+    }
+
+    /// Whether the limits still are those of the block.
+    pub fn has_limits_of(&self, block: &ParameterBlock, index: usize) -> bool {
+        let fresh = Self::new(block, index);
+        self.limits == fresh.limits
+            && self.follows == fresh.follows
+            && self.radians_per_count == fresh.radians_per_count
+            && self.rate_per_s == fresh.rate_per_s
+            && self.sample_period_s == fresh.sample_period_s
     }
 
     /// The count of the last tick.
@@ -258,7 +275,11 @@ impl JointWatch {
             return travel_rad > self.limits.stuck_travel_rad;
         }
         let pushed = seen.command_v.abs() > self.limits.stuck_voltage_v;
-        standing.pushed_ticks = if pushed { standing.pushed_ticks.saturating_add(1) } else { 0 };
+        // A voltage that swings to and fro pushes too.
+        standing.pushed_ticks = match pushed {
+            true => standing.pushed_ticks.saturating_add(1),
+            false => standing.pushed_ticks.saturating_sub(1),
+        };
         standing.pushed_ticks > self.limits.stuck_ticks
     }
 }

@@ -102,6 +102,8 @@ impl Display for Implausible {
             Self::Disagrees => "the velocity estimate disagrees with the encoder",
             Self::Jumped => "the encoder has jumped a moment ago",
             Self::NotFinite => "an estimate is not a finite number",
+            Self::NoHome => "nobody has told since power-on where the joint is",
+            Self::NeverMoved => "its encoder has not moved since power-on; turn it by hand",
         })
     }
 }

@@ -8,8 +8,9 @@ use firmware::link::checked::{CHECKSUM, Kind, open};
 use firmware::link::{
     Command, MAX_FRAME_BYTES, PIECE_BYTES, PROTOCOL_VERSION, Request, Source, ToBoard,
 };
+use firmware::reference::Reference;
 use firmware::store::slot_record;
-use firmware::{Mode, ParameterBlock};
+use firmware::{Angle, Mode, ParameterBlock};
 use host_tool::files::excitation_file::JointTable;
 use host_tool::files::{ExcitationFile, JointLog, Log, Position, RobotFile};
 use host_tool::simulation::{Rig, plan};
@@ -57,6 +58,13 @@ fn commands(block: &[u8]) -> Vec<Command<'_>> {
         Command::Commit,
         Command::Download { source: Source::Stored, offset: 0 },
         Command::Download { source: Source::InUse, offset: 192 },
+        Command::Home { position: [Angle(0); 3] },
+        Command::Query,
+        Command::Query,
+        Command::Query,
+        Command::Query,
+        Command::Query,
+        Command::Query,
         Command::Arm,
         Command::Run { host_timeout_ms: Some(100) },
         Command::Stop,
@@ -69,11 +77,11 @@ fn commands(block: &[u8]) -> Vec<Command<'_>> {
 }
 
 /// The contents of a whole conversation's frames, with a Hello first.
-fn contents(block: &[u8]) -> Vec<Vec<u8>> {
+fn contents(commands: &[Command<'_>]) -> Vec<Vec<u8>> {
     let hello = ToBoard::Hello { protocol_version: PROTOCOL_VERSION };
     let requests = (1..)
-        .zip(commands(block))
-        .map(|(number, command)| ToBoard::Request(Request { number, proof: None, command }));
+        .zip(commands)
+        .map(|(number, &command)| ToBoard::Request(Request { number, proof: None, command }));
     let messages = core::iter::once(hello).chain(requests);
     messages
         .map(|message| message.write(&mut [0; MAX_FRAME_BYTES]).unwrap_or_default().to_vec())
@@ -82,12 +90,12 @@ fn contents(block: &[u8]) -> Vec<Vec<u8>> {
 
 /// Frames of a Hello and of every command.
 pub fn frames() -> Vec<Vec<u8>> {
-    parameter_blocks().first().map(|block| contents(&encoded(block))).unwrap_or_default()
+    parameter_blocks().first().map(|block| contents(&commands(&encoded(block)))).unwrap_or_default()
 }
 
-/// Ticks of a joint at rest, as the target reads them: 200 bytes, 50 ticks.
-fn rest() -> Vec<u8> {
-    [&[3, 200][..], &[0; 200]].concat()
+/// Ticks of joints at rest, all well, as the target reads them.
+fn rest(ticks: u8) -> [u8; 8] {
+    [3, 6, 0, 0, 0, 0, 0, ticks]
 }
 
 /// A frame's payload, as the target reads it.
@@ -105,16 +113,37 @@ fn piece(frame: &[u8]) -> Vec<u8> {
 }
 
 /// Conversations, as the target reads them: from upload to motion, with rest before arming.
+///
+/// The blocks hold where the joints are, so that they run: with feedback, with the model, and in
+/// open loop with noise; with a key and without.
 pub fn conversations() -> Vec<Vec<u8>> {
-    let conversation = |block: &ParameterBlock| {
-        let mut bytes = vec![0];
-        for frame in contents(&encoded(block)) {
-            bytes.extend(piece(&frame));
-            bytes.extend(rest());
-        }
-        bytes
+    let holding = |block: &ParameterBlock| {
+        let hold = Reference::hold([0.0; 3]);
+        let reference = Reference { injection: block.reference.injection, ..hold };
+        ParameterBlock { reference, ..block.clone() }
     };
-    parameter_blocks().iter().take(2).map(conversation).collect()
+    let blocks = parameter_blocks();
+    let long = blocks
+        .iter()
+        .take(4)
+        .map(|block| conversation(0, contents(&commands(&encoded(&holding(block))))));
+    // Boards that have parameters and have settled: every short way to a run and back.
+    let to_run = [Command::Arm, Command::Run { host_timeout_ms: Some(100) }];
+    let ends = [Command::Query, Command::Stop, Command::Disarm, Command::ClearFault];
+    let short = ends.iter().map(|end| {
+        conversation(4, contents(&[&to_run[..], &[*end, Command::Arm, to_run[1]]].concat()))
+    });
+    long.chain(short).collect()
+}
+
+/// A conversation, as the target reads it.
+fn conversation(first: u8, contents: Vec<Vec<u8>>) -> Vec<u8> {
+    let mut bytes = vec![first];
+    for frame in contents {
+        // Before arming the estimates settle, and a run lasts some ticks.
+        bytes.extend([piece(&frame), rest(20).to_vec()].concat());
+    }
+    bytes
 }
 
 /// Records in the slots of the store.

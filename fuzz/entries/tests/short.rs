@@ -2,6 +2,7 @@
 
 use fuzz_entries::dice::Dice;
 use fuzz_entries::mutate::mutated;
+use fuzz_entries::targets::command_handler;
 use fuzz_entries::{TARGETS, Target};
 
 const RUNS: usize = 20_000;
@@ -23,4 +24,22 @@ fn run(target: &Target) {
     for _ in 0..RUNS {
         (target.run)(&mutated(&seeds, &mut dice));
     }
+}
+
+#[test]
+fn every_conversation_that_damage_begins_from_reaches_a_run() {
+    for conversation in fuzz_entries::seeds::conversations() {
+        assert!(command_handler::reaches_a_run(&conversation));
+    }
+}
+
+/// Damage that still lets the arm run is where the handler is tried hardest.
+#[test]
+fn many_damaged_conversations_reach_a_run() {
+    let seeds = fuzz_entries::seeds::conversations();
+    let mut dice = Dice::new(3);
+    let reached =
+        (0..2000).filter(|_| command_handler::reaches_a_run(&mutated(&seeds, &mut dice))).count();
+    println!("{reached} of 2000");
+    assert!(reached > 200, "{reached} of 2000");
 }

@@ -57,6 +57,11 @@ fn hard_limit(name: &str) -> Option<f32> {
         DERIVATIVE_GAIN => Some(limits.derivative_gain_v_s_per_rad),
         "speed_limit_rad_per_s" => Some(limits.speed_rad_per_s),
         "tracking_error_limit_rad" => Some(limits.tracking_error_rad),
+        "acceleration_limit_rad_per_s2" => Some(limits.acceleration_rad_per_s2),
+        "saturation_limit_s" => Some(limits.saturation_s),
+        "stuck_travel_rad" => Some(limits.stuck_travel_rad),
+        "stuck_voltage_V" => Some(limits.stuck_voltage_v),
+        "stuck_s" => Some(limits.stuck_s),
         _ => None,
     }
 }

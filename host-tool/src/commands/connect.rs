@@ -29,6 +29,9 @@ fn board(hello: &Hello) -> String {
 fn lines(report: &Report) -> Vec<String> {
     let mut lines = vec![format!("state       {}", report.state)];
     lines.extend(report.fault.map(|fault| format!("fault       {fault}")));
+    if !report.position_known {
+        lines.push("position    not known since power-on: `rrr home` tells it".to_owned());
+    }
     lines.extend([
         format!("parameters  {}", parameters(report.parameters.as_ref())),
         format!("link        {}", openness(report)),

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use firmware::link::{BlockRefusal, Key, Refusal, Report, StoreRefusal};
+use firmware::supervisor::fault::Implausible;
 
 use super::Failure;
 use super::key_file::read_key;
@@ -131,6 +132,12 @@ fn refusal_hint(why: &Refusal) -> &'static str {
         Refusal::NoParameters | Refusal::Store(StoreRefusal::Empty) => {
             "`rrr upload model.toml` gives it some"
         }
+        Refusal::Implausible { why: Implausible::NoHome, .. } => {
+            "bring the arm to a place that you know, then `rrr home --at Q1,Q2,Q3`"
+        }
+        Refusal::Implausible { why: Implausible::NeverMoved, .. } => {
+            "turn the joint to and fro by hand; `rrr monitor` shows whether its encoder counts"
+        }
         Refusal::Implausible { .. } => "let the arm come to rest; look at the encoder's wiring",
         Refusal::FarFromStart { .. } => "move the arm there by hand, or let `rrr run` approach",
         Refusal::FaultPersists => "remove the cause first; docs/safety.md lists the faults",
@@ -138,6 +145,7 @@ fn refusal_hint(why: &Refusal) -> &'static str {
         Refusal::Block(BlockRefusal::Version { .. }) => {
             "build tool and firmware from the same sources"
         }
+        Refusal::StoredNotInUse => "`rrr connect` tells the fault; then reset the board",
         Refusal::Upload { .. } | Refusal::Block(_) => "try again",
         Refusal::Store(_) => "try again; if it comes back, the flash is worn",
     }

@@ -21,6 +21,7 @@ pub mod diagnose;
 pub mod download;
 pub mod export_block;
 pub mod flash;
+pub mod home;
 pub mod identify;
 pub mod interrupt;
 pub mod inverse_dynamics;
@@ -73,6 +74,8 @@ pub enum Command {
     Monitor(monitor::Arguments),
     /// Take the voltage away and disarm the board.
     Stop(stop::Arguments),
+    /// Tell the board where the arm is, after each of its resets.
+    Home(home::Arguments),
     /// Let the board leave a fault whose cause is gone.
     ClearFault(clear_fault::Arguments),
     /// Give the board a key, change it or take it away.
@@ -107,6 +110,7 @@ impl Command {
             Self::Run(arguments) => run::run(&arguments),
             Self::Monitor(arguments) => monitor::run(&arguments),
             Self::Stop(arguments) => stop::run(&arguments),
+            Self::Home(arguments) => home::run(&arguments),
             Self::ClearFault(arguments) => clear_fault::run(&arguments),
             Self::SetKey(arguments) => set_key::run(&arguments),
             Self::ExportBlock(arguments) => export_block::run(&arguments),

@@ -309,6 +309,7 @@ fn name(command: &Command<'_>) -> &'static str {
         Command::Stop => "stop",
         Command::Disarm => "disarm",
         Command::ClearFault => "clear the fault",
+        Command::Home { .. } => "home",
         Command::SetKey { .. } => "set the key",
     }
 }

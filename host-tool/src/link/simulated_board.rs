@@ -21,6 +21,7 @@ pub const NAME: &str = "simulated";
 /// What 921,600 baud carry in a tick, each way [bytes].
 const BYTES_PER_TICK: usize = 92;
 const COUNTS_PER_TURN: u32 = 655_360;
+const TURNING_TICKS: u16 = 1000;
 
 type Flash = RamFlash<Vec<u8>>;
 
@@ -37,6 +38,9 @@ pub struct BoardSettings {
     pub speed: f64,
     /// One byte in so many is broken on its way, both ways; none without.
     pub bytes_per_error: Option<u32>,
+    /// The encoders count from zero at power-on, wherever the robot is; within the second after
+    /// it somebody turns each joint by hand, and back.
+    pub incremental_encoders: bool,
 }
 
 impl BoardSettings {
@@ -48,6 +52,7 @@ impl BoardSettings {
             flash: vec![0xFF; Layout::G474.used_bytes() as usize],
             speed: 1.0,
             bytes_per_error: None,
+            incremental_encoders: false,
         }
     }
 }
@@ -99,6 +104,10 @@ struct Machine {
     line: Option<TcpStream>,
     station: Station<Store<Flash>>,
     robot: SimulatedRobot,
+    /// Where the encoders count zero.
+    zero: [i64; 3],
+    /// Ticks until nobody turns the joints by hand any more.
+    turning_ticks: u16,
     command_v: [f64; 3],
     tick: Duration,
     noise: Noise,
@@ -107,11 +116,16 @@ struct Machine {
 impl Machine {
     fn new(settings: BoardSettings, listener: TcpListener) -> Self {
         let simulation = Settings { sample_period_s: 1e-3, substeps: 10, noise_v: 0.004, seed: 1 };
+        let robot = SimulatedRobot::at_rest(settings.robot, settings.position_rad, &simulation);
+        let incremental = settings.incremental_encoders;
+        let zero = if incremental { counts(&robot.reading_rad(), COUNTS_PER_TURN) } else { [0; 3] };
         Self {
             listener,
             line: None,
-            station: booted(settings.flash),
-            robot: SimulatedRobot::at_rest(settings.robot, settings.position_rad, &simulation),
+            station: booted(settings.flash, incremental),
+            zero,
+            turning_ticks: if incremental { TURNING_TICKS } else { 0 },
+            robot,
             command_v: [0.0; 3],
             tick: Duration::from_secs_f64(1e-3 / settings.speed),
             noise: Noise { bytes_per_error: settings.bytes_per_error, state: 1 },
@@ -137,12 +151,21 @@ impl Machine {
     }
 
     fn tick(&mut self) {
-        let counts = counts(&self.robot.reading_rad(), COUNTS_PER_TURN).map(|count| count as i32);
+        let now = counts(&self.robot.reading_rad(), COUNTS_PER_TURN);
+        let turned = self.turned_by_hand();
+        let counts = [0, 1, 2].map(|i| (now[i] - self.zero[i] + turned) as i32);
         let health = self.station.health();
         let record = self.station.supervisor.tick(&counts, health);
         self.station.after_tick(&record);
         self.command_v = record.codes.map(|code| f64::from(code.to_volts()));
         self.robot.advance(&self.command_v);
+    }
+
+    /// How far a hand has turned each joint [counts].
+    fn turned_by_hand(&mut self) -> i64 {
+        self.turning_ticks = self.turning_ticks.saturating_sub(1);
+        let phase = f64::from(self.turning_ticks) / f64::from(TURNING_TICKS);
+        (10_000.0 * (std::f64::consts::PI * phase).sin().powi(2)) as i64
     }
 
     /// A tick's worth of the line; somebody new takes the place of who was there.
@@ -191,7 +214,7 @@ impl Noise {
     }
 }
 
-fn booted(flash: Vec<u8>) -> Station<Store<Flash>> {
+fn booted(flash: Vec<u8>, position_lost: bool) -> Station<Store<Flash>> {
     let mut store = Store::new(RamFlash::new(flash), Layout::G474.bank_start, Layout::G474);
     let kept = Kept::of(&mut store);
     let beginning = Beginning {
@@ -209,6 +232,7 @@ fn booted(flash: Vec<u8>) -> Station<Store<Flash>> {
     supervisor.booted(BootReport {
         latched: kept.fault,
         parameters_corrupt: kept.corrupt,
+        position_lost,
         ..BootReport::default()
     });
     Station::new(supervisor, handler)

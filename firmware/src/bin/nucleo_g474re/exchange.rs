@@ -80,12 +80,6 @@ pub fn channel() -> Option<(Remote, Consumer<'static, Telemetry>, Inbox)> {
 }
 
 impl Remote {
-    /// Has the tick tell how things stand.
-    pub fn refresh(&mut self) {
-        // What is denied is told all the same.
-        let _ = self.ask(Question::Standing);
-    }
-
     /// Waits for the next tick, 1 ms at most; the tick itself waits for nothing.
     fn ask(&mut self, question: Question) -> Result<(), Denied> {
         // An answer that came too late for an earlier question.
@@ -103,6 +97,11 @@ impl Remote {
 }
 
 impl Desk for Remote {
+    fn refresh(&mut self) {
+        // What is denied is told all the same.
+        let _ = self.ask(Question::Standing);
+    }
+
     fn standing(&self) -> Standing {
         self.standing
     }

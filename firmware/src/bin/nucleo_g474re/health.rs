@@ -33,15 +33,18 @@ pub async fn show(pin: Peri<'static, PA5>) -> ! {
     }
 }
 
-/// Whether the watchdog has reset the board; asked once, then forgotten.
-pub fn take_watchdog_reset() -> bool {
-    let reset = pac::RCC.csr();
-    let by_watchdog = reset.read().iwdgrstf();
+/// Whether the watchdog has reset the board.
+pub fn was_reset_by_watchdog() -> bool {
+    let by_watchdog = pac::RCC.csr().read().iwdgrstf();
     if by_watchdog {
         defmt::error!("the watchdog has reset the board");
     }
-    reset.modify(|w| w.set_rmvf(true));
     by_watchdog
+}
+
+/// Forgets what caused the last reset.
+pub fn forget_resets() {
+    pac::RCC.csr().modify(|w| w.set_rmvf(true));
 }
 
 /// Logs what has changed, at most once a second.

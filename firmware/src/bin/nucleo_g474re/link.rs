@@ -5,12 +5,13 @@
 use core::sync::atomic::Ordering::Relaxed;
 
 use cortex_m::singleton;
+use embassy_futures::yield_now;
 use embassy_stm32::mode::Async;
 use embassy_stm32::peripherals::{DMA1_CH1, DMA1_CH2, LPUART1, PA2, PA3};
 use embassy_stm32::usart::{Config, InterruptHandler, RingBufferedUartRx, Uart, UartTx};
 use embassy_stm32::{Peri, bind_interrupts, dma};
 use embassy_time::{Duration, Instant, with_timeout};
-use firmware::link::{BAUD, Handler, MAX_FRAME_BYTES, Telemetry, ToHost};
+use firmware::link::{BAUD, Desk, Handler, MAX_FRAME_BYTES, Telemetry, ToHost};
 use firmware::store::Store;
 use heapless::Vec;
 use heapless::spsc::Consumer;
@@ -48,6 +49,8 @@ pub struct Link {
     remote: Remote,
     records: Consumer<'static, Telemetry>,
     kept_at: Instant,
+    /// Records that the port did not take.
+    records_lost: u32,
 }
 
 impl Link {
@@ -67,7 +70,7 @@ impl Link {
         let (sender, receiver) = defmt::unwrap!(uart).split();
         let ring = defmt::unwrap!(singleton!(: [u8; RING_BYTES] = [0; RING_BYTES]));
         let receiver = receiver.into_ring_buffered(ring);
-        Self { receiver, sender, handler, remote, records, kept_at: Instant::MIN }
+        Self { receiver, sender, handler, remote, records, kept_at: Instant::MIN, records_lost: 0 }
     }
 
     async fn listen(&mut self) {
@@ -78,15 +81,12 @@ impl Link {
             Err(_) => return,
         };
         for &byte in bytes.iter().take(length) {
-            if byte == 0 {
-                // A frame ends: what it asks is judged by how things stand now.
-                self.remote.refresh();
-            }
-            if let Some(frame) = self.handler.receive(byte, &mut self.remote)
-                && self.sender.write(frame).await.is_err()
-            {
+            let Some(frame) = self.handler.receive(byte, &mut self.remote) else { continue };
+            if self.sender.write(frame).await.is_err() {
                 defmt::warn!("an answer did not go out");
             }
+            // A request may have waited for ticks: the watchdog's task comes in between.
+            yield_now().await;
         }
         REPORT.streaming.store(self.handler.streaming(), Relaxed);
         if self.handler.take_heard() {
@@ -95,17 +95,20 @@ impl Link {
     }
 
     async fn send_records(&mut self) {
-        let dropped = REPORT.records_dropped.load(Relaxed);
+        let dropped = REPORT.records_dropped.load(Relaxed).wrapping_add(self.records_lost);
         self.handler.set_telemetry_dropped(dropped);
         let mut batch = Vec::<u8, BATCH_BYTES>::new();
+        let mut records = 0;
         while batch.len() + MAX_FRAME_BYTES <= BATCH_BYTES {
             let Some(record) = self.records.dequeue() else { break };
+            records += 1;
             let mut buffer = [0; MAX_FRAME_BYTES];
             let message = ToHost::Telemetry(Telemetry { dropped, ..record });
             // A frame is never longer than there is room for.
             let _ = batch.extend_from_slice(message.write(&mut buffer).unwrap_or_default());
         }
         if !batch.is_empty() && self.sender.write(&batch).await.is_err() {
+            self.records_lost = self.records_lost.wrapping_add(records);
             defmt::warn!("records did not go out");
         }
     }

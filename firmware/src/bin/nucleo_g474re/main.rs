@@ -12,6 +12,7 @@ mod encoders;
 mod exchange;
 mod flash;
 mod health;
+mod latch;
 mod link;
 mod safe_state;
 mod tick;
@@ -43,7 +44,7 @@ bind_interrupts!(struct Interrupts {
 async fn main(spawner: Spawner) {
     let p = embassy_stm32::init(clocks::config());
     clocks::put_tick_above_all();
-    let watchdog_reset = health::take_watchdog_reset();
+    let watchdog_reset = health::was_reset_by_watchdog();
     let mut store = flash::store(p.FLASH);
     let kept = Kept::of(&mut store);
     let watchdog = Watchdog::start(p.IWDG);
@@ -70,15 +71,18 @@ async fn main(spawner: Spawner) {
         },
     );
     let report = BootReport {
-        latched: kept.fault,
+        latched: kept.fault.or(latch::read()),
         watchdog_reset,
         parameters_corrupt: kept.corrupt,
         converter_fault: false,
+        position_lost: true,
     };
     let mut supervisor = Supervisor::default();
     // Before the end of the boot it takes any.
     let _ = supervisor.replace(Controller::new(kept.block));
     let (remote, records) = tick::start(p.TIM6, encoders, converter, supervisor, report);
+    // The fault is latched by now; another reset does not forget it.
+    health::forget_resets();
     let pins = LinkPins { uart: p.LPUART1, receive: p.PA3, send: p.PA2 };
     let link = Link::new(pins, p.DMA1_CH1, p.DMA1_CH2, handler, remote, records);
 

@@ -1,8 +1,8 @@
 //! What happens when nothing can be trusted any more: 0 V, then a reset.
 //!
 //! A panic ends here too, as panic-probe raises a hard fault once it has logged.
-//! The watchdog, which nobody pets any more, resets the board within 21 ms, and a
-//! board that comes out of reset has no parameter block and puts out 0 V.
+//! The watchdog, which nobody pets any more, resets the board within 34 ms, and a
+//! board that comes out of a watchdog's reset is faulted and puts out 0 V.
 
 use cortex_m_rt::{ExceptionFrame, exception};
 use embassy_stm32::pac;

@@ -15,12 +15,13 @@ use embassy_stm32::time::Hertz;
 use embassy_stm32::timer::low_level::Timer;
 use firmware::DacCode;
 use firmware::link::{Desk, Telemetry};
-use firmware::supervisor::{BootReport, CHECK_EVERY_TICKS, Health, State, Supervisor};
+use firmware::supervisor::{BootReport, CHECK_EVERY_TICKS, FaultRecord, Health, State, Supervisor};
 use heapless::spsc::Consumer;
 
 use crate::converter::Converter;
 use crate::encoders::Encoders;
 use crate::exchange::{Inbox, Question, REPORT, Remote, Reply, channel};
+use crate::latch;
 
 const TIMER_CLOCK: Hertz = Hertz(10_000_000);
 const COUNTS_PER_PERIOD: u16 = 10_000;
@@ -34,6 +35,8 @@ struct Tick {
     converter: Converter,
     inbox: Inbox,
     supervisor: Supervisor,
+    /// What is in the memory that a reset leaves alone.
+    latched: Option<FaultRecord>,
     health: Health,
     /// Whether the outputs follow the codes.
     released: bool,
@@ -53,6 +56,8 @@ pub fn start(
     }
     let converter_fault = set_up.is_err();
     supervisor.booted(BootReport { converter_fault, ..report });
+    let latched = supervisor.fault();
+    latch::write(latched.as_ref());
     let (remote, records, inbox) = defmt::unwrap!(channel());
     let tick = Tick {
         timer: millisecond_timer(timer),
@@ -60,6 +65,7 @@ pub fn start(
         converter,
         inbox,
         supervisor,
+        latched,
         health: Health { converter_fault, ..Health::default() },
         released: false,
     };
@@ -93,17 +99,19 @@ impl Tick {
         self.timer.clear_update_interrupt();
         // First of all, so that the instant of sampling depends on nothing below.
         let counts = self.encoders.read();
-        self.answer();
         self.health.host_heard = REPORT.host_heard.load(Relaxed);
         REPORT.host_heard.store(false, Relaxed);
         let record = self.supervisor.tick(&counts, self.health);
         self.put_out(&record);
+        self.latch();
+        self.answer();
         self.look_at_parameters(record.sequence);
         self.tell(record);
         self.look_at_clock();
     }
 
-    /// Answers a question of the tasks; one a tick at most.
+    /// Answers a question of the tasks, one a tick at most, once the codes are out: what the
+    /// line carries delays no voltage. Orders act from the next tick on.
     fn answer(&mut self) {
         let Some(question) = self.inbox.questions.dequeue() else { return };
         let outcome = match question {
@@ -133,6 +141,14 @@ impl Tick {
             // At once; the supervisor hears of it in the next tick.
             self.converter.hold_at_zero();
             self.health.converter_fault = true;
+        }
+    }
+
+    fn latch(&mut self) {
+        let fault = self.supervisor.fault();
+        if fault != self.latched {
+            self.latched = fault;
+            latch::write(fault.as_ref());
         }
     }
 

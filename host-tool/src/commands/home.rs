@@ -1,0 +1,75 @@
+//! `rrr home`: where the arm is now.
+
+use clap::Args;
+use firmware::link::{Command, Source};
+use firmware::{Angle, ParameterBlock};
+
+use super::Failure;
+use super::interrupt::interrupt;
+use super::link_choice::LinkChoice;
+use super::output::say;
+use crate::link::{Client, session, transfer};
+
+/// Arguments of `rrr home`.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// Where the joints are now, at rest [rad]; stretched out horizontally is 0,0,0, hanging
+    /// straight down 0,-1.5708,0.
+    #[arg(long, value_name = "Q1,Q2,Q3", allow_hyphen_values = true, value_parser = angles)]
+    pub at: Angles,
+    /// Which board.
+    #[command(flatten)]
+    pub link: LinkChoice,
+}
+
+/// An angle of each joint [rad].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Angles(pub [f32; 3]);
+
+fn angles(text: &str) -> Result<Angles, String> {
+    let numbers: Result<Vec<f32>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+    let numbers = numbers.ok().filter(|all| all.iter().all(|angle| angle.abs() <= 7.0));
+    let angles = numbers.and_then(|all| all.try_into().ok());
+    angles.map(Angles).ok_or_else(|| "take three angles in rad, as in 0,-1.5708,0".to_owned())
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// A board that does not answer, is not disarmed, or whose arm moves.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let mut client = arguments.link.connect()?;
+    wait_for_rest(&mut client)?;
+    let Angles(at_rad) = arguments.at;
+    client.order(Command::Home { position: at_rad.map(Angle::from_radians) })?;
+    let [first, second, third] = at_rad;
+    say(format_args!(
+        "the joints are at {first} / {second} / {third} rad, until the board is reset"
+    ))
+}
+
+fn wait_for_rest(client: &mut Client) -> Result<(), Failure> {
+    let bytes = transfer::download(client, Source::InUse)?;
+    let block = ParameterBlock::decode(&bytes).map_err(|error| {
+        let hint = "build tool and firmware from the same sources";
+        Failure::new(format!("the board's block: {error}"), hint)
+    })?;
+    client.order(Command::Stream { on: true })?;
+    let rest = session::rest(client, block.encoder_counts_per_turn, interrupt());
+    client.order(Command::Stream { on: false })?;
+    rest?;
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn three_angles_are_three_angles() {
+        assert_eq!(angles("0, -1.5,2e-1"), Ok(Angles([0.0, -1.5, 0.2])));
+        for wrong in ["", "0,0", "0,0,0,0", "0,a,0", "0,nan,0", "0,90,0"] {
+            assert!(angles(wrong).is_err(), "{wrong}");
+        }
+    }
+}
