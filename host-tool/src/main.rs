@@ -1,5 +1,6 @@
 //! The command line of the host tool.
 
+use std::io::Write;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -12,7 +13,8 @@ fn main() -> ExitCode {
     match CommandLine::parse().command.run() {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("{}", failure.report());
+            // With nobody to read it, the exit status tells.
+            let _ = writeln!(std::io::stderr(), "{}", failure.report());
             ExitCode::from(BAD_INPUT)
         }
     }

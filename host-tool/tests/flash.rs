@@ -4,62 +4,19 @@
 use std::path::Path;
 
 use assert_cmd::Command;
-use firmware::store::{Layout, RamFlash, Slot, Source, Store};
-use firmware::{Mode, ParameterBlock};
-use host_tool::commands::Failure;
-use host_tool::files::RobotFile;
+use firmware::store::{Layout, Slot};
+use host_tool::flash_image::check::unchanged;
 use host_tool::flash_image::parameters::next_slot;
 use host_tool::flash_image::{FlashError, FlashImage, Piece};
 use host_tool::simulation::{Rig, plan};
 use model::reference_robot::reference_robot;
 
+mod common;
+
 const LAYOUT: Layout = Layout::G474;
-
-/// A model file; it goes with the value.
-struct ModelFile(tempfile::TempDir);
-
-impl ModelFile {
-    fn new() -> Self {
-        let directory = tempfile::tempdir().unwrap();
-        let file = Self(directory);
-        RobotFile::from_robot(&reference_robot()).write(file.path()).unwrap();
-        file
-    }
-
-    fn path(&self) -> String {
-        self.0.path().join("model.toml").to_str().unwrap().into()
-    }
-}
 
 fn rrr(arguments: &[&str]) -> assert_cmd::assert::Assert {
     Command::cargo_bin("rrr").unwrap().args(arguments).assert()
-}
-
-/// What the board finds in bank 2 after this was written into erased flash.
-fn booted(image: &FlashImage) -> (Source, ParameterBlock) {
-    let mut bank = vec![0xFF; LAYOUT.used_bytes() as usize];
-    for piece in &image.pieces {
-        let from = (piece.address - LAYOUT.bank_start) as usize;
-        bank[from..from + piece.bytes.len()].copy_from_slice(&piece.bytes);
-    }
-    let boot = Store::new(RamFlash::new(bank), LAYOUT.bank_start, LAYOUT).boot();
-    (boot.source, boot.block)
-}
-
-/// The pieces of an Intel HEX file.
-fn from_hex(text: &str) -> FlashImage {
-    let mut upper = 0;
-    let mut pieces = Vec::new();
-    for record in ihex::Reader::new(text) {
-        match record.unwrap() {
-            ihex::Record::ExtendedLinearAddress(half) => upper = u32::from(half) << 16,
-            ihex::Record::Data { offset, value } => {
-                pieces.push(Piece { address: upper + u32::from(offset), bytes: value });
-            }
-            _ => {}
-        }
-    }
-    FlashImage { pieces }
 }
 
 /// An ELF file for ARM with these segments.
@@ -86,72 +43,6 @@ fn elf(segments: &[(u32, &[u8])]) -> Vec<u8> {
 
 fn image(segments: &[(u32, &[u8])]) -> FlashImage {
     FlashImage::of_elf(Path::new("firmware.elf"), &elf(segments)).unwrap()
-}
-
-#[test]
-fn an_exported_block_is_what_the_board_begins_with() {
-    let (directory, model) = (tempfile::tempdir().unwrap(), ModelFile::new());
-    for (slot, letter) in [(Slot::A, "a"), (Slot::B, "b")] {
-        let [bin, hex] = ["bin", "hex"].map(|ending| directory.path().join(format!("p.{ending}")));
-        for out in [&bin, &hex] {
-            let out = out.to_str().unwrap();
-            rrr(&[
-                "export-block",
-                &model.path(),
-                "--out",
-                out,
-                "--slot",
-                letter,
-                "--sequence",
-                "7",
-            ])
-            .success();
-        }
-        let from_hex = from_hex(&std::fs::read_to_string(hex).unwrap());
-        from_hex.check(Some(slot)).unwrap();
-        assert!(from_hex.check(Some(slot.other())).is_err());
-        let from_bin = Piece { address: LAYOUT.slot(slot), bytes: std::fs::read(bin).unwrap() };
-        let from_bin = FlashImage { pieces: vec![from_bin] };
-        for image in [&from_hex, &from_bin] {
-            let (source, block) = booted(image);
-            assert_eq!(source, Source::Newest { slot, sequence: 7 });
-            assert_eq!(block.mode, [Mode::PdModel; 3]);
-        }
-        assert_eq!(booted(&from_hex).1, booted(&from_bin).1);
-    }
-}
-
-#[test]
-fn options_of_an_exported_block_reach_it() {
-    let (directory, model) = (tempfile::tempdir().unwrap(), ModelFile::new());
-    let out = directory.path().join("params.hex");
-    let out = out.to_str().unwrap();
-    let options = ["--mode", "pd", "--reference", "task", "--command-limit-v", "1.5"];
-    rrr(&[&["export-block", &model.path(), "--out", out][..], &options].concat()).success();
-    let (_, block) = booted(&from_hex(&std::fs::read_to_string(out).unwrap()));
-    assert_eq!((block.mode, block.command_limit_v), ([Mode::Pd; 3], 1.5));
-    assert_eq!(block.reference.duration_s, 20.0);
-}
-
-#[test]
-fn what_cannot_be_exported_is_named_and_leaves_no_file() {
-    let (directory, model) = (tempfile::tempdir().unwrap(), ModelFile::new());
-    for (options, message) in [
-        (["--out", "params.elf", "--mode", "pd"], "--out params.elf: ends neither in .bin"),
-        (["--out", "params.bin", "--mode", "fast"], "--mode fast: no such mode"),
-        (["--out", "params.bin", "--reference", "x"], "--reference x: no such reference"),
-        (["--out", "params.bin", "--command-limit-v", "11"], "--command-limit-v 11"),
-    ] {
-        let run = Command::cargo_bin("rrr")
-            .unwrap()
-            .current_dir(directory.path())
-            .args([&["export-block", &model.path()][..], &options].concat())
-            .assert()
-            .code(2);
-        let said = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
-        assert!(said.contains(message) && said.contains("hint: "), "{said}");
-    }
-    assert_eq!(std::fs::read_dir(directory.path()).unwrap().count(), 0);
 }
 
 #[test]
@@ -206,6 +97,42 @@ fn what_lies_outside_flash_or_twice_in_it_is_refused() {
 }
 
 #[test]
+fn every_byte_of_bank_2_but_the_written_page_must_stay() {
+    let block = plan::hold(10.0).block(&Rig::new(reference_robot()));
+    let before = vec![0x5A; LAYOUT.used_bytes() as usize];
+    for slot in Slot::BOTH {
+        let image = FlashImage::of_block(&block, slot, 1).unwrap();
+        let page = (LAYOUT.slot(slot) - LAYOUT.bank_start) as usize;
+        let page = page..page + LAYOUT.page_bytes as usize;
+        for at in 0..before.len() {
+            let mut after = before.clone();
+            after[at] = 0xFF;
+            let found = unchanged(&before, &after, &image);
+            assert_eq!(found.is_ok(), page.contains(&at), "byte {at}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn what_has_changed_by_mistake_is_named() {
+    let before = vec![0xFF; LAYOUT.used_bytes() as usize];
+    for (address, place) in [
+        (LAYOUT.slot(Slot::B) + 5, "the parameter block, slot B"),
+        (LAYOUT.faults[0], "the fault record, slot A"),
+        (LAYOUT.key[1] + 2047, "the key record, slot B"),
+        (LAYOUT.bank_start + 2048, "an empty page of bank 2"),
+    ] {
+        let mut after = before.clone();
+        after[(address - LAYOUT.bank_start) as usize] = 0;
+        let error = unchanged(&before, &after, &FlashImage::default()).unwrap_err();
+        let expected = format!("at 0x{address:08X} ({place}) the flash was not to be touched");
+        assert!(error.to_string().starts_with(&expected), "{error}");
+    }
+    let cut_short = &before[..before.len() - 1];
+    assert!(unchanged(&before, cut_short, &FlashImage::default()).is_err());
+}
+
+#[test]
 fn the_next_block_goes_where_the_board_would_put_it() {
     let erased = vec![0xFF; LAYOUT.used_bytes() as usize];
     assert_eq!(next_slot(erased.clone()).unwrap(), (Slot::A, 1));
@@ -239,15 +166,16 @@ fn files_that_are_no_firmware_are_refused_before_a_probe_is_looked_for() {
 #[cfg(feature = "probe")]
 #[test]
 fn without_a_probe_it_says_so_and_what_to_do() {
-    let failure = Failure::from(FlashError::NoProbe);
+    let failure = host_tool::commands::Failure::from(FlashError::NoProbe);
     assert_eq!(failure.message, "no debug probe is connected");
     assert!(failure.hint.contains("rrr export-block"), "{}", failure.hint);
     // With a probe, the command would write to whatever hangs there.
     if !host_tool::flash_image::probe::connected().is_empty() {
         return;
     }
-    let model = ModelFile::new();
-    let run = rrr(&["flash", "--model", &model.path()]).code(2);
+    let directory = common::with_model();
+    let model = directory.path().join("model.toml");
+    let run = rrr(&["flash", "--model", model.to_str().unwrap()]).code(2);
     let said = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
     assert!(
         said.contains("error: no debug probe is connected\nhint: connect the NUCLEO"),

@@ -1,9 +1,12 @@
 //! The parameter block that a command makes of a model file, and its options.
 
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use firmware::ParameterBlock;
+use firmware::supervisor::HardLimits;
+use model::ParameterError;
 
 use super::{Failure, simulate};
 use crate::files::ExcitationFile;
@@ -29,8 +32,47 @@ pub struct BlockChoice {
     pub command_limit_v: Option<f64>,
 }
 
+/// Words for a value that no board takes.
+fn refused(model: &Path, why: &dyn Display) -> Failure {
+    let message = format!("{}: the board refuses it: {why}", model.display());
+    Failure::new(message, "correct the value in the model file")
+}
+
+/// Words for a value that is beyond a hard limit of the board, with the limit.
+fn beyond_limit(model: &Path, error: &ParameterError) -> Failure {
+    let limit = hard_limit(error.name).map_or_else(String::new, |limit| format!(", {limit}"));
+    let failure = refused(model, &format!("{error}{limit}"));
+    match error.name {
+        PROPORTIONAL_GAIN | DERIVATIVE_GAIN => Failure { hint: GAIN_HINT.to_owned(), ..failure },
+        _ => failure,
+    }
+}
+
+/// The hard limits that their error does not tell, in the unit of the parameter's name.
+fn hard_limit(name: &str) -> Option<f32> {
+    let limits = HardLimits::default();
+    match name {
+        "command_limit_V" => Some(limits.command_v),
+        PROPORTIONAL_GAIN => Some(limits.proportional_gain_v_per_rad),
+        DERIVATIVE_GAIN => Some(limits.derivative_gain_v_s_per_rad),
+        "speed_limit_rad_per_s" => Some(limits.speed_rad_per_s),
+        "tracking_error_limit_rad" => Some(limits.tracking_error_rad),
+        "acceleration_limit_rad_per_s2" => Some(limits.acceleration_rad_per_s2),
+        "saturation_limit_s" => Some(limits.saturation_s),
+        "stuck_travel_rad" => Some(limits.stuck_travel_rad),
+        "stuck_voltage_V" => Some(limits.stuck_voltage_v),
+        "stuck_s" => Some(limits.stuck_s),
+        _ => None,
+    }
+}
+
+const PROPORTIONAL_GAIN: &str = "proportional_gain_V_per_rad";
+const DERIVATIVE_GAIN: &str = "derivative_gain_V_s_per_rad";
+const GAIN_HINT: &str = "the gains are made of inertia and torque constant: correct [base] or \
+    torque_constant_Nm_per_V in the model file";
+
 impl BlockChoice {
-    /// The block for a model file, checked as the board checks it.
+    /// The block for a model file, checked as the board checks it, hard limits and all.
     ///
     /// # Errors
     /// A file that cannot be used, an unknown name, or a value that the board refuses.
@@ -40,10 +82,8 @@ impl BlockChoice {
         let rig = self.limited(arguments.rig()?)?;
         let mode = simulate::mode_named(&self.mode)?;
         let block = self.plan()?.with_mode(mode).block(&rig);
-        block.check().map_err(|error| {
-            let message = format!("{}: the board refuses it: {error}", model.display());
-            Failure::new(message, "correct the value in the model file")
-        })?;
+        block.check().map_err(|error| refused(model, &error))?;
+        HardLimits::default().check(&block).map_err(|error| beyond_limit(model, &error))?;
         Ok(block)
     }
 

@@ -3,6 +3,7 @@
 use clap::{Args, CommandFactory};
 use clap_complete::{Shell, generate};
 
+use super::output::say;
 use super::{CommandLine, Failure};
 
 /// Arguments of `rrr completions`.
@@ -16,10 +17,9 @@ pub struct Arguments {
 /// Runs the command: the script goes to the standard output.
 ///
 /// # Errors
-/// None.
+/// The output does not take it.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut script = Vec::new();
     generate(arguments.shell, &mut CommandLine::command(), "rrr", &mut script);
-    print!("{}", String::from_utf8_lossy(&script));
-    Ok(())
+    say(String::from_utf8_lossy(&script).trim_end())
 }

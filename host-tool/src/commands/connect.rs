@@ -1,30 +1,22 @@
 //! `rrr connect`: what is at the line, and how it is.
 
-use clap::Args;
-use firmware::link::{Hello, Parameters, Report};
+use firmware::link::{Counters, Hello, Parameters, Report};
 
 use super::Failure;
-use super::link_choice::{LinkChoice, openness};
-
-/// Arguments of `rrr connect`.
-#[derive(Debug, Args)]
-pub struct Arguments {
-    /// Which board.
-    #[command(flatten)]
-    pub link: LinkChoice,
-}
+pub use super::link_choice::LinkChoice as Arguments;
+use super::link_choice::openness;
+use super::output::say;
 
 /// Runs the command.
 ///
 /// # Errors
 /// No line, no board, or one of another build.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let mut client = arguments.link.connect()?;
+    let mut client = arguments.connect_to_look()?;
     let report = client.report()?;
-    println!("line        {}", client.name());
-    println!("board       {}", board(client.hello()));
-    tell(&report);
-    Ok(())
+    say(format_args!("line        {}", client.name()))?;
+    say(format_args!("board       {}", board(client.hello())))?;
+    lines(&report).iter().try_for_each(say)
 }
 
 fn board(hello: &Hello) -> String {
@@ -33,36 +25,42 @@ fn board(hello: &Hello) -> String {
     format!("{name}, build {build}, protocol {version}, messages {hash:08X}")
 }
 
-fn tell(report: &Report) {
-    let counters = &report.counters;
-    println!("state       {}", report.state);
-    if let Some(fault) = &report.fault {
-        println!("fault       {fault}");
-    }
+/// How the board is, line by line.
+fn lines(report: &Report) -> Vec<String> {
+    let mut lines = vec![format!("state       {}", report.state)];
+    lines.extend(report.fault.map(|fault| format!("fault       {fault}")));
     if !report.position_known {
-        println!("position    not known since power-on: `rrr home` tells it");
+        lines.push("position    not known since power-on: `rrr home` tells it".to_owned());
     }
-    println!("parameters  {}", parameters(report.parameters.as_ref()));
-    println!("link        {}", openness(report));
-    println!(
-        "ticks       {}, {} overruns, longest {:.1} us",
-        counters.ticks,
-        counters.overruns,
-        f64::from(counters.longest_tick_tenth_us) / 10.0
-    );
+    lines.extend([
+        format!("parameters  {}", parameters(report.parameters.as_ref())),
+        format!("link        {}", openness(report)),
+        ticks(&report.counters),
+        limits(&report.counters),
+    ]);
+    lines
+}
+
+fn ticks(counters: &Counters) -> String {
+    let longest_us = f64::from(counters.longest_tick_tenth_us) / 10.0;
+    let (ticks, overruns) = (counters.ticks, counters.overruns);
+    format!("ticks       {ticks}, {overruns} overruns, longest {longest_us:.1} us")
+}
+
+fn limits(counters: &Counters) -> String {
     let [first, second, third] = counters.saturated;
-    println!(
-        "limits      commands cut {first} / {second} / {third}, telemetry dropped {}, \
-         frames broken {}",
-        counters.telemetry_dropped, counters.frames_broken
-    );
+    let (dropped, broken) = (counters.telemetry_dropped, counters.frames_broken);
+    format!(
+        "limits      commands cut {first} / {second} / {third}, telemetry dropped {dropped}, \
+         frames broken {broken}"
+    )
 }
 
 /// Which block is in use, in words.
 pub(super) fn parameters(parameters: Option<&Parameters>) -> String {
     match parameters {
         Some(Parameters { origin, length, checksum }) => {
-            format!("{origin} ({length} bytes, CRC-32 {checksum:08X})")
+            format!("{origin} ({length} bytes, CRC-32C {checksum:08X})")
         }
         None => "none".to_owned(),
     }

@@ -9,6 +9,7 @@ use firmware::link::Source;
 
 use super::Failure;
 use super::link_choice::LinkChoice;
+use super::output::say;
 use crate::files::replace::replace_file;
 use crate::files::{Problem, RobotFile};
 use crate::link::transfer;
@@ -34,12 +35,11 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let out = &arguments.out;
     let write = writer_for(out)?;
-    let mut client = arguments.link.connect()?;
+    let mut client = arguments.link.connect_to_look()?;
     let source = if arguments.in_use { Source::InUse } else { Source::Stored };
     let bytes = transfer::download(&mut client, source)?;
     write(out, &bytes)?;
-    println!("{}: a block of {} bytes", out.display(), bytes.len());
-    Ok(())
+    say(format_args!("{}: a block of {} bytes", out.display(), bytes.len()))
 }
 
 type Writer = fn(&Path, &[u8]) -> Result<(), Failure>;

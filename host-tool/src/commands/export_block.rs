@@ -9,9 +9,14 @@ use firmware::store::{Layout, Slot};
 use super::Failure;
 use super::block_choice::BlockChoice;
 use super::flash::SlotName;
+use super::output::say;
 use crate::files::Problem;
 use crate::files::replace::replace_file;
 use crate::flash_image::FlashImage;
+
+/// Highest sequence number that a file may have: every later upload needs a higher one, and
+/// the board has room for as many again.
+const MOST: i64 = u32::MAX as i64 / 2;
 
 /// Arguments of `rrr export-block`.
 #[derive(Debug, Args)]
@@ -25,8 +30,8 @@ pub struct Arguments {
     /// The slot that it is for.
     #[arg(long, value_enum, default_value_t = SlotName::A)]
     pub slot: SlotName,
-    /// Its sequence number: the board begins with the highest.
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    /// Its sequence number, 1 to 2147483647: the board begins with the highest.
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=MOST))]
     pub sequence: u32,
     /// What the board is to do.
     #[command(flatten)]
@@ -46,14 +51,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     replace_file(&arguments.out, |file| {
         file.write_all(&content(&image)).map_err(Problem::Unwritable)
     })?;
-    println!(
-        "{}: block {} for {slot} at 0x{:08X}, {} bytes",
-        arguments.out.display(),
-        arguments.sequence,
-        Layout::G474.slot(slot),
-        image.bytes()
-    );
-    Ok(())
+    let (out, sequence) = (arguments.out.display(), arguments.sequence);
+    let (address, bytes) = (Layout::G474.slot(slot), image.bytes());
+    say(format_args!("{out}: block {sequence} for {slot} at 0x{address:08X}, {bytes} bytes"))
 }
 
 /// How the file's ending wants the image.

@@ -68,22 +68,22 @@ fn write(
     mut image: FlashImage,
     block: Option<ParameterBlock>,
 ) -> Result<(), Failure> {
+    use super::output::say;
     use crate::flash_image::parameters::next_slot;
     use crate::flash_image::probe::ProbedBoard;
 
     let mut board = ProbedBoard::attach(arguments.probe.as_deref())?;
-    let mut chosen = None;
+    let (mut chosen, mut parameters) = (None, String::new());
     if let Some(block) = block {
         let (next, sequence) = next_slot(board.read_store()?)?;
         let slot = arguments.slot.map_or(next, Slot::from);
         image.pieces.extend(FlashImage::of_block(&block, slot, sequence)?.pieces);
         chosen = Some(slot);
-        println!("parameters: block {sequence} for {slot}");
+        parameters = format!("parameters: block {sequence} for {slot}\n");
     }
     board.write(&image, chosen)?;
     board.restart()?;
-    println!("{} bytes written and read back", image.bytes());
-    Ok(())
+    say(format_args!("{parameters}{} bytes written and read back", image.bytes()))
 }
 
 #[cfg(not(feature = "probe"))]
@@ -128,7 +128,7 @@ fn hint(error: &FlashError) -> &'static str {
             "name one with --probe VID:PID:SERIAL"
         }
         FlashError::Probe { .. } => "check the cable and the board's power, then try again",
-        FlashError::Verify { .. } | FlashError::OtherSlotChanged { .. } => {
+        FlashError::Verify { .. } | FlashError::OthersChanged { .. } => {
             "try again; if it comes back, the flash is worn"
         }
         FlashError::NoProbeSupport => {

@@ -7,6 +7,7 @@ use firmware::{Angle, ParameterBlock};
 use super::Failure;
 use super::interrupt::interrupt;
 use super::link_choice::LinkChoice;
+use super::output::say;
 use crate::link::{Client, session, transfer};
 
 /// Arguments of `rrr home`.
@@ -42,8 +43,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Angles(at_rad) = arguments.at;
     client.order(Command::Home { position: at_rad.map(Angle::from_radians) })?;
     let [first, second, third] = at_rad;
-    println!("the joints are at {first} / {second} / {third} rad, until the board is reset");
-    Ok(())
+    say(format_args!(
+        "the joints are at {first} / {second} / {third} rad, until the board is reset"
+    ))
 }
 
 fn wait_for_rest(client: &mut Client) -> Result<(), Failure> {

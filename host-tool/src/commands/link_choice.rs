@@ -1,13 +1,14 @@
 //! Which board a command talks to, with which key, and what to do when it does not work.
 
-use std::path::{Path, PathBuf};
+use std::io::ErrorKind;
+use std::path::PathBuf;
 
 use clap::Args;
 use firmware::link::{BlockRefusal, Key, Refusal, Report, StoreRefusal};
 use firmware::supervisor::fault::Implausible;
 
 use super::Failure;
-use crate::files::Problem;
+use super::key_file::read_key;
 use crate::link::{Address, Client, LinkError};
 
 /// Names the key's file where --key does not.
@@ -17,7 +18,7 @@ pub const KEY_VARIABLE: &str = "RRR_KEY_FILE";
 #[derive(Clone, Debug, Default, Args)]
 pub struct LinkChoice {
     /// The board's line: a serial port or pty, tcp:HOST:PORT, or unix:SOCKET; not needed
-    /// where there is just one serial port.
+    /// where there is just one ST-LINK or one serial port at USB.
     #[arg(long, value_name = "PORT")]
     pub port: Option<String>,
     /// The board's key: a file of 64 hexadecimal digits, as `rrr set-key` makes it; without
@@ -36,42 +37,36 @@ impl LinkChoice {
         Ok(Client::connect(&self.address()?, key)?)
     }
 
+    /// The same for what needs no key: the file that RRR_KEY_FILE names is not read.
+    ///
+    /// # Errors
+    /// As of [`LinkChoice::connect`], where --key names the file.
+    pub fn connect_to_look(&self) -> Result<Client, Failure> {
+        self.key.as_deref().map(read_key).transpose()?;
+        self.connect_to_stop()
+    }
+
+    /// The same to stop the arm: no key file keeps one from that.
+    ///
+    /// # Errors
+    /// No line, no board, or one of another build.
+    pub fn connect_to_stop(&self) -> Result<Client, Failure> {
+        Ok(Client::connect(&self.address()?, None)?)
+    }
+
     fn address(&self) -> Result<Address, LinkError> {
         self.port.as_deref().map_or_else(Address::find, |text| Ok(Address::of(text)))
     }
 
-    fn key(&self) -> Result<Option<Key>, Failure> {
+    /// The key, where the user names a file.
+    ///
+    /// # Errors
+    /// The file cannot be read, or holds something else.
+    pub fn key(&self) -> Result<Option<Key>, Failure> {
         let named = std::env::var_os(KEY_VARIABLE).filter(|name| !name.is_empty());
         let path = self.key.clone().or(named.map(PathBuf::from));
         path.as_deref().map(read_key).transpose()
     }
-}
-
-/// The key in a file: 64 hexadecimal digits.
-///
-/// # Errors
-/// The file cannot be read, or holds something else.
-pub fn read_key(path: &Path) -> Result<Key, Failure> {
-    let text = std::fs::read_to_string(path).map_err(|error| {
-        let missing = error.kind() == std::io::ErrorKind::NotFound;
-        let problem = if missing { Problem::Missing } else { Problem::Unreadable(error) };
-        problem.in_file(path)
-    })?;
-    key_of(text.trim()).ok_or_else(|| {
-        let message = format!("{}: a key has 64 hexadecimal digits", path.display());
-        Failure::new(message, "`rrr set-key FILE` makes a key and gives it to the board")
-    })
-}
-
-fn key_of(text: &str) -> Option<Key> {
-    if text.len() != 64 || !text.bytes().all(|digit| digit.is_ascii_hexdigit()) {
-        return None;
-    }
-    let mut key = [0; 32];
-    for (byte, digits) in key.iter_mut().zip(text.as_bytes().chunks(2)) {
-        *byte = u8::from_str_radix(std::str::from_utf8(digits).ok()?, 16).ok()?;
-    }
-    Some(key)
 }
 
 /// Whether the board keeps its key to itself, in words.
@@ -90,15 +85,13 @@ impl From<LinkError> for Failure {
 
 fn hint(error: &LinkError) -> &'static str {
     match error {
-        LinkError::NoPort => {
+        LinkError::NoPort { .. } => {
             "connect the board's USB port (ST-LINK), or name the line with --port: a serial \
              port, tcp:HOST:PORT or unix:SOCKET"
         }
         LinkError::ManyPorts(_) => "name the board's with --port",
-        LinkError::Open { .. } => {
-            "look at the name; on Linux your user must be in the group that owns the port, \
-             and no other program may have it"
-        }
+        LinkError::Ports(_) => "name the board's line with --port",
+        LinkError::Open { source, .. } => open_hint(source.kind()),
         LinkError::Broke { .. } => "look at the cable and the board's power, then try again",
         LinkError::Silent { .. } | LinkError::NoTelemetry { .. } => {
             "look whether the board is powered and runs this firmware (lamp LD2 flashes), and \
@@ -114,6 +107,16 @@ fn hint(error: &LinkError) -> &'static str {
         LinkError::Checksum { .. } | LinkError::ReadBack { .. } => {
             "try again; if it comes back, the flash is worn"
         }
+    }
+}
+
+fn open_hint(kind: ErrorKind) -> &'static str {
+    match kind {
+        ErrorKind::ResourceBusy => {
+            "if another `rrr` has it, press Ctrl-C there, or `kill -INT` it: `rrr run` stops the \
+             arm first; `fuser` with the port's name tells which program it is"
+        }
+        _ => "look at the name; on Linux your user must be in the group that owns the port",
     }
 }
 
@@ -145,19 +148,5 @@ fn refusal_hint(why: &Refusal) -> &'static str {
         Refusal::StoredNotInUse => "`rrr connect` tells the fault; then reset the board",
         Refusal::Upload { .. } | Refusal::Block(_) => "try again",
         Refusal::Store(_) => "try again; if it comes back, the flash is worn",
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn keys_are_64_digits() {
-        let key = key_of(&"0aFf".repeat(16)).unwrap();
-        assert_eq!(key[..4], [0x0A, 0xFF, 0x0A, 0xFF]);
-        for text in ["", "0aff", &"0aFg".repeat(16), &"ä".repeat(32)] {
-            assert_eq!(key_of(text), None, "{text}");
-        }
     }
 }

@@ -25,8 +25,10 @@ pub mod home;
 pub mod identify;
 pub mod interrupt;
 pub mod inverse_dynamics;
+pub mod key_file;
 pub mod link_choice;
 pub mod monitor;
+pub mod output;
 pub mod run;
 pub mod set_key;
 pub mod simulate;
@@ -68,7 +70,7 @@ pub enum Command {
     Download(download::Arguments),
     /// Do an experiment with the arm and record it.
     Run(Box<run::Arguments>),
-    /// Look at positions, voltages, errors, ticks and faults as they change.
+    /// Look at positions, voltages, errors, ticks and faults as they change, until Ctrl-C.
     Monitor(monitor::Arguments),
     /// Take the voltage away and disarm the board.
     Stop(stop::Arguments),

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
-use std::io::Write as _;
-use std::sync::atomic::Ordering;
+use std::io::ErrorKind;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use clap::Args;
@@ -11,11 +11,11 @@ use firmware::ParameterBlock;
 use firmware::link::{Command, Report, Source, Telemetry};
 use firmware::supervisor::State;
 
-use super::Failure;
 use super::interrupt::interrupt;
 use super::link_choice::{LinkChoice, openness};
+use super::{Failure, output};
 use crate::link::session::next_record;
-use crate::link::transfer;
+use crate::link::{Client, LinkError, transfer};
 
 /// Time between two tables.
 const PERIOD: Duration = Duration::from_millis(200);
@@ -31,45 +31,74 @@ pub struct Arguments {
     pub link: LinkChoice,
 }
 
-/// Runs the command.
+/// Runs the command: until Ctrl-C, or until nobody reads the tables any more, which is no
+/// failure either.
 ///
 /// # Errors
-/// A board that does not answer.
+/// A board that does not answer, or an output that does not take the table.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let mut client = arguments.link.connect()?;
-    let bytes = transfer::download(&mut client, Source::InUse)?;
-    let counts_per_turn = ParameterBlock::decode(&bytes)
-        .map(|block| f64::from(block.encoder_counts_per_turn))
-        .map_err(|error| {
-            let hint = "build tool and firmware from the same sources";
-            Failure::new(format!("the board's block: {error}"), hint)
-        })?;
-    client.order(Command::Stream { on: true })?;
+    let mut client = arguments.link.connect_to_look()?;
+    let counts_per_turn = counts_per_turn(&mut client)?;
     let interrupted = interrupt();
-    let mut lines = 0;
-    while !interrupted.load(Ordering::Relaxed) {
-        let record = next_record(&mut client)?;
-        let table = table(&record, &client.report()?, counts_per_turn);
-        redraw(&table, &mut lines);
-        if arguments.once {
-            break;
-        }
-        let drawn = Instant::now();
-        while drawn.elapsed() < PERIOD && !interrupted.load(Ordering::Relaxed) {
-            client.listen()?;
-            client.take_records();
-        }
-    }
-    Ok(client.order(Command::Stream { on: false })?)
+    let shown = arguments.show(&mut client, counts_per_turn, interrupted);
+    // A board that streams to nobody would go on for ever.
+    let ended = client.order(Command::Stream { on: false });
+    shown?;
+    Ok(ended?)
 }
 
-/// Writes a table over the one before.
-fn redraw(table: &str, lines: &mut usize) {
-    let up = if *lines > 0 { format!("\x1b[{lines}A\x1b[J") } else { String::new() };
-    print!("{up}{table}");
-    // A terminal that is gone is no reason to stop looking after the board.
-    let _ = std::io::stdout().flush();
-    *lines = table.lines().count();
+fn counts_per_turn(client: &mut Client) -> Result<f64, Failure> {
+    let bytes = transfer::download(client, Source::InUse)?;
+    let block = ParameterBlock::decode(&bytes).map_err(|error| {
+        let hint = "build tool and firmware from the same sources";
+        Failure::new(format!("the board's block: {error}"), hint)
+    })?;
+    Ok(f64::from(block.encoder_counts_per_turn))
+}
+
+impl Arguments {
+    /// Shows tables as long as they are wanted.
+    fn show(
+        &self,
+        client: &mut Client,
+        counts_per_turn: f64,
+        interrupted: &AtomicBool,
+    ) -> Result<(), Failure> {
+        client.order(Command::Stream { on: true })?;
+        let mut lines = 0;
+        while !interrupted.load(Ordering::Relaxed) {
+            let record = next_record(client)?;
+            let table = table(&record, &client.report()?, counts_per_turn);
+            match output::write(&redrawn(&table, lines)) {
+                Err(error) if error.kind() == ErrorKind::BrokenPipe => break,
+                written => written?,
+            }
+            lines = table.lines().count();
+            if self.once {
+                break;
+            }
+            pause(client, interrupted)?;
+        }
+        Ok(())
+    }
+}
+
+/// Listens until the next table is due.
+fn pause(client: &mut Client, interrupted: &AtomicBool) -> Result<(), LinkError> {
+    let drawn = Instant::now();
+    while drawn.elapsed() < PERIOD && !interrupted.load(Ordering::Relaxed) {
+        client.listen()?;
+        client.take_records();
+    }
+    Ok(())
+}
+
+/// A table over the one before, which has so many lines.
+fn redrawn(table: &str, lines: usize) -> String {
+    match lines {
+        0 => table.to_owned(),
+        lines => format!("\x1b[{lines}A\x1b[J{table}"),
+    }
 }
 
 /// What there is to see, as lines.

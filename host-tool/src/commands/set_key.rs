@@ -1,15 +1,15 @@
 //! `rrr set-key`: the board's key, at commissioning.
 
-use std::fs::OpenOptions;
-use std::io::{Read, Write};
-use std::os::unix::fs::OpenOptionsExt;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use firmware::link::{Command, Key};
+use firmware::link::{Command, Key, Refusal};
 
 use super::Failure;
-use super::link_choice::{LinkChoice, openness, read_key};
+use super::key_file::{NewKey, read_key};
+use super::link_choice::{LinkChoice, openness};
+use super::output::say;
+use crate::link::{Client, LinkError};
 
 /// Arguments of `rrr set-key`.
 #[derive(Debug, Args)]
@@ -31,29 +31,57 @@ pub struct Arguments {
 /// # Errors
 /// A file that cannot be read or made, a board that does not answer, or a wrong old key.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let mut client = arguments.link.connect()?;
-    let key = arguments.file.as_deref().map(key_in).transpose()?;
+    let file = arguments.file.as_deref();
+    // What is wrong with the file is said before a board is looked for.
+    let known = file.filter(|path| path.exists()).map(read_key).transpose()?;
+    let mut client = arguments.link.connect_to_look()?;
+    if client.report()?.has_key {
+        client.use_key(arguments.link.key()?);
+    }
+    match file {
+        Some(path) if known.is_none() => give_new(&mut client, path)?,
+        _ => give(&mut client, known)?,
+    }
+    say(format_args!("link        {}", openness(&client.report()?)))
+}
+
+/// Gives the board a key, or takes its key away.
+fn give(client: &mut Client, key: Option<Key>) -> Result<(), LinkError> {
     client.order(Command::SetKey { key })?;
     client.use_key(key);
-    println!("link        {}", openness(&client.report()?));
     Ok(())
 }
 
-fn key_in(path: &Path) -> Result<Key, Failure> {
-    if !path.exists() {
-        make(path).map_err(|error| {
-            let message = format!("{}: no key can be made: {error}", path.display());
-            Failure::new(message, "name a file in a directory that you may write to")
-        })?;
-        println!("{}: a new key, readable by you alone; keep a copy", path.display());
+/// Gives the board a new key, which is in the file once the board has it.
+fn give_new(client: &mut Client, path: &Path) -> Result<(), Failure> {
+    let new = NewKey::make(path)?;
+    let asked_again = client.tally().asked_again;
+    if let Err(error) = give(client, Some(new.key)) {
+        let once = client.tally().asked_again == asked_again;
+        return Err(if once && is_untouched(&error) { error.into() } else { doubt(&error, new) });
     }
-    read_key(path)
+    new.rename()?;
+    say(format_args!("{}: a new key, readable by you alone; keep a copy", path.display()))
 }
 
-fn make(path: &Path) -> std::io::Result<()> {
-    let mut key: Key = [0; 32];
-    std::fs::File::open("/dev/urandom")?.read_exact(&mut key)?;
-    let digits: String = key.iter().map(|byte| format!("{byte:02x}")).collect();
-    let mut file = OpenOptions::new().write(true).create_new(true).mode(0o600).open(path)?;
-    writeln!(file, "{digits}")
+/// Whether the board surely has the key that it had, if it was asked only once.
+///
+/// Asked again, it may have taken the key first, and refuse for another reason afterwards.
+fn is_untouched(error: &LinkError) -> bool {
+    match error {
+        LinkError::Refused { why, .. } => !matches!(**why, Refusal::Store(_)),
+        _ => false,
+    }
+}
+
+/// Leaves the new key where it is, and says so.
+fn doubt(error: &LinkError, new: NewKey) -> Failure {
+    let (left, path) = new.leave();
+    let message = format!("{error}; the board may have the new key all the same, see {left}");
+    let hint = format!(
+        "try `rrr set-key {left} --key {left}`: if that works, the board has it, so rename it to \
+         {}; if the key is refused, the board has the one that it had",
+        path.display()
+    );
+    Failure::new(message, hint)
 }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use firmware::Mode;
 
+use super::output::say;
 use super::{Failure, create_directory};
 use crate::board::{Board, InProcess, Qemu, QemuSettings};
 use crate::compensation::Compensations;
@@ -142,7 +143,7 @@ impl Arguments {
         }
         let (compensations, left_out) =
             Compensations::of(&file.effects).map_err(|error| self.bad_table(&error))?;
-        left_out.iter().for_each(|effect| println!("{effect}"));
+        left_out.iter().try_for_each(say)?;
         Ok(rig.with_compensations(compensations))
     }
 

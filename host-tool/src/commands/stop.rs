@@ -1,25 +1,15 @@
 //! `rrr stop`: 0 V now, and disarmed.
 
-use clap::Args;
-
 use super::Failure;
-use super::link_choice::LinkChoice;
+pub use super::link_choice::LinkChoice as Arguments;
+use super::output::say;
 use crate::link::session::halt;
 
-/// Arguments of `rrr stop`.
-#[derive(Debug, Args)]
-pub struct Arguments {
-    /// Which board; it needs no key to be stopped.
-    #[command(flatten)]
-    pub link: LinkChoice,
-}
-
-/// Runs the command.
+/// Runs the command; it needs no key, and looks at none.
 ///
 /// # Errors
 /// A board that does not answer.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let state = halt(&mut arguments.link.connect()?)?;
-    println!("the board is {state}");
-    Ok(())
+    let state = halt(&mut arguments.connect_to_stop()?)?;
+    say(format_args!("the board is {state}"))
 }

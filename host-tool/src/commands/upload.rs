@@ -5,12 +5,12 @@ use std::path::PathBuf;
 use clap::Args;
 use firmware::ParameterBlock;
 use firmware::block::MAX_BYTES;
-use firmware::supervisor::HardLimits;
 
 use super::Failure;
 use super::block_choice::BlockChoice;
 use super::connect;
 use super::link_choice::{LinkChoice, openness};
+use super::output::say;
 use crate::link::transfer;
 
 /// Arguments of `rrr upload`.
@@ -35,19 +35,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     // What is wrong with the file is said before a board is looked for.
     let block = arguments.choice.block(&arguments.model)?;
     let file = arguments.model.display();
-    HardLimits::default().check(&block).map_err(|error| {
-        let message = format!("{file}: the board refuses it: {error}");
-        Failure::new(message, "correct the value in the model file")
-    })?;
     let encoded = encoded(&block)?;
     let mut client = arguments.link.connect()?;
     let report = client.report()?;
     let in_use = transfer::commit(&mut client, &encoded)?;
     transfer::compare(&mut client, &encoded)?;
-    println!("{file}: stored, read back, the same byte for byte");
-    println!("parameters  {}", connect::parameters(Some(&in_use)));
-    println!("link        {}", openness(&report));
-    Ok(())
+    say(format_args!("{file}: stored, read back, the same byte for byte"))?;
+    say(format_args!("parameters  {}", connect::parameters(Some(&in_use))))?;
+    say(format_args!("link        {}", openness(&report)))
 }
 
 /// A block as it goes over the line.

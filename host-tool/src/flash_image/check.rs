@@ -1,8 +1,9 @@
 //! What may be written where: bank 1 is the firmware's; in bank 2 one slot, and nothing else.
+//! Afterwards all else in bank 2 must be what it was.
 
 use std::ops::Range;
 
-use firmware::store::{Layout, Slot};
+use firmware::store::{Kind, Layout, Slot};
 
 use super::{FlashError, FlashImage, Piece};
 
@@ -41,6 +42,39 @@ fn check_piece(piece: &Piece, chosen: Option<Slot>) -> Result<(), FlashError> {
 pub fn slot_addresses(slot: Slot) -> Range<u64> {
     let start = u64::from(LAYOUT.slot(slot));
     start..start + u64::from(LAYOUT.page_bytes)
+}
+
+/// Compares bank 2, [`Layout::used_bytes`] from its begin on, before and after an image was
+/// written: all but the pages that the image is in, faults and keys too.
+///
+/// # Errors
+/// The first byte that has changed.
+pub fn unchanged(before: &[u8], after: &[u8], image: &FlashImage) -> Result<(), FlashError> {
+    for offset in 0..LAYOUT.used_bytes() {
+        let address = LAYOUT.bank_start + offset;
+        let at = offset as usize;
+        if before.get(at) != after.get(at) && !is_page_of(image, address) {
+            return Err(FlashError::OthersChanged { address, place: place(address) });
+        }
+    }
+    Ok(())
+}
+
+/// Whether the image has bytes in the page of an address.
+fn is_page_of(image: &FlashImage, address: u32) -> bool {
+    let start = u64::from(address - address % LAYOUT.page_bytes);
+    let end = start + u64::from(LAYOUT.page_bytes);
+    image.pieces.iter().any(|piece| u64::from(piece.address) < end && start < piece.end())
+}
+
+/// What is kept in the page of an address, in words.
+fn place(address: u32) -> String {
+    let page = address - address % LAYOUT.page_bytes;
+    let kept = Kind::ALL.into_iter().find_map(|kind| {
+        let index = LAYOUT.pages(kind).into_iter().position(|start| start == page)?;
+        Some(format!("the {}, {}", kind.name(), Slot::BOTH[index]))
+    });
+    kept.unwrap_or_else(|| "an empty page of bank 2".to_owned())
 }
 
 fn check_overlap(pieces: &[Piece]) -> Result<(), FlashError> {

@@ -96,10 +96,14 @@ pub enum FlashError {
         address: u32,
     },
     /// What was not to be written has changed.
-    #[error("{slot} was not to be touched and has changed all the same")]
-    OtherSlotChanged {
-        /// The slot.
-        slot: Slot,
+    #[error(
+        "at 0x{address:08X} ({place}) the flash was not to be touched and has changed all the same"
+    )]
+    OthersChanged {
+        /// The first address that has changed.
+        address: u32,
+        /// What is kept there.
+        place: String,
     },
     /// The tool was built without probe-rs.
     #[error("this `rrr` was built without the feature `probe`")]

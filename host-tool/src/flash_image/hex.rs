@@ -13,7 +13,7 @@ impl FlashImage {
         let mut records: Vec<Record> = self.pieces.iter().flat_map(records).collect();
         records.push(Record::EndOfFile);
         // Lines are short and the file ends, so there is nothing that it could object to.
-        ihex::create_object_file_representation(&records).unwrap_or_default() + "\n"
+        ihex::create_object_file_representation(&records).unwrap_or_default()
     }
 }
 

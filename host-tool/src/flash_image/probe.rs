@@ -10,6 +10,7 @@ use probe_rs::{MemoryInterface, Permissions, Session};
 
 use firmware::store::{Layout, Slot};
 
+use super::check::unchanged;
 use super::{FlashError, FlashImage};
 
 const CHIP: &str = "STM32G474RETx";
@@ -83,11 +84,12 @@ impl ProbedBoard {
         self.read(LAYOUT.bank_start, LAYOUT.used_bytes() as usize)
     }
 
-    /// Writes an image and reads it back; the other slot must be afterwards what it was before.
+    /// Writes an image and reads it back; all else in bank 2 must be afterwards what it was
+    /// before.
     ///
     /// # Errors
-    /// The image touches what it may not, the probe does not write it, or it is not there
-    /// afterwards.
+    /// The image touches what it may not, the probe does not write it, it is not there
+    /// afterwards, or something else has changed.
     pub fn write(&mut self, image: &FlashImage, chosen: Option<Slot>) -> Result<(), FlashError> {
         image.check(chosen)?;
         let before = self.read_store()?;
@@ -99,7 +101,7 @@ impl ProbedBoard {
                 return Err(FlashError::Verify { address: piece.address + at as u32 });
             }
         }
-        unchanged(&before, &self.read_store()?, chosen)
+        unchanged(&before, &self.read_store()?, image)
     }
 
     fn program(&mut self, image: &FlashImage) -> Result<(), FlashError> {
@@ -122,16 +124,4 @@ impl ProbedBoard {
         let mut core = self.session.core(0).map_err(|error| failed("reach the core", &error))?;
         core.reset().map_err(|error| failed("reset the board", &error))
     }
-}
-
-/// Compares the slots that were not chosen, before and after.
-fn unchanged(before: &[u8], after: &[u8], chosen: Option<Slot>) -> Result<(), FlashError> {
-    for slot in Slot::BOTH.into_iter().filter(|slot| Some(*slot) != chosen) {
-        let from = (LAYOUT.slot(slot) - LAYOUT.bank_start) as usize;
-        let page = from..from + LAYOUT.page_bytes as usize;
-        if before.get(page.clone()) != after.get(page) {
-            return Err(FlashError::OtherSlotChanged { slot });
-        }
-    }
-    Ok(())
 }

@@ -5,9 +5,15 @@ use firmware::link::{Hello, PROTOCOL_VERSION, Refusal, Source, schema};
 /// Why a conversation with the board does not come about, or ends.
 #[derive(Debug, thiserror::Error)]
 pub enum LinkError {
-    /// No port was named, and none was found.
-    #[error("no serial port is there")]
-    NoPort,
+    /// No port was named, and none was found at USB.
+    #[error("no USB serial port is there{}", also(.others))]
+    NoPort {
+        /// Ports of other kinds, which can be named.
+        others: Vec<String>,
+    },
+    /// No port was named, and the system does not tell which there are.
+    #[error("the serial ports cannot be listed: {0}")]
+    Ports(std::io::Error),
     /// No port was named, and there is more than one.
     #[error("{} serial ports are there: {}", .0.len(), .0.join(", "))]
     ManyPorts(Vec<String>),
@@ -99,6 +105,13 @@ pub enum LinkError {
         /// The first byte that differs.
         offset: usize,
     },
+}
+
+fn also(others: &[String]) -> String {
+    match others {
+        [] => String::new(),
+        others => format!("; others are: {}", others.join(", ")),
+    }
 }
 
 fn seen(bytes: u64) -> String {

@@ -34,7 +34,8 @@ impl Port {
     pub fn open(address: &Address) -> Result<Self> {
         Ok(Self(match address {
             Address::Serial(name) => {
-                Box::new(serialport::new(name, firmware::link::BAUD).timeout(WAIT).open()?)
+                let port = serialport::new(name, firmware::link::BAUD).timeout(WAIT);
+                Box::new(port.open().map_err(busy_or_not)?)
             }
             Address::Tcp(address) => {
                 let stream = TcpStream::connect(address)?;
@@ -80,6 +81,16 @@ impl Port {
             Err(error) if is_pause(&error) => Ok(0),
             Err(error) => Err(error),
         }
+    }
+}
+
+/// A port that somebody else has locked is busy; the library calls it no device.
+fn busy_or_not(error: serialport::Error) -> Error {
+    match error.kind {
+        serialport::ErrorKind::NoDevice => {
+            Error::new(ErrorKind::ResourceBusy, "another program has it")
+        }
+        _ => error.into(),
     }
 }
 

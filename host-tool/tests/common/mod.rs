@@ -3,7 +3,11 @@
 
 use std::path::{Path, PathBuf};
 
-use host_tool::files::{JointLog, Log, Position};
+use host_tool::files::{JointLog, Log, Position, RobotFile};
+use model::reference_robot::reference_robot;
+
+#[cfg(unix)]
+pub mod at_board;
 
 /// A file of the collected data, or `None`, with a note on stderr, where it is absent.
 pub fn data(name: &str) -> Option<PathBuf> {
@@ -18,6 +22,13 @@ pub fn data(name: &str) -> Option<PathBuf> {
 /// An empty directory that vanishes with the value.
 pub fn directory() -> tempfile::TempDir {
     tempfile::tempdir().unwrap()
+}
+
+/// A directory with the reference robot's model file, `model.toml`.
+pub fn with_model() -> tempfile::TempDir {
+    let directory = directory();
+    RobotFile::from_robot(&reference_robot()).write(directory.path().join("model.toml")).unwrap();
+    directory
 }
 
 /// A log of three joints in counts, on the millisecond grid.
