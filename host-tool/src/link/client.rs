@@ -15,11 +15,27 @@ use super::error::LinkError;
 use super::port::Port;
 
 /// No answer for so long: ask again.
-const PATIENCE: Duration = Duration::from_millis(150);
-/// So often is asked.
-const TRIES: u32 = 20;
+const ASK_AGAIN: Duration = Duration::from_millis(150);
 /// So often is the first Hello said: at a line where nobody is, this is what one waits for.
 const HELLO_TRIES: u32 = 14;
+
+/// How long an answer is waited for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Patience {
+    /// So often is asked, every 150 ms.
+    pub tries: u32,
+    /// Once nothing whole at all has come for so long, no longer.
+    pub silence: Duration,
+}
+
+impl Patience {
+    /// As long as a very bad line needs.
+    pub const USUAL: Self = Self { tries: 20, silence: Duration::MAX };
+    /// While the arm may move: a silent board is one that is gone.
+    pub const MOVING: Self = Self { tries: 20, silence: Duration::from_millis(1200) };
+    /// Once it is gone.
+    pub const SHORT: Self = Self { tries: 2, silence: Duration::MAX };
+}
 
 /// A [`Reply`] that owns its bytes.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,6 +104,8 @@ pub struct Client {
     came: VecDeque<Came>,
     records: Vec<Telemetry>,
     tally: Tally,
+    patience: Patience,
+    heard: Instant,
 }
 
 impl Client {
@@ -110,6 +128,8 @@ impl Client {
             came: VecDeque::new(),
             records: Vec::new(),
             tally: Tally::default(),
+            patience: Patience::USUAL,
+            heard: Instant::now(),
         };
         client.greet()?;
         Ok(client)
@@ -121,7 +141,8 @@ impl Client {
     /// No board, or one of another build.
     pub fn greet(&mut self) -> Result<(), LinkError> {
         let frame = frame(&ToBoard::Hello { protocol_version: PROTOCOL_VERSION });
-        let hello = self.until("Hello", &frame, HELLO_TRIES, |came| match came {
+        let tries = self.patience.tries.min(HELLO_TRIES);
+        let hello = self.until("Hello", &frame, tries, |came| match came {
             Came::Hello(hello) => Some(hello),
             Came::Answer(..) => None,
         })?;
@@ -147,7 +168,12 @@ impl Client {
 
     /// What was counted.
     pub fn tally(&self) -> Tally {
-        self.tally
+        Tally { broken: self.tally.broken + u64::from(self.reader.dropped()), ..self.tally }
+    }
+
+    /// From now on answers are waited for so long.
+    pub fn set_patience(&mut self, patience: Patience) {
+        self.patience = patience;
     }
 
     /// Asks until there is an answer; telemetry that comes meanwhile is kept.
@@ -165,7 +191,7 @@ impl Client {
         let proof = proof.and_then(|(key, nonce)| key::proof(&key, &nonce, number, &command));
         let frame = frame(&ToBoard::Request(Request { number, proof, command }));
         let what = name(&command);
-        let result = self.until(what, &frame, TRIES, |came| match came {
+        let result = self.until(what, &frame, self.patience.tries, |came| match came {
             Came::Answer(answered, result) if answered == number => Some(result),
             _ => None,
         })?;
@@ -213,15 +239,19 @@ impl Client {
         self.tally.bytes += length as u64;
         for &byte in &buffer[..length] {
             match self.reader.push(byte).map(ToHost::read) {
+                None => continue,
+                Some(Err(_)) => {
+                    self.tally.broken += 1;
+                    continue;
+                }
                 Some(Ok(ToHost::Telemetry(record))) => self.records.push(record),
                 Some(Ok(ToHost::Hello(hello))) => self.came.push_back(Came::Hello(hello)),
                 Some(Ok(ToHost::Answer(answer))) => {
                     let result = answer.result.map(Told::from);
                     self.came.push_back(Came::Answer(answer.number, result));
                 }
-                Some(Err(_)) => self.tally.broken += 1,
-                None => {}
             }
+            self.heard = Instant::now();
         }
         Ok(())
     }
@@ -253,12 +283,15 @@ impl Client {
         mut wanted: impl FnMut(Came) -> Option<T>,
     ) -> Result<T, LinkError> {
         let (begin, bytes_before) = (Instant::now(), self.tally.bytes);
+        let mut asked = 0;
         self.came.clear();
-        for attempt in 0..tries {
-            self.tally.asked_again += u64::from(attempt > 0);
+        self.heard = begin;
+        while asked < tries && self.heard.elapsed() < self.patience.silence {
+            self.tally.asked_again += u64::from(asked > 0);
             self.send(frame)?;
+            asked += 1;
             let sent = Instant::now();
-            while sent.elapsed() < PATIENCE {
+            while sent.elapsed() < ASK_AGAIN {
                 self.listen()?;
                 while let Some(came) = self.came.pop_front() {
                     if let Some(found) = wanted(came) {
@@ -270,7 +303,7 @@ impl Client {
         Err(LinkError::Silent {
             port: self.name.clone(),
             what,
-            tries,
+            tries: asked,
             waited_s: begin.elapsed().as_secs_f64(),
             bytes: self.tally.bytes - bytes_before,
         })
