@@ -104,6 +104,32 @@ fn after_ctrl_c_on_the_way_to_the_beginning_its_log_is_kept_but_not_listed() {
 }
 
 #[test]
+fn ctrl_c_before_anything_is_recorded_leaves_no_folder_and_promises_no_log() {
+    let (directory, board) = (with_model(), board());
+    let at = directory.path();
+    rrr(at, &board, "upload model.toml").success();
+    let ((sender, is_time), (done, is_pressed)) = (mpsc::channel(), mpsc::channel());
+    let line = Line::to(&board, move |command| {
+        if matches!(command, Command::UploadBegin { .. }) {
+            sender.send(()).unwrap();
+            is_pressed.recv().unwrap();
+            std::thread::sleep(Duration::from_millis(200));
+        }
+        Deed::Pass
+    });
+    let child = spawned(at, &line.port, "run hold --out logs/today");
+    is_time.recv_timeout(Duration::from_secs(60)).unwrap();
+    assert!(at.join("logs/today").exists());
+    press_ctrl_c(&child);
+    done.send(()).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130));
+    assert_tells(&words(&output.stdout), &["samples     0 of 0", "nothing was recorded"]);
+    assert!(!words(&output.stderr).contains("log"), "{}", words(&output.stderr));
+    assert!(!at.join("logs").exists());
+}
+
+#[test]
 fn ctrl_c_while_the_board_is_armed_keeps_it_from_running() {
     let (directory, board) = (with_model(), board());
     rrr(directory.path(), &board, "upload model.toml").success();
