@@ -6,13 +6,14 @@ use std::time::{Duration, Instant};
 use firmware::frame::FrameReader;
 
 use firmware::link::{
-    Command, Hello, Key, MAX_FRAME_BYTES, Nonce, PROTOCOL_VERSION, Parameters, Refusal, Reply,
-    Report, Request, Telemetry, ToBoard, ToHost, key, schema,
+    Command, Hello, Key, MAX_FRAME_BYTES, Nonce, PROTOCOL_VERSION, Refusal, Report, Request,
+    Telemetry, ToBoard, ToHost, key, schema,
 };
 
 use super::address::Address;
 use super::error::LinkError;
 use super::port::Port;
+use super::told::{Told, name};
 
 /// No answer for so long: ask again.
 const ASK_AGAIN: Duration = Duration::from_millis(150);
@@ -35,42 +36,6 @@ impl Patience {
     pub const MOVING: Self = Self { tries: 20, silence: Duration::from_millis(1200) };
     /// Once it is gone.
     pub const SHORT: Self = Self { tries: 2, silence: Duration::MAX };
-}
-
-/// A [`Reply`] that owns its bytes.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Told {
-    /// It is done.
-    Done,
-    /// How the board is.
-    Report(Box<Report>),
-    /// What proofs are made with.
-    Challenge(Nonce),
-    /// A piece of a block of that length and CRC-32C.
-    Piece {
-        /// Bytes of the whole block.
-        length: u16,
-        /// CRC-32C of the whole block.
-        checksum: u32,
-        /// The piece.
-        bytes: Vec<u8>,
-    },
-    /// The block is in use.
-    InUse(Parameters),
-}
-
-impl From<Reply<'_>> for Told {
-    fn from(reply: Reply<'_>) -> Self {
-        match reply {
-            Reply::Done => Self::Done,
-            Reply::Report(report) => Self::Report(Box::new(report)),
-            Reply::Challenge { nonce } => Self::Challenge(nonce),
-            Reply::Piece { length, checksum, bytes } => {
-                Self::Piece { length, checksum, bytes: bytes.to_vec() }
-            }
-            Reply::InUse(parameters) => Self::InUse(parameters),
-        }
-    }
 }
 
 /// What came and is no telemetry.
@@ -324,24 +289,4 @@ impl Client {
 fn frame(message: &ToBoard<'_>) -> Vec<u8> {
     let mut buffer = [0; MAX_FRAME_BYTES];
     message.write(&mut buffer).unwrap_or_default().to_vec()
-}
-
-/// What a command is called in messages.
-fn name(command: &Command<'_>) -> &'static str {
-    match command {
-        Command::Query => "query",
-        Command::Stream { .. } => "stream",
-        Command::Challenge => "challenge",
-        Command::UploadBegin { .. } => "upload",
-        Command::UploadPiece { .. } => "upload of a piece",
-        Command::Use => "use of the block",
-        Command::Commit => "commit",
-        Command::Download { .. } => "download",
-        Command::Arm => "arm",
-        Command::Run { .. } => "run",
-        Command::Stop => "stop",
-        Command::Disarm => "disarm",
-        Command::ClearFault => "clear the fault",
-        Command::SetKey { .. } => "set the key",
-    }
 }

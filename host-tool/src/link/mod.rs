@@ -3,7 +3,7 @@
 //! | module | what it holds |
 //! | --- | --- |
 //! | [`address`], [`port`] | where the board is: a serial port, TCP, a socket or a pty |
-//! | [`client`] | numbered requests, time-outs, retries, the key |
+//! | [`client`], [`told`] | numbered requests, time-outs, retries, the key; answers |
 //! | [`transfer`] | parameter blocks up, down, and compared |
 //! | [`session`], [`approach`] | a run from arming to disarming, and the way to its beginning |
 //! | [`recorder`], [`span`] | telemetry to a log, and which ticks are missing |
@@ -18,9 +18,11 @@ pub mod recorder;
 pub mod session;
 pub mod simulated_board;
 pub mod span;
+pub mod told;
 pub mod transfer;
 
 pub use address::Address;
-pub use client::{Client, Patience, Tally, Told};
+pub use client::{Client, Patience, Tally};
 pub use error::LinkError;
 pub use recorder::Recorder;
+pub use told::Told;
