@@ -52,6 +52,8 @@ fn after_ctrl_c_the_board_is_disarmed_the_log_kept_and_the_exit_status_130() {
     let output = interrupted(at, &board, 1, "run hold --duration 600 --out logs");
     assert_eq!(output.status.code(), Some(130), "`&&` goes no further");
     assert_tells(&words(&output.stderr), &["interrupted: the run was stopped in tick ", "0 V"]);
+    let told = words(&output.stdout);
+    assert!(told.find("ended ").unwrap() < told.find("log  ").unwrap(), "{told}");
     assert_tells(&stdout(rrr(at, &board, "connect").success()), &["state       disarmed"]);
     let log = Dataset::read(at.join("logs")).unwrap().recordings().unwrap().remove(0).log;
     assert!(log.len() > 500, "{}", log.len());

@@ -102,6 +102,6 @@ fn a_noisy_line_costs_time_and_records_each_counted_and_nothing_else() {
     assert!((4000..5000).contains(&log.len()), "{}", log.len());
     let [rows, ticks, missing] = assert_all_ticks_are_told(&text, &log);
     assert_eq!((ticks, missing), (5000, 5000 - rows));
-    let [broken, asked_again] = figures(&text, "line");
-    assert!(broken > 0 && asked_again > 0, "{text}");
+    let [broken, _asked_again] = figures(&text, "line");
+    assert!(broken > 100, "{text}");
 }

@@ -79,8 +79,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut client = arguments.link.connect()?;
     let report = client.report()?;
     if let Some(fault) = report.fault {
-        let hint = "docs/safety.md says what it means; then `rrr clear-fault`";
-        return Err(Failure::new(format!("the board is faulted: {fault}"), hint));
+        return Err(Failure::new(format!("the board is faulted: {fault}"), told::FAULT_HINT));
     }
     say(&format!("link        {}", openness(&report)));
     let result = arguments.record(&mut client, &mut folder, interrupt());
@@ -90,7 +89,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     result
 }
 
-/// What was played last, and what came of it.
+/// What was played last, and how it ended.
 struct Played {
     part: Part,
     recorder: Recorder,
@@ -109,14 +108,7 @@ impl Arguments {
         let counts_per_rev = f64::from(block.encoder_counts_per_turn);
         let plan = Plan { role: self.role.unwrap_or(plan.role), ..plan };
         folder.prepare(&plan, counts_per_rev)?;
-        let played = match self.go_there(client, &block, interrupted)? {
-            Some(on_the_way) => on_the_way,
-            None => {
-                transfer::put_into_use(client, &encoded(&block)?)?;
-                self.play(client, Part::Experiment, &block, interrupted)?
-            }
-        };
-        let Played { part, recorder, ending } = played;
+        let Played { part, recorder, ending } = self.play_all(client, &block, interrupted)?;
         let told = told::ending(part, ending, &recorder, client.tally());
         let saved = match part {
             Part::Experiment => folder.save(&plan, counts_per_rev, &recorder),
@@ -148,6 +140,20 @@ impl Arguments {
             Failure::new(format!("the board would refuse it: {error}"), "change the option")
         })?;
         Ok((plan, block))
+    }
+
+    /// The way to the beginning, and if that comes to its end, the experiment.
+    fn play_all(
+        &self,
+        client: &mut Client,
+        block: &ParameterBlock,
+        interrupted: &AtomicBool,
+    ) -> Result<Played, Failure> {
+        if let Some(on_the_way) = self.go_there(client, block, interrupted)? {
+            return Ok(on_the_way);
+        }
+        transfer::put_into_use(client, &encoded(block)?)?;
+        self.play(client, Part::Experiment, block, interrupted)
     }
 
     /// Moves the joints to where the reference begins; what was played, if they are not there.

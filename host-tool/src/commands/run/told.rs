@@ -2,9 +2,14 @@
 
 use std::io::Write;
 
+use firmware::supervisor::FaultRecord;
+
 use crate::commands::Failure;
 use crate::link::session::Ending;
 use crate::link::{LinkError, Recorder, Tally};
+
+/// What to do about a fault.
+pub const FAULT_HINT: &str = "docs/safety.md says what it means; then `rrr clear-fault`";
 
 /// What is played.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,7 +35,7 @@ pub fn say(line: &str) {
     let _ = writeln!(std::io::stdout(), "{line}");
 }
 
-/// Tells how a part ended.
+/// Tells how a part ended, at once: writing its log takes a while.
 ///
 /// # Errors
 /// Whatever is not the part's own end; Ctrl-C too.
@@ -41,27 +46,31 @@ pub fn ending(
     tally: Tally,
 ) -> Result<(), Failure> {
     figures(recorder, tally);
-    let part = part.name();
+    let failure = failure(part.name(), ending, recorder);
+    match &failure {
+        None => say("played to its end; 0 V, disarmed"),
+        Some(failure) => say(&format!("ended       {}", failure.message)),
+    }
+    failure.map_or(Ok(()), Err)
+}
+
+fn failure(part: &str, ending: Ending, recorder: &Recorder) -> Option<Failure> {
     let done = format!("in tick {} of {}", recorder.ticks_done(), recorder.ticks());
-    match ending {
-        Ending::Finished => {
-            say("played to its end; 0 V, disarmed");
-            Ok(())
-        }
+    Some(match ending {
+        Ending::Finished => return None,
         Ending::Interrupted => {
-            Err(Failure::interrupted(format!("the {part} was stopped {done}; 0 V, disarmed")))
+            Failure::interrupted(format!("the {part} was stopped {done}; 0 V, disarmed"))
         }
-        Ending::Board(_, Some(fault)) => Err(Failure::new(
-            format!("the board ended the {part}: {fault}"),
-            "docs/safety.md says what it means; then `rrr clear-fault`",
-        )),
-        Ending::Board(state, None) => Err(Failure::new(
+        Ending::Board(_, Some(fault)) => {
+            Failure::new(format!("the board ended the {part}: {fault}"), FAULT_HINT)
+        }
+        Ending::Board(state, None) => Failure::new(
             format!("the {part} was ended by somebody else {done}: the board was {state}"),
             "the board is disarmed now",
-        )),
-        Ending::Reset(report) => Err(reset(part, &done, report.and_then(|report| report.fault))),
-        Ending::Broke(error) => Err(broke(part, &done, error)),
-    }
+        ),
+        Ending::Reset(report) => reset(part, &done, report.and_then(|report| report.fault)),
+        Ending::Broke(error) => broke(part, &done, error),
+    })
 }
 
 /// How much of it was recorded.
@@ -84,13 +93,10 @@ fn figures(recorder: &Recorder, tally: Tally) {
     ));
 }
 
-fn reset(part: &str, done: &str, fault: Option<firmware::supervisor::FaultRecord>) -> Failure {
+fn reset(part: &str, done: &str, fault: Option<FaultRecord>) -> Failure {
     let message = format!("the board was reset {done} of the {part}, which ended it");
     match fault {
-        Some(fault) => Failure::new(
-            format!("{message}; it is faulted: {fault}"),
-            "docs/safety.md says what it means; then `rrr clear-fault`",
-        ),
+        Some(fault) => Failure::new(format!("{message}; it is faulted: {fault}"), FAULT_HINT),
         None => Failure::new(
             message,
             "0 V since then; look at its supply and who pressed its button, and mind that \
@@ -123,11 +129,7 @@ pub fn worse(told: Result<(), Failure>, saved: Result<(), Failure>) -> Result<()
         (told, Ok(())) => told,
         (Err(told), Err(saved)) => Err(Failure::new(
             format!("{}; and its log is lost: {}", told.message, saved.message),
-            [told.hint, saved.hint]
-                .into_iter()
-                .filter(|hint| !hint.is_empty())
-                .collect::<Vec<_>>()
-                .join("; "),
+            format!("{}; {}", told.hint, saved.hint).trim_start_matches("; "),
         )),
     }
 }
