@@ -66,6 +66,9 @@ pub enum Command {
     /// Fetch the board's parameters.
     Download(download::Arguments),
     /// Do an experiment with the arm and record it.
+    ///
+    /// Ctrl-C stops the arm before anything else and keeps the log. The exit status is 0 after
+    /// the experiment's own end, 130 after Ctrl-C, and 2 after a fault or whatever went wrong.
     Run(Box<run::Arguments>),
     /// Look at positions, voltages, errors, ticks and faults as they change.
     Monitor(monitor::Arguments),
