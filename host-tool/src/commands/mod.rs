@@ -69,6 +69,9 @@ pub enum Command {
     /// Fetch the board's parameters.
     Download(download::Arguments),
     /// Do an experiment with the arm and record it.
+    ///
+    /// Ctrl-C stops the arm before anything else and keeps the log. The exit status is 0 after
+    /// the experiment's own end, 130 after Ctrl-C, and 2 after a fault or whatever went wrong.
     Run(Box<run::Arguments>),
     /// Look at positions, voltages, errors, ticks and faults as they change, until Ctrl-C.
     Monitor(monitor::Arguments),
@@ -94,7 +97,7 @@ impl Command {
     /// Runs the command.
     ///
     /// # Errors
-    /// What the user is told before the tool ends with exit status 2.
+    /// What the user is told before the tool ends with the failure's exit status.
     pub fn run(self) -> Result<(), Failure> {
         match self {
             Self::Identify(arguments) => identify::run(&arguments),
@@ -121,6 +124,11 @@ impl Command {
     }
 }
 
+/// The exit status after bad input, of clap's as well, and after whatever went wrong.
+pub const BAD_INPUT: u8 = 2;
+/// The exit status after Ctrl-C, by custom 128 and the signal's number.
+pub const INTERRUPTED: u8 = 130;
+
 /// What a user is told when a command fails: what is wrong, and what to do about it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{message}")]
@@ -129,17 +137,25 @@ pub struct Failure {
     pub message: String,
     /// What to do about it.
     pub hint: String,
+    /// The exit status.
+    pub status: u8,
 }
 
 impl Failure {
     /// A failure in words.
     pub fn new(message: impl Into<String>, hint: impl Into<String>) -> Self {
-        Self { message: message.into(), hint: hint.into() }
+        Self { message: message.into(), hint: hint.into(), status: BAD_INPUT }
+    }
+
+    /// The user ended the command with Ctrl-C; what it has come to so far.
+    pub fn interrupted(message: impl Into<String>) -> Self {
+        Self { message: message.into(), hint: String::new(), status: INTERRUPTED }
     }
 
     /// The lines that go to the terminal.
     pub fn report(&self) -> String {
         match self.hint.as_str() {
+            _ if self.status == INTERRUPTED => format!("interrupted: {}", self.message),
             "" => format!("error: {}", self.message),
             hint => format!("error: {}\nhint: {hint}", self.message),
         }

@@ -4,6 +4,7 @@
 //! wrong, and through [`FileError::cure`] what to do about it. Writers leave either
 //! the whole new file or what was there before.
 
+mod appending;
 mod bytes;
 pub mod dataset;
 pub mod error;

@@ -47,6 +47,20 @@ impl TomlSource {
         toml::from_str(&self.text).map_err(|error| self.syntax(&error))
     }
 
+    /// The file's text.
+    pub(super) fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Where the line after that of the format begins, or would.
+    pub(super) fn line_end_of_format(&self) -> usize {
+        let document = DeTable::parse(&self.text).ok();
+        let value = document.as_ref().and_then(|document| document.get_ref().get("format"));
+        let end = value.map_or(0, |value| value.span().end);
+        let rest = self.text.get(end..).unwrap_or_default();
+        rest.find('\n').map_or(self.text.len() + 1, |length| end + length + 1)
+    }
+
     /// A problem of the whole file.
     pub(super) fn problem(&self, problem: Problem) -> FileError {
         problem.in_file(&self.path)

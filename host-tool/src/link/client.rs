@@ -6,55 +6,36 @@ use std::time::{Duration, Instant};
 use firmware::frame::FrameReader;
 
 use firmware::link::{
-    Command, Hello, Key, MAX_FRAME_BYTES, Nonce, PROTOCOL_VERSION, Parameters, Refusal, Reply,
-    Report, Request, Telemetry, ToBoard, ToHost, key, schema,
+    Command, Hello, Key, MAX_FRAME_BYTES, Nonce, PROTOCOL_VERSION, Refusal, Report, Request,
+    Telemetry, ToBoard, ToHost, key, schema,
 };
 
 use super::address::Address;
 use super::error::LinkError;
 use super::port::Port;
+use super::told::{Told, name};
 
 /// No answer for so long: ask again.
-const PATIENCE: Duration = Duration::from_millis(150);
-/// So often is asked.
-const TRIES: u32 = 20;
+const ASK_AGAIN: Duration = Duration::from_millis(150);
 /// So often is the first Hello said: at a line where nobody is, this is what one waits for.
 const HELLO_TRIES: u32 = 14;
 
-/// A [`Reply`] that owns its bytes.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Told {
-    /// It is done.
-    Done,
-    /// How the board is.
-    Report(Box<Report>),
-    /// What proofs are made with.
-    Challenge(Nonce),
-    /// A piece of a block of that length and CRC-32C.
-    Piece {
-        /// Bytes of the whole block.
-        length: u16,
-        /// CRC-32C of the whole block.
-        checksum: u32,
-        /// The piece.
-        bytes: Vec<u8>,
-    },
-    /// The block is in use.
-    InUse(Parameters),
+/// How long an answer is waited for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Patience {
+    /// So often is asked, every 150 ms.
+    pub tries: u32,
+    /// Once nothing whole at all has come for so long, no longer.
+    pub silence: Duration,
 }
 
-impl From<Reply<'_>> for Told {
-    fn from(reply: Reply<'_>) -> Self {
-        match reply {
-            Reply::Done => Self::Done,
-            Reply::Report(report) => Self::Report(Box::new(report)),
-            Reply::Challenge { nonce } => Self::Challenge(nonce),
-            Reply::Piece { length, checksum, bytes } => {
-                Self::Piece { length, checksum, bytes: bytes.to_vec() }
-            }
-            Reply::InUse(parameters) => Self::InUse(parameters),
-        }
-    }
+impl Patience {
+    /// As long as a very bad line needs.
+    pub const USUAL: Self = Self { tries: 20, silence: Duration::MAX };
+    /// While the arm may move: a silent board is one that is gone.
+    pub const MOVING: Self = Self { tries: 20, silence: Duration::from_millis(1200) };
+    /// Once it is gone.
+    pub const SHORT: Self = Self { tries: 2, silence: Duration::MAX };
 }
 
 /// What came and is no telemetry.
@@ -88,6 +69,8 @@ pub struct Client {
     came: VecDeque<Came>,
     records: Vec<Telemetry>,
     tally: Tally,
+    patience: Patience,
+    heard: Instant,
 }
 
 impl Client {
@@ -110,6 +93,8 @@ impl Client {
             came: VecDeque::new(),
             records: Vec::new(),
             tally: Tally::default(),
+            patience: Patience::USUAL,
+            heard: Instant::now(),
         };
         client.greet()?;
         Ok(client)
@@ -121,7 +106,8 @@ impl Client {
     /// No board, or one of another build.
     pub fn greet(&mut self) -> Result<(), LinkError> {
         let frame = frame(&ToBoard::Hello { protocol_version: PROTOCOL_VERSION });
-        let hello = self.until("Hello", &frame, HELLO_TRIES, |came| match came {
+        let tries = self.patience.tries.min(HELLO_TRIES);
+        let hello = self.until("Hello", &frame, tries, |came| match came {
             Came::Hello(hello) => Some(hello),
             Came::Answer(..) => None,
         })?;
@@ -147,7 +133,12 @@ impl Client {
 
     /// What was counted.
     pub fn tally(&self) -> Tally {
-        self.tally
+        Tally { broken: self.tally.broken + u64::from(self.reader.dropped()), ..self.tally }
+    }
+
+    /// From now on answers are waited for so long.
+    pub fn set_patience(&mut self, patience: Patience) {
+        self.patience = patience;
     }
 
     /// Asks until there is an answer; telemetry that comes meanwhile is kept.
@@ -165,7 +156,7 @@ impl Client {
         let proof = proof.and_then(|(key, nonce)| key::proof(&key, &nonce, number, &command));
         let frame = frame(&ToBoard::Request(Request { number, proof, command }));
         let what = name(&command);
-        let result = self.until(what, &frame, TRIES, |came| match came {
+        let result = self.until(what, &frame, self.patience.tries, |came| match came {
             Came::Answer(answered, result) if answered == number => Some(result),
             _ => None,
         })?;
@@ -213,15 +204,19 @@ impl Client {
         self.tally.bytes += length as u64;
         for &byte in &buffer[..length] {
             match self.reader.push(byte).map(ToHost::read) {
+                None => continue,
+                Some(Err(_)) => {
+                    self.tally.broken += 1;
+                    continue;
+                }
                 Some(Ok(ToHost::Telemetry(record))) => self.records.push(record),
                 Some(Ok(ToHost::Hello(hello))) => self.came.push_back(Came::Hello(hello)),
                 Some(Ok(ToHost::Answer(answer))) => {
                     let result = answer.result.map(Told::from);
                     self.came.push_back(Came::Answer(answer.number, result));
                 }
-                Some(Err(_)) => self.tally.broken += 1,
-                None => {}
             }
+            self.heard = Instant::now();
         }
         Ok(())
     }
@@ -253,12 +248,15 @@ impl Client {
         mut wanted: impl FnMut(Came) -> Option<T>,
     ) -> Result<T, LinkError> {
         let (begin, bytes_before) = (Instant::now(), self.tally.bytes);
+        let mut asked = 0;
         self.came.clear();
-        for attempt in 0..tries {
-            self.tally.asked_again += u64::from(attempt > 0);
+        self.heard = begin;
+        while asked < tries && self.heard.elapsed() < self.patience.silence {
+            self.tally.asked_again += u64::from(asked > 0);
             self.send(frame)?;
+            asked += 1;
             let sent = Instant::now();
-            while sent.elapsed() < PATIENCE {
+            while sent.elapsed() < ASK_AGAIN {
                 self.listen()?;
                 while let Some(came) = self.came.pop_front() {
                     if let Some(found) = wanted(came) {
@@ -270,7 +268,7 @@ impl Client {
         Err(LinkError::Silent {
             port: self.name.clone(),
             what,
-            tries,
+            tries: asked,
             waited_s: begin.elapsed().as_secs_f64(),
             bytes: self.tally.bytes - bytes_before,
         })
@@ -291,25 +289,4 @@ impl Client {
 fn frame(message: &ToBoard<'_>) -> Vec<u8> {
     let mut buffer = [0; MAX_FRAME_BYTES];
     message.write(&mut buffer).unwrap_or_default().to_vec()
-}
-
-/// What a command is called in messages.
-fn name(command: &Command<'_>) -> &'static str {
-    match command {
-        Command::Query => "query",
-        Command::Stream { .. } => "stream",
-        Command::Challenge => "challenge",
-        Command::UploadBegin { .. } => "upload",
-        Command::UploadPiece { .. } => "upload of a piece",
-        Command::Use => "use of the block",
-        Command::Commit => "commit",
-        Command::Download { .. } => "download",
-        Command::Arm => "arm",
-        Command::Run { .. } => "run",
-        Command::Stop => "stop",
-        Command::Disarm => "disarm",
-        Command::ClearFault => "clear the fault",
-        Command::Home { .. } => "home",
-        Command::SetKey { .. } => "set the key",
-    }
 }

@@ -2,10 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use firmware::link::Telemetry;
+use firmware::link::{Report, Telemetry};
 use firmware::supervisor::State;
 use firmware::{Mode, ParameterBlock};
 
+use super::span::Span;
 use crate::files::{BoardSample, JointLog, Log, Position};
 use crate::simulation::sensor::Unwrapper;
 
@@ -14,12 +15,9 @@ use crate::simulation::sensor::Unwrapper;
 pub struct Recorder {
     /// The log so far; a record that is missing is a gap in its times.
     pub log: Log,
-    /// What the board told beside the joints, row by row of the log.
+    /// What the board told beside the joints, row by row of the log; then the tick that ended
+    /// the run, if its record or one after it has come.
     pub board: Vec<BoardSample>,
-    /// Records that did not arrive, by their numbers.
-    pub missed: u32,
-    /// The ones of them that the board itself could not send.
-    pub dropped: u32,
     /// Longest tick [0.1 us].
     pub longest_tick_tenth_us: u16,
     /// Ticks in which the command of a joint was cut at its limit.
@@ -27,16 +25,25 @@ pub struct Recorder {
     counts_per_turn: f64,
     period_ns: f64,
     ticks: u32,
+    span: Span,
+    dropped: Dropped,
     begun: Option<Begun>,
 }
 
-/// What a run's first record tells, and the newest one.
+/// What is carried on from record to record.
 #[derive(Debug)]
 struct Begun {
-    first: Telemetry,
     last: Telemetry,
     counts: [i64; 3],
     references: [Unwrapper; 3],
+}
+
+/// The board's count of records that it could not send.
+#[derive(Debug, Default)]
+struct Dropped {
+    before: Option<u32>,
+    newest: u32,
+    is_after: bool,
 }
 
 impl Recorder {
@@ -51,34 +58,48 @@ impl Recorder {
         Self {
             log: Log { time_s: Vec::new(), joints: (1..=3).map(joint).collect() },
             board: Vec::new(),
-            missed: 0,
-            dropped: 0,
             longest_tick_tenth_us: 0,
             saturated: [0; 3],
             counts_per_turn: f64::from(block.encoder_counts_per_turn),
             // The block has it as an f32; in whole nanoseconds it is what was meant.
             period_ns: (f64::from(block.sample_period_s) * 1e9).round(),
             ticks,
+            span: Span::default(),
+            dropped: Dropped::default(),
             begun: None,
         }
     }
 
-    /// Takes a record; those outside the run are nothing to it.
+    /// Takes a report from before the run: of the ticks up to its own, none is of the run.
+    pub fn begins_after(&mut self, report: &Report) {
+        self.span.begins_after(report.counters.ticks);
+        self.dropped.before = Some(report.counters.telemetry_dropped);
+    }
+
+    /// Takes a report from within the run or after it; it tells ticks whose records are lost.
+    pub fn hear(&mut self, report: &Report) {
+        let ticks = report.counters.ticks;
+        match (report.state, report.fault) {
+            (State::Running, _) => return self.span.runs_at(ticks),
+            (State::Faulted, Some(fault)) => self.span.ended_before(fault.tick),
+            _ => self.span.ended_before(ticks.wrapping_add(1)),
+        }
+        self.dropped.see(report.counters.telemetry_dropped, true);
+    }
+
+    /// Takes a record; those from before the run only tell when it began.
     pub fn push(&mut self, record: &Telemetry) {
-        if record.state != State::Running {
+        if self.span.is_past(record.sequence) {
             return;
         }
-        let mut begun = self.begun.take().unwrap_or_else(|| self.begin(record));
-        let since = record.sequence.wrapping_sub(begun.first.sequence);
-        if since < self.ticks {
-            let step = record.sequence.wrapping_sub(begun.last.sequence);
-            self.missed += step.saturating_sub(1);
-            self.dropped = record.dropped.wrapping_sub(begun.first.dropped);
-            begun.follow(record);
-            self.add_row(since, record, &mut begun);
+        match record.state == State::Running {
+            true => self.add(record),
+            false if self.begun.is_none() => {
+                self.span.begins_after(record.sequence);
+                self.dropped.before = Some(record.dropped);
+            }
+            false => self.end(record),
         }
-        begun.last = *record;
-        self.begun = Some(begun);
     }
 
     /// How many ticks the run takes.
@@ -86,32 +107,69 @@ impl Recorder {
         self.ticks
     }
 
-    /// How many ticks the run has gone on.
+    /// How many ticks the run has gone on, braking at its end included.
     pub fn ticks_seen(&self) -> u32 {
-        match &self.begun {
-            Some(begun) => begun.last.sequence.wrapping_sub(begun.first.sequence) + 1,
-            None => 0,
+        self.span.ticks()
+    }
+
+    /// How many of the run's ticks there have been: all of them, or those up to its early end.
+    pub fn ticks_done(&self) -> u32 {
+        self.span.ticks().min(self.ticks)
+    }
+
+    /// Records that did not arrive: with the log's rows, they are the ticks there have been.
+    pub fn missed(&self) -> u32 {
+        self.ticks_done().saturating_sub(self.log.len() as u32)
+    }
+
+    /// The ones of them that the board itself could not send.
+    pub fn dropped(&self) -> u32 {
+        let before = self.dropped.before.unwrap_or(self.dropped.newest);
+        self.dropped.newest.wrapping_sub(before).min(self.missed())
+    }
+
+    fn add(&mut self, record: &Telemetry) {
+        self.span.runs_at(record.sequence);
+        let since = self.span.since(record.sequence);
+        self.dropped.see(record.dropped, since >= self.ticks);
+        let mut begun = self.begun.take().unwrap_or_else(|| self.begin(record));
+        begun.follow(record);
+        if since < self.ticks {
+            self.add_row(since, record, &mut begun);
         }
+        self.begun = Some(begun);
+    }
+
+    /// Keeps the first record after a run that ended early: it tells what ended it.
+    fn end(&mut self, record: &Telemetry) {
+        self.span.ended_before(record.sequence);
+        self.dropped.see(record.dropped, true);
+        let since = self.span.since(record.sequence);
+        let is_first = self.board.len() == self.log.len();
+        if !is_first || (since >= self.ticks && record.fault.is_none()) {
+            return;
+        }
+        let Some(mut begun) = self.begun.take() else { return };
+        begun.follow(record);
+        self.board.push(BoardSample {
+            position_count: Some(begun.counts),
+            command_v: Some(record.codes.map(|code| f64::from(code.to_volts()))),
+            ..self.sample(since, record)
+        });
+        self.begun = Some(begun);
     }
 
     fn begin(&self, record: &Telemetry) -> Begun {
         let counts = record.counts.map(i64::from);
         let near_rad = counts.map(|count| count as f64 * TAU / self.counts_per_turn);
         let references = [0, 1, 2].map(|i| Unwrapper::near(record.reference[i], near_rad[i]));
-        Begun { first: *record, last: *record, counts, references }
+        Begun { last: *record, counts, references }
     }
 
     fn add_row(&mut self, since: u32, record: &Telemetry, begun: &mut Begun) {
-        let t_s = f64::from(since) * self.period_ns / 1e9;
-        self.log.time_s.push(t_s);
-        self.board.push(BoardSample {
-            t_s,
-            state: record.state.name(),
-            mode: record.mode.map(Mode::name),
-            saturated: [0, 1, 2].map(|i| record.saturated >> i & 1 == 1),
-            tick_time_us: f64::from(record.tick_time_tenth_us) / 10.0,
-            telemetry_dropped: record.dropped,
-        });
+        let sample = self.sample(since, record);
+        self.log.time_s.push(sample.t_s);
+        self.board.push(sample);
         for (i, joint) in self.log.joints.iter_mut().enumerate() {
             if let Position::Count(column) = &mut joint.position {
                 column.push(begun.counts[i]);
@@ -124,6 +182,21 @@ impl Recorder {
         }
         self.longest_tick_tenth_us = self.longest_tick_tenth_us.max(record.tick_time_tenth_us);
     }
+
+    fn sample(&self, since: u32, record: &Telemetry) -> BoardSample {
+        BoardSample {
+            t_s: f64::from(since) * self.period_ns / 1e9,
+            state: record.state.name(),
+            mode: record.mode.map(Mode::name),
+            saturated: [0, 1, 2].map(|i| record.saturated >> i & 1 == 1),
+            tick_time_us: f64::from(record.tick_time_tenth_us) / 10.0,
+            telemetry_dropped: record.dropped,
+            fault: record.fault.map_or("none", |(fault, _)| fault.name()),
+            fault_joint: record.fault.map_or(0, |(_, joint)| joint),
+            position_count: None,
+            command_v: None,
+        }
+    }
 }
 
 impl Begun {
@@ -132,57 +205,19 @@ impl Begun {
         for i in 0..3 {
             self.counts[i] += i64::from(record.counts[i].wrapping_sub(self.last.counts[i]));
         }
+        self.last = *record;
+    }
+}
+
+impl Dropped {
+    /// The count as it stood, within the run or after it, where only the first counts.
+    fn see(&mut self, count: u32, is_after: bool) {
+        if !self.is_after {
+            (self.newest, self.is_after) = (count, is_after);
+            self.before.get_or_insert(count);
+        }
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use firmware::{Angle, DacCode};
-
-    use crate::simulation::{Rig, plan};
-
-    fn record(sequence: u32, state: State) -> Telemetry {
-        Telemetry {
-            sequence,
-            counts: [i32::MAX.wrapping_add(sequence as i32), 0, -5],
-            codes: [DacCode(0), DacCode(16384), DacCode(0)],
-            reference: [Angle(0); 3],
-            mode: [Mode::Pd; 3],
-            state,
-            saturated: 0b100,
-            fault: None,
-            tick_time_tenth_us: 400,
-            dropped: 7 + sequence / 10,
-        }
-    }
-
-    fn block() -> ParameterBlock {
-        plan::hold(0.02).block(&Rig::new(model::reference_robot::reference_robot()))
-    }
-
-    #[test]
-    fn what_is_missing_is_a_gap_and_counted() {
-        let mut recorder = Recorder::new(&block(), 20);
-        recorder.push(&record(0, State::Armed));
-        for sequence in (1..30).filter(|s| !(5..8).contains(s)) {
-            recorder.push(&record(sequence, State::Running));
-        }
-        assert_eq!(recorder.ticks_seen(), 29);
-        assert_eq!(recorder.log.len(), 17);
-        assert_eq!((recorder.missed, recorder.dropped), (3, 2));
-        assert_eq!(recorder.saturated, [0, 0, 17]);
-        assert_eq!(recorder.log.time_s[4..6], [0.007, 0.008]);
-        assert_eq!(recorder.log.time_s.last(), Some(&0.019));
-        assert_eq!(recorder.log.joints[1].command_v[0], 5.0);
-    }
-
-    #[test]
-    fn counts_do_not_wrap() {
-        let mut recorder = Recorder::new(&block(), 5);
-        (0..5).for_each(|sequence| recorder.push(&record(sequence, State::Running)));
-        let Position::Count(counts) = &recorder.log.joints[0].position else { panic!() };
-        let first = i64::from(i32::MAX);
-        assert_eq!(*counts, [first, first + 1, first + 2, first + 3, first + 4]);
-    }
-}
+mod tests;

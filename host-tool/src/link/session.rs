@@ -4,11 +4,11 @@ use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use firmware::link::{Command, Refusal, Telemetry};
+use firmware::link::{Command, Refusal, Report, Telemetry};
 use firmware::supervisor::fault::Implausible;
 use firmware::supervisor::{FaultRecord, State};
 
-use super::client::Client;
+use super::client::{Client, Patience};
 use super::error::LinkError;
 use super::recorder::Recorder;
 
@@ -35,14 +35,26 @@ pub enum Ending {
     Interrupted,
     /// The board ended it: a fault, or somebody else who told it to.
     Board(State, Option<FaultRecord>),
+    /// The board was reset; how it is now, if it tells.
+    Reset(Option<Box<Report>>),
     /// The link broke; the board stops by itself once the host is silent for too long.
     Broke(LinkError),
+}
+
+impl From<LinkError> for Ending {
+    fn from(error: LinkError) -> Self {
+        match &error {
+            LinkError::Refused { why, .. } if **why == Refusal::HelloFirst => Self::Reset(None),
+            _ => Self::Broke(error),
+        }
+    }
 }
 
 /// Plays the block in use and records it until its end, a fault, or `interrupted`.
 ///
 /// Whatever happens after arming, the arm is stopped and the board disarmed, as far as the
-/// link lets one; what was recorded stays in `recorder`.
+/// link lets one; what was recorded stays in `recorder`. A board that says nothing for 1.2 s
+/// is told to stop a last time, and then the link is given up.
 ///
 /// # Errors
 /// The run did not begin.
@@ -53,36 +65,88 @@ pub fn run(
     interrupted: &AtomicBool,
     progress: &mut dyn FnMut(u32),
 ) -> Result<Ending, LinkError> {
-    arm(client, interrupted)?;
-    let _ = client.take_records();
-    if let Err(error) = client.order(Command::Run { host_timeout_ms: Some(host_timeout_ms) }) {
-        let _ = halt(client);
-        return Err(error);
+    if interrupted.load(Ordering::Relaxed) {
+        return Ok(Ending::Interrupted);
     }
-    let ending = follow(client, recorder, interrupted, progress).unwrap_or_else(Ending::Broke);
-    let halted = halt(client);
+    client.set_patience(Patience::MOVING);
+    let ending = arm(client, interrupted).and_then(|is_wanted| {
+        let ending = match is_wanted {
+            true => play(client, host_timeout_ms, recorder, interrupted, progress),
+            false => Ok(Ending::Interrupted),
+        };
+        end(client, recorder, ending)
+    });
     client.take_records().iter().for_each(|record| recorder.push(record));
-    Ok(match (ending, halted) {
-        (Ending::Finished | Ending::Interrupted, Err(error)) => Ending::Broke(error),
-        (ending, _) => ending,
-    })
+    client.set_patience(Patience::USUAL);
+    ending
 }
 
-/// Arms the board; waits while its estimates settle and the joints come to rest.
-fn arm(client: &mut Client, interrupted: &AtomicBool) -> Result<(), LinkError> {
+/// Has an armed board run, unless the user has stopped it by now.
+fn play(
+    client: &mut Client,
+    host_timeout_ms: u16,
+    recorder: &mut Recorder,
+    interrupted: &AtomicBool,
+    progress: &mut dyn FnMut(u32),
+) -> Result<Ending, LinkError> {
+    let _ = client.take_records();
+    recorder.begins_after(&client.report()?);
+    if interrupted.load(Ordering::Relaxed) {
+        return Ok(Ending::Interrupted);
+    }
+    client.order(Command::Run { host_timeout_ms: Some(host_timeout_ms) })?;
+    Ok(follow(client, recorder, interrupted, progress).unwrap_or_else(Ending::from))
+}
+
+/// Arms the board; waits while its estimates settle and the joints come to rest. False once
+/// `interrupted`; it may be armed then.
+fn arm(client: &mut Client, interrupted: &AtomicBool) -> Result<bool, LinkError> {
     let begin = Instant::now();
     loop {
-        match client.order(Command::Arm) {
-            Err(LinkError::Refused { why, .. })
-                if passes(&why)
-                    && begin.elapsed() < SETTLING
-                    && !interrupted.load(Ordering::Relaxed) =>
-            {
+        let armed = client.order(Command::Arm);
+        if interrupted.load(Ordering::Relaxed) {
+            return Ok(false);
+        }
+        match armed {
+            Err(LinkError::Refused { why, .. }) if passes(&why) && begin.elapsed() < SETTLING => {
                 std::thread::sleep(Duration::from_millis(20));
             }
-            result => return result,
+            result => return result.map(|()| true),
         }
     }
+}
+
+/// Has the board at 0 V and disarmed, as far as it can be reached; what the ending is then.
+fn end(
+    client: &mut Client,
+    recorder: &mut Recorder,
+    ending: Result<Ending, LinkError>,
+) -> Result<Ending, LinkError> {
+    if let Ok(Ending::Broke(error)) | Err(error) = &ending
+        && !matches!(error, LinkError::Refused { .. })
+    {
+        client.set_patience(Patience::SHORT);
+    }
+    if let Ok(Ending::Reset(_)) = ending {
+        return Ok(Ending::Reset(greeted(client)));
+    }
+    match (ending, halted(client)) {
+        (Ok(ending), Ok(report)) => {
+            recorder.hear(&report);
+            Ok(ending)
+        }
+        (Ok(Ending::Finished | Ending::Interrupted), Err(error)) => match Ending::from(error) {
+            Ending::Reset(_) => Ok(Ending::Reset(greeted(client))),
+            ending => Ok(ending),
+        },
+        (ending, _) => ending,
+    }
+}
+
+/// How the board is after a reset, which has taken the voltage away.
+fn greeted(client: &mut Client) -> Option<Box<Report>> {
+    client.greet().ok()?;
+    client.report().ok().map(Box::new)
 }
 
 fn passes(why: &Refusal) -> bool {
@@ -104,6 +168,7 @@ fn follow(
         if alive.elapsed() >= ALIVE {
             alive = Instant::now();
             let report = client.report()?;
+            recorder.hear(&report);
             if report.state != State::Running {
                 return Ok(Ending::Board(report.state, report.fault));
             }
@@ -122,6 +187,10 @@ fn follow(
 /// # Errors
 /// The line is broken or the board is silent.
 pub fn halt(client: &mut Client) -> Result<State, LinkError> {
+    halted(client).map(|report| report.state)
+}
+
+fn halted(client: &mut Client) -> Result<Report, LinkError> {
     for command in [Command::Stop, Command::Disarm] {
         match client.order(command) {
             // Not running, not armed: that is what is wanted.
@@ -130,7 +199,7 @@ pub fn halt(client: &mut Client) -> Result<State, LinkError> {
             Err(error) => return Err(error),
         }
     }
-    Ok(client.report()?.state)
+    client.report()
 }
 
 /// Waits until no joint moves; the last record, or the newest one once `interrupted`.

@@ -4,8 +4,9 @@ use firmware::block::MAX_BYTES;
 use firmware::link::checked::CHECKSUM;
 use firmware::link::{Command, PIECE_BYTES, Parameters, Source};
 
-use super::client::{Client, Told};
+use super::client::Client;
 use super::error::LinkError;
+use super::told::Told;
 
 /// Sends an encoded block and has the board store it for good, read it back and use it.
 ///

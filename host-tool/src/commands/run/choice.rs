@@ -33,6 +33,13 @@ pub enum Name {
     Task,
 }
 
+impl Name {
+    /// Whether the experiment itself says how long it takes.
+    fn has_own_duration(self) -> bool {
+        matches!(self, Self::ConstantVelocity | Self::FrictionExcitation | Self::PreslidingNoise)
+    }
+}
+
 /// What is played.
 #[derive(Clone, Debug, Args)]
 pub struct Choice {
@@ -78,6 +85,10 @@ impl Choice {
             _ if self.excitation.is_some() && self.experiment != Name::Excitation => {
                 refused("--excitation: not with this experiment", "only excitation plays a file")
             }
+            _ if self.duration.is_some() && self.experiment.has_own_duration() => refused(
+                "--duration: not with this experiment, which takes as long as it takes",
+                "hold, excitation, slow, driven-noise and task take one",
+            ),
             _ => Ok(()),
         }
     }

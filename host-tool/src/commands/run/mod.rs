@@ -1,7 +1,7 @@
 //! `rrr run`: an experiment with the real arm, recorded.
 
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 use firmware::ParameterBlock;
@@ -9,6 +9,7 @@ use firmware::link::{Command, Source};
 
 use self::choice::{Choice, Limits};
 use self::save::Folder;
+use self::told::{Part, say};
 use super::Failure;
 use super::interrupt::interrupt;
 use super::link_choice::{LinkChoice, openness};
@@ -16,12 +17,13 @@ use super::upload::encoded;
 use crate::files::Role;
 use crate::link::approach::approach;
 use crate::link::session::{self, Ending};
-use crate::link::{Client, Recorder, transfer};
+use crate::link::{Client, Patience, Recorder, transfer};
 use crate::progress::Progress;
 use crate::simulation::Plan;
 
 mod choice;
 mod save;
+mod told;
 
 /// Arguments of `rrr run`.
 #[derive(Debug, Args)]
@@ -77,30 +79,44 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut client = arguments.link.connect()?;
     let report = client.report()?;
     if let Some(fault) = report.fault {
-        let hint = "docs/safety.md says what it means; then `rrr clear-fault`";
-        return Err(Failure::new(format!("the board is faulted: {fault}"), hint));
+        return Err(Failure::new(format!("the board is faulted: {fault}"), told::FAULT_HINT));
     }
-    println!("link        {}", openness(&report));
-    let interrupted = interrupt();
-    let (plan, block) = arguments.prepare(&mut client, interrupted)?;
-    let ticks = plan_ticks(&plan, &block);
-    let prepared = arguments.go_there(&mut client, &block, interrupted).and_then(|arrived| {
-        transfer::put_into_use(&mut client, &encoded(&block)?)?;
-        Ok(arrived)
-    });
-    let mut recorder = Recorder::new(&block, ticks);
-    let ending = match prepared {
-        Ok(true) => arguments.play(&mut client, &plan.name, &mut recorder, interrupted),
-        Ok(false) => Ok(Ending::Interrupted),
-        Err(failure) => Err(failure),
-    };
+    say(&format!("link        {}", openness(&report)));
+    let result = arguments.record(&mut client, &mut folder, interrupt());
     // A board that streams to nobody would go on for ever.
+    client.set_patience(Patience::SHORT);
     let _ = client.order(Command::Stream { on: false });
-    folder.save(&plan, arguments.role, &block, &recorder)?;
-    told(ending?, ticks, &recorder)
+    result
+}
+
+/// What was played last, and how it ended.
+struct Played {
+    part: Part,
+    recorder: Recorder,
+    ending: Ending,
 }
 
 impl Arguments {
+    /// Plays and keeps what was recorded, whatever the end.
+    fn record(
+        &self,
+        client: &mut Client,
+        folder: &mut Folder,
+        interrupted: &AtomicBool,
+    ) -> Result<(), Failure> {
+        let (plan, block) = self.prepare(client, interrupted)?;
+        let counts_per_rev = f64::from(block.encoder_counts_per_turn);
+        let plan = Plan { role: self.role.unwrap_or(plan.role), ..plan };
+        folder.prepare(&plan, counts_per_rev)?;
+        let Played { part, recorder, ending } = self.play_all(client, &block, interrupted)?;
+        let told = told::ending(part, ending, &recorder, client.tally());
+        let saved = match part {
+            Part::Experiment => folder.save(&plan, counts_per_rev, &recorder),
+            Part::Approach => folder.save_approach(&plan, &recorder),
+        };
+        told::worse(told, saved)
+    }
+
     /// The experiment, and the board's own parameters with it.
     fn prepare(
         &self,
@@ -126,79 +142,47 @@ impl Arguments {
         Ok((plan, block))
     }
 
-    /// Moves the joints to where the reference begins; false if the user stopped it.
+    /// The way to the beginning, and if that comes to its end, the experiment.
+    fn play_all(
+        &self,
+        client: &mut Client,
+        block: &ParameterBlock,
+        interrupted: &AtomicBool,
+    ) -> Result<Played, Failure> {
+        if let Some(on_the_way) = self.go_there(client, block, interrupted)? {
+            return Ok(on_the_way);
+        }
+        transfer::put_into_use(client, &encoded(block)?)?;
+        self.play(client, Part::Experiment, block, interrupted)
+    }
+
+    /// Moves the joints to where the reference begins; what was played, if they are not there.
     fn go_there(
         &self,
         client: &mut Client,
         block: &ParameterBlock,
         interrupted: &AtomicBool,
-    ) -> Result<bool, Failure> {
+    ) -> Result<Option<Played>, Failure> {
         let now = session::next_record(client)?;
-        let Some(way) = approach(block, &now, self.approach_speed) else { return Ok(true) };
+        let Some(way) = approach(block, &now, self.approach_speed) else { return Ok(None) };
         transfer::put_into_use(client, &encoded(&way)?)?;
-        let ticks = (way.reference.duration_s / way.sample_period_s).round() as u32;
-        let mut recorder = Recorder::new(&way, ticks);
-        match self.play(client, "to the beginning", &mut recorder, interrupted)? {
-            Ending::Finished => Ok(true),
-            Ending::Interrupted => Ok(false),
-            ending => told(ending, ticks, &recorder).map(|()| false),
-        }
+        let played = self.play(client, Part::Approach, &way, interrupted)?;
+        Ok(Some(played).filter(|played| !matches!(played.ending, Ending::Finished)))
     }
 
     fn play(
         &self,
         client: &mut Client,
-        name: &str,
-        recorder: &mut Recorder,
+        part: Part,
+        block: &ParameterBlock,
         interrupted: &AtomicBool,
-    ) -> Result<Ending, Failure> {
-        if interrupted.load(Ordering::Relaxed) {
-            return Ok(Ending::Interrupted);
-        }
-        let progress = Progress::new(name, u64::from(recorder.ticks()));
-        let ending =
-            session::run(client, self.host_timeout_ms, recorder, interrupted, &mut |tick| {
-                progress.at(u64::from(tick));
-            });
+    ) -> Result<Played, Failure> {
+        let ticks = (block.reference.duration_s / block.sample_period_s).round() as u32;
+        let mut recorder = Recorder::new(block, ticks);
+        let progress = Progress::new(part.name(), u64::from(ticks));
+        let at = &mut |tick| progress.at(u64::from(tick));
+        let ending = session::run(client, self.host_timeout_ms, &mut recorder, interrupted, at);
         progress.finish();
-        Ok(ending?)
+        Ok(Played { part, recorder, ending: ending? })
     }
-}
-
-fn plan_ticks(plan: &Plan, block: &ParameterBlock) -> u32 {
-    (plan.reference.duration_s / block.sample_period_s).round() as u32
-}
-
-/// What came of it, on the terminal and as the exit status.
-fn told(ending: Ending, ticks: u32, recorder: &Recorder) -> Result<(), Failure> {
-    let [first, second, third] = recorder.saturated;
-    println!(
-        "samples     {} of {ticks}, {} missing, {} of them dropped by the board",
-        recorder.log.len(),
-        recorder.missed,
-        recorder.dropped
-    );
-    println!(
-        "limits      commands cut {first} / {second} / {third}, longest tick {:.1} us",
-        f64::from(recorder.longest_tick_tenth_us) / 10.0
-    );
-    match ending {
-        Ending::Finished => println!("played to its end; 0 V, disarmed"),
-        Ending::Interrupted => println!("stopped; 0 V, disarmed; the log is kept"),
-        Ending::Board(_, Some(fault)) => {
-            let hint = "docs/safety.md says what it means; then `rrr clear-fault`";
-            return Err(Failure::new(format!("the board ended the run: {fault}"), hint));
-        }
-        Ending::Board(state, None) => {
-            let message = format!("the run was ended by somebody else: the board was {state}");
-            return Err(Failure::new(message, "the board is disarmed now"));
-        }
-        Ending::Broke(error) => {
-            let failure = Failure::from(error);
-            let message = format!("the link broke during the run: {}", failure.message);
-            let hint = "the board stops by itself when it hears nothing; look at the cable";
-            return Err(Failure::new(message, hint));
-        }
-    }
-    Ok(())
 }

@@ -2,89 +2,121 @@
 
 use std::path::{Path, PathBuf};
 
-use firmware::ParameterBlock;
-
+use super::told::say;
 use crate::commands::{Failure, create_directory};
 use crate::files::dataset::LIST_NAME;
-use crate::files::{Dataset, Entry, Role};
+use crate::files::{Dataset, Entry, Problem};
 use crate::link::Recorder;
 use crate::simulation::Plan;
 
 /// A data set that grows by one log a run.
+///
+/// What was made a directory for it and holds nothing in the end is taken away again.
 #[derive(Debug)]
 pub struct Folder {
     directory: PathBuf,
-    dataset: Option<Dataset>,
+    /// From the innermost on.
+    made: Vec<PathBuf>,
 }
 
 impl Folder {
-    /// The data set that is there, or will be; makes the directory.
+    /// The data set that is there, or will be; nothing is made yet.
     ///
     /// # Errors
-    /// A dataset.toml that cannot be used, or a directory that cannot be made.
+    /// A dataset.toml that cannot be used.
     pub fn open(directory: &Path) -> Result<Self, Failure> {
-        create_directory(directory)?;
-        let is_there = directory.join(LIST_NAME).exists();
-        let dataset = is_there.then(|| Dataset::read(directory)).transpose()?;
-        Ok(Self { directory: directory.to_owned(), dataset })
+        if directory.join(LIST_NAME).exists() {
+            Dataset::read(directory)?;
+        }
+        Ok(Self { directory: directory.to_owned(), made: Vec::new() })
     }
 
-    /// Writes a run's log as CSV and MCAP, and its line of dataset.toml.
+    /// Makes the directory and looks whether it can take a log of this plan, before anything
+    /// moves.
     ///
     /// # Errors
-    /// Files that cannot be written, or an encoder other than that of the logs there.
+    /// No file can be made in the directory, or the list there cannot take the log.
+    pub fn prepare(&mut self, plan: &Plan, counts_per_rev: f64) -> Result<(), Failure> {
+        let is_there = |path: &&Path| path.exists() || path.as_os_str().is_empty();
+        let missing = self.directory.ancestors().take_while(|path| !is_there(path));
+        self.made = missing.map(Path::to_owned).collect();
+        create_directory(&self.directory)?;
+        tempfile::Builder::new()
+            .prefix(&format!(".rrr-{}-", plan.name))
+            .tempfile_in(&self.directory)
+            .map_err(|error| Problem::Unwritable(error).in_file(&self.directory))?;
+        Dataset::appended(&self.directory, &self.entry(plan), counts_per_rev)?;
+        Ok(())
+    }
+
+    /// Writes a run's log as CSV and MCAP, and its table of dataset.toml.
+    ///
+    /// # Errors
+    /// Files that cannot be written, or a list that cannot take the log any more.
     pub fn save(
-        &mut self,
+        &self,
         plan: &Plan,
-        role: Option<Role>,
-        block: &ParameterBlock,
+        counts_per_rev: f64,
         recorder: &Recorder,
     ) -> Result<(), Failure> {
-        if recorder.log.len() < 2 {
-            println!("nothing was recorded");
-            return Ok(());
+        let entry = self.entry(plan);
+        if self.write(&entry.file, recorder)? {
+            Dataset::append(&self.directory, &entry, counts_per_rev)?;
+            self.say_log(&entry.file, "");
         }
-        let name = self.free_name(&plan.name);
-        let file = format!("{name}.csv.gz");
-        recorder.log.write(self.directory.join(&file))?;
-        let mcap = self.directory.join(format!("{name}.mcap"));
-        recorder.log.write_with_board(mcap, &recorder.board)?;
-        println!("log         {}", self.directory.join(&file).display());
-        let entry = Entry { file, role: role.unwrap_or(plan.role), ..plan.entry("csv.gz") };
-        self.add(entry, f64::from(block.encoder_counts_per_turn))
+        Ok(())
     }
 
-    fn add(&mut self, entry: Entry, counts_per_rev: f64) -> Result<(), Failure> {
-        let dataset = self.dataset.get_or_insert_with(|| Dataset {
-            directory: self.directory.clone(),
-            encoder_counts_per_rev: Some(counts_per_rev),
-            entries: Vec::new(),
-        });
-        let there = *dataset.encoder_counts_per_rev.get_or_insert(counts_per_rev);
-        if there != counts_per_rev {
-            let list = self.directory.join(LIST_NAME);
-            let message = format!(
-                "{}: encoder_counts_per_rev is {there}, the board has {counts_per_rev}; \
-                 the log {} is not in the list",
-                list.display(),
-                entry.file
-            );
-            return Err(Failure::new(message, "record into another directory"));
+    /// Writes the log of the way to the beginning, which is no experiment of the data set.
+    ///
+    /// # Errors
+    /// Files that cannot be written.
+    pub fn save_approach(&self, plan: &Plan, recorder: &Recorder) -> Result<(), Failure> {
+        let file = self.free_name(&format!("{}-approach", plan.name)) + CSV;
+        if self.write(&file, recorder)? {
+            self.say_log(&file, ", the way to the beginning; not in dataset.toml");
         }
-        dataset.entries.push(entry);
-        Ok(dataset.write(&self.directory)?)
+        Ok(())
+    }
+
+    /// Writes both files of a log; false, and it says so, if there is nothing to write.
+    fn write(&self, file: &str, recorder: &Recorder) -> Result<bool, Failure> {
+        if recorder.log.len() < 2 {
+            say("log         none, nothing was recorded");
+            return Ok(false);
+        }
+        recorder.log.write(self.directory.join(file))?;
+        let mcap = self.directory.join(file.replace(CSV, MCAP));
+        recorder.log.write_with_board(mcap, &recorder.board)?;
+        Ok(true)
+    }
+
+    fn say_log(&self, file: &str, what: &str) {
+        say(&format!("log         {}{what}", self.directory.join(file).display()));
+    }
+
+    fn entry(&self, plan: &Plan) -> Entry {
+        Entry { file: self.free_name(&plan.name) + CSV, ..plan.entry("") }
     }
 
     /// The name, or name-2, name-3: no log takes the place of another.
     fn free_name(&self, name: &str) -> String {
-        let is_free = |name: &str| {
-            let path = |ending: &str| self.directory.join(format!("{name}{ending}"));
-            [".csv.gz", ".mcap"].iter().all(|ending| !path(ending).exists())
+        let is_free = |name: &String| {
+            [CSV, MCAP]
+                .iter()
+                .all(|ending| !self.directory.join(format!("{name}{ending}")).exists())
         };
         let numbered = (2..).map(|number| format!("{name}-{number}"));
-        std::iter::once(name.to_owned())
-            .chain(numbered)
-            .find(|name| is_free(name))
-            .unwrap_or_else(|| name.to_owned())
+        std::iter::once(name.to_owned()).chain(numbered).find(is_free).unwrap_or_default()
+    }
+}
+
+const CSV: &str = ".csv.gz";
+const MCAP: &str = ".mcap";
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // Only an empty directory can be removed so.
+        self.made.iter().for_each(|path| drop(std::fs::remove_dir(path)));
     }
 }

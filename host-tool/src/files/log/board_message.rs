@@ -9,6 +9,9 @@ pub(super) const TOPIC: &str = "/board";
 pub(super) const NAME: &str = "BoardSample";
 
 /// What a board tells of a tick beside its joints. Only MCAP holds it; reading a log skips it.
+///
+/// A log's rows are ticks in which the board was running. The tick that ended it, by a fault,
+/// say, is a sample without a row: it alone has its own positions and commands.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BoardSample {
     /// Time [s], that of the log's row.
@@ -23,6 +26,16 @@ pub struct BoardSample {
     pub tick_time_us: f64,
     /// Records that the board could not send since power-on.
     pub telemetry_dropped: u32,
+    /// The fault's name, or "none".
+    pub fault: &'static str,
+    /// The joint at fault, 1 to 3, or 0.
+    pub fault_joint: u8,
+    /// Positions [encoder counts], where the log has no row.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub position_count: Option<[i64; 3]>,
+    /// Commands [V], where the log has no row.
+    #[serde(rename = "command_V", skip_serializing_if = "Option::is_none")]
+    pub command_v: Option<[f64; 3]>,
 }
 
 /// The JSON schema of these messages.
@@ -43,6 +56,10 @@ pub(super) fn schema() -> String {
             "saturated": three("boolean", "whether each joint's command was cut at its limit"),
             "tick_time_us": one("number", "duration of the tick before [us]"),
             "telemetry_dropped": one("integer", "records that the board could not send"),
+            "fault": one("string", "the fault, or none"),
+            "fault_joint": one("integer", "the joint at fault, or 0"),
+            "position_count": three("integer", "where the joints' topics have no message"),
+            "command_V": three("number", "where the joints' topics have no message [V]"),
         },
     })
     .to_string()

@@ -7,6 +7,7 @@ use std::path::Path;
 
 use mcap::records::MessageHeader;
 use mcap::{McapError, WriteOptions, Writer};
+use serde::Serialize;
 
 use super::board_message;
 use super::joint_message::{JointMessage, channel};
@@ -15,7 +16,7 @@ use crate::files::error::{FileError, Place, Problem};
 use crate::files::replace::replace_file;
 
 /// Writes an MCAP file: a channel per joint, a message per sample; the board's own channel if
-/// there is something to tell.
+/// there is something to tell. Samples of the board beyond the last row follow the rows.
 pub(super) fn write(log: &Log, board: &[BoardSample], path: &Path) -> Result<(), FileError> {
     let times_ns =
         times_ns(&log.time_s).map_err(|problem| problem.at(Place::column("t_s")).in_file(path))?;
@@ -41,24 +42,36 @@ fn write_all(
     let channels = add_channels(&mut writer, &log.joints)?;
     let board_channel = if board.is_empty() { 0 } else { add_board_channel(&mut writer)? };
     for (row, &time_ns) in times_ns.iter().enumerate() {
-        let header = |channel_id| MessageHeader {
-            channel_id,
-            sequence: row as u32,
-            log_time: time_ns,
-            publish_time: time_ns,
-        };
         for (joint, &channel_id) in log.joints.iter().zip(&channels) {
             let message = JointMessage::of(joint, row, log.time_s[row]);
-            let text = serde_json::to_vec(&message).map_err(Error::from)?;
-            writer.write_to_known_channel(&header(channel_id), &text)?;
+            write_message(&mut writer, &header(channel_id, row, time_ns), &message)?;
         }
         if let Some(sample) = board.get(row) {
-            let text = serde_json::to_vec(sample).map_err(Error::from)?;
-            writer.write_to_known_channel(&header(board_channel), &text)?;
+            write_message(&mut writer, &header(board_channel, row, time_ns), sample)?;
         }
+    }
+    for (row, sample) in board.iter().enumerate().skip(times_ns.len()) {
+        let time_ns = (sample.t_s * 1e9).round() as u64;
+        write_message(&mut writer, &header(board_channel, row, time_ns), sample)?;
     }
     writer.finish()?;
     Ok(())
+}
+
+fn header(channel_id: u16, row: usize, time_ns: u64) -> MessageHeader {
+    MessageHeader { channel_id, sequence: row as u32, log_time: time_ns, publish_time: time_ns }
+}
+
+fn write_message<W>(
+    writer: &mut Writer<W>,
+    header: &MessageHeader,
+    message: &impl Serialize,
+) -> Result<(), McapError>
+where
+    W: std::io::Write + std::io::Seek,
+{
+    let text = serde_json::to_vec(message).map_err(Error::from)?;
+    writer.write_to_known_channel(header, &text)
 }
 
 fn add_channels<W>(writer: &mut Writer<W>, joints: &[JointLog]) -> Result<Vec<u16>, McapError>
