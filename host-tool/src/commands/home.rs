@@ -1,5 +1,7 @@
 //! `rrr home`: where the arm is now.
 
+use std::sync::atomic::Ordering;
+
 use clap::Args;
 use firmware::link::{Command, Source};
 use firmware::{Angle, ParameterBlock};
@@ -58,6 +60,9 @@ fn wait_for_rest(client: &mut Client) -> Result<(), Failure> {
     let rest = session::rest(client, block.encoder_counts_per_turn, interrupt());
     client.order(Command::Stream { on: false })?;
     rest?;
+    if interrupt().load(Ordering::Relaxed) {
+        return Err(Failure::interrupted("stopped before the board was told"));
+    }
     Ok(())
 }
 
