@@ -96,7 +96,7 @@ impl Assembly<'_> {
         for step in self.selection.steps.iter().skip(1).filter(|_| named) {
             let Some(effect) = step.linear.point.effects.last() else { continue };
             let name = format!(
-                "with {} on {}",
+                "with {}, {}",
                 sentence::effect_words(effect.definition.name),
                 sentence::joint_words(self.subject.outer_joint(effect.joint))
             );

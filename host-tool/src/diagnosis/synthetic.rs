@@ -101,7 +101,7 @@ pub(crate) fn diagnosis(
     let mut waterfall =
         vec![level("as given", &gap.as_given_v), level("refitted", &gap.refitted_v)];
     for cause in &causes {
-        let name = format!("with {} on joint {}", cause.effect, cause.joint);
+        let name = format!("with {}, joint {}", cause.effect, cause.joint);
         waterfall.push(level(&name, &gap.with_effects_v));
     }
     waterfall.push(level("noise floor", &gap.noise_floor_v));

@@ -108,8 +108,14 @@ mod tests {
     }
 
     fn at_usb(name: &str, vid: u16) -> SerialPortInfo {
-        let usb =
-            UsbPortInfo { vid, pid: 1, serial_number: None, manufacturer: None, product: None };
+        let usb = UsbPortInfo {
+            vid,
+            pid: 1,
+            serial_number: None,
+            manufacturer: None,
+            product: None,
+            interface: None,
+        };
         SerialPortInfo { port_name: name.to_owned(), port_type: SerialPortType::UsbPort(usb) }
     }
 
