@@ -51,9 +51,9 @@ fn it_is_armed_once_it_was_told_where_it_is() {
     let mut supervisor = lost(holding(Mode::Pd));
     turned_by_hand(&mut supervisor, &[0, 1, 2]);
     assert_eq!(supervisor.obey(Order::Arm), implausible(1, Implausible::NoHome));
-    assert!(!supervisor.is_position_known());
+    assert_eq!(supervisor.is_position_known(), [false; 3]);
     assert_eq!(supervisor.obey(home()), Ok(()));
-    assert!(supervisor.is_position_known());
+    assert_eq!(supervisor.is_position_known(), [true; 3]);
     assert_eq!(supervisor.obey(Order::Arm), implausible(1, Implausible::NotSettled));
     assert_eq!(stand(&mut supervisor), [0, -163_840, 0], "a quarter turn down");
     assert_eq!(supervisor.obey(Order::Arm), Ok(()));
@@ -70,10 +70,49 @@ fn a_joint_whose_encoder_never_moved_is_not_armed_where_it_is_fed_back() {
     supervisor.obey(home()).unwrap();
     stand(&mut supervisor);
     assert_eq!(supervisor.obey(Order::Arm), implausible(2, Implausible::NeverMoved));
+    // It is turned, but where it was when home was told nobody knows.
+    turned_by_hand(&mut supervisor, &[1]);
+    assert_eq!(supervisor.is_position_known(), [true, false, true]);
+    assert_eq!(supervisor.obey(Order::Arm), implausible(2, Implausible::NoHome));
     let mode = [Mode::Pd, Mode::OpenLoop, Mode::Pd];
     supervisor.replace(Controller::new(ParameterBlock { mode, ..holding(Mode::Pd) })).unwrap();
     stand(&mut supervisor);
-    assert_eq!(supervisor.obey(Order::Arm), Ok(()), "new parameters leave the position known");
+    assert_eq!(supervisor.obey(Order::Arm), Ok(()), "new parameters leave the others known");
+}
+
+/// What was told of an encoder is void once it has failed, running or not.
+#[test]
+fn an_encoder_that_failed_must_move_and_be_told_again() {
+    for is_running in [true, false] {
+        let mut supervisor = lost(holding(Mode::Pd));
+        turned_by_hand(&mut supervisor, &[0, 1, 2]);
+        supervisor.obey(home()).unwrap();
+        stand(&mut supervisor);
+        if is_running {
+            supervisor.obey(Order::Arm).unwrap();
+            supervisor.obey(Order::Run { host_timeout_ticks: None }).unwrap();
+        }
+        // The plug of encoder 2 comes off and the count goes astray.
+        let astray = |supervisor: &mut Supervisor, ticks| {
+            for _ in 0..ticks {
+                supervisor.tick(&[0, 7000, 0], Health::default());
+            }
+        };
+        astray(&mut supervisor, 200);
+        let fault = supervisor.fault().map(|record| record.fault);
+        assert_eq!(fault, is_running.then_some(Fault::EncoderJump));
+        let _ = supervisor.obey(Order::ClearFault);
+        assert_eq!(supervisor.is_position_known(), [true, false, true]);
+        assert_eq!(supervisor.obey(Order::Arm), implausible(2, Implausible::NeverMoved));
+        for tick in 0..400 {
+            let turned = 7000 + 3 * i32::min(tick, 200 - tick.min(200));
+            supervisor.tick(&[0, turned, 0], Health::default());
+        }
+        assert_eq!(supervisor.obey(Order::Arm), implausible(2, Implausible::NoHome));
+        supervisor.obey(home()).unwrap();
+        astray(&mut supervisor, 200);
+        assert_eq!(supervisor.obey(Order::Arm), Ok(()));
+    }
 }
 
 #[test]

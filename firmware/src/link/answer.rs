@@ -48,8 +48,8 @@ pub struct Report {
     pub state: State,
     /// The first cause, while Faulted.
     pub fault: Option<FaultRecord>,
-    /// Whether the counts are those of the model's zero.
-    pub position_known: bool,
+    /// Whether the counts of each joint are those from the model's zero.
+    pub position_known: [bool; 3],
     /// The parameter block in use; `None`: there is none, not even safe defaults.
     pub parameters: Option<Parameters>,
     /// Whether a key protects upload, arm, run and fault clearing. If not, the link is open.

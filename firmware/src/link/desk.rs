@@ -27,8 +27,8 @@ pub struct Standing {
     pub state: State,
     /// The first cause, while Faulted.
     pub fault: Option<FaultRecord>,
-    /// Whether the counts are those of the model's zero.
-    pub position_known: bool,
+    /// Whether the counts of each joint are those from the model's zero.
+    pub position_known: [bool; 3],
     /// What the ticks have counted; what the link counts is zero here.
     pub counters: Counters,
 }

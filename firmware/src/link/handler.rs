@@ -57,6 +57,8 @@ pub(super) struct Conversation<S> {
     pub(super) nonce: Option<Nonce>,
     /// `None` until there was a Hello, then the newest request of this conversation.
     newest: Option<Option<Newest>>,
+    /// Whether that one was not refused.
+    was_carried_out: bool,
     /// The answer to it.
     pub(super) answer: Vec<u8, MAX_FRAME_BYTES>,
     /// An answer to a request out of its turn.
@@ -94,6 +96,7 @@ impl<S: BlockStore> Handler<S> {
             nonces: Nonces::new(beginning.nonce_seed),
             nonce: None,
             newest: None,
+            was_carried_out: false,
             answer: Vec::new(),
             aside: Vec::new(),
             upload: Upload::default(),
@@ -168,7 +171,7 @@ impl<S: BlockStore> Conversation<S> {
         match self.newest {
             None => return Some(self.deny(request.number, Refusal::HelloFirst)),
             Some(Some(last)) if last == newest => {
-                self.heard = true;
+                self.heard |= self.was_carried_out;
                 return Some(&self.answer);
             }
             Some(Some(last)) if last.number >= newest.number => {
@@ -183,7 +186,8 @@ impl<S: BlockStore> Conversation<S> {
         board.refresh();
         let mut piece = [0; PIECE_BYTES];
         let result = self.carry_out(&request, dropped, &mut piece, board);
-        self.heard |= result.is_ok();
+        self.was_carried_out = result.is_ok();
+        self.heard |= self.was_carried_out;
         self.requests = self.requests.wrapping_add(u32::from(result.is_ok()));
         write(&ToHost::Answer(Answer { number: request.number, result }), &mut self.answer);
         Some(&self.answer)

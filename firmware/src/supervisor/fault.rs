@@ -74,8 +74,9 @@ pub enum Implausible {
     Jumped,
     /// An estimate is not a finite number.
     NotFinite,
-    /// The encoder counts from where the joint was at power-on, and nobody has told where that is.
+    /// The encoder counts from where the joint was at power-on, and nobody has told where that
+    /// is, or it has failed since.
     NoHome,
-    /// The encoder has not moved since power-on: it may be dead.
+    /// The encoder has not moved since power-on, or since it failed: it may be dead.
     NeverMoved,
 }

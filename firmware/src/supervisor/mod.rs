@@ -88,8 +88,8 @@ impl Supervisor {
         &self.counters
     }
 
-    /// Whether the counts are those of the model's zero.
-    pub fn is_position_known(&self) -> bool {
+    /// Whether the counts of each joint are those from the model's zero.
+    pub fn is_position_known(&self) -> [bool; 3] {
         self.home.is_known()
     }
 
@@ -175,7 +175,8 @@ impl Supervisor {
         let watched = self.watched.as_ref().ok_or(Denied::NoParameters)?;
         watched.is_plausible()?;
         for (joint, index) in (1..).zip(0..3) {
-            if let Some(why) = self.home.implausible(index, follows(watched.mode[index])) {
+            let why = self.home.implausible(index).filter(|_| follows(watched.mode[index]));
+            if let Some(why) = why {
                 return Err(Denied::Implausible { joint, why });
             }
         }
@@ -186,9 +187,7 @@ impl Supervisor {
     fn tell_home(&mut self, position: &[Angle; 3]) -> Result<(), Denied> {
         let watched = self.watched.as_mut().ok_or(Denied::NoParameters)?;
         watched.is_plausible()?;
-        let now = watched.joints.each_ref().map(JointWatch::last_count);
-        let counts_per_turn = watched.controller.block().encoder_counts_per_turn;
-        self.home.tell(position, &now, counts_per_turn);
+        self.home.tell(position, watched.controller.block().encoder_counts_per_turn);
         watched.begin_anew();
         Ok(())
     }
@@ -269,6 +268,9 @@ impl Supervisor {
             let fault = if running { joint.run(&seen) } else { joint.rest(&seen) };
             let cut = u32::from(seen.saturated);
             self.counters.saturated[index] = self.counters.saturated[index].wrapping_add(cut);
+            if fault == Some(Fault::EncoderJump) {
+                self.home.doubt(index);
+            }
             if let (None, Some(fault)) = (first, fault) {
                 first = Some((index, fault));
             }
@@ -279,6 +281,9 @@ impl Supervisor {
 
     #[cold]
     fn enter_joint_fault(&mut self, index: usize, fault: Fault, count: i32) {
+        if fault == Fault::EncoderStuck {
+            self.home.doubt(index);
+        }
         let Some(watched) = &self.watched else { return };
         let excess = watched.joints[index].excess(fault, &watched.seen(index, count));
         self.enter_fault(index as u8 + 1, excess);

@@ -59,7 +59,8 @@ impl Limits {
             tracking_error_rad: safety.tracking_error_rad[index],
             saturated_ticks: (safety.saturation_s / period_s + 0.5) as u32,
             stuck_travel_rad: safety.stuck_travel_rad,
-            stuck_voltage_v: safety.stuck_voltage_v,
+            // Commands that are cut below that must not hide a dead encoder.
+            stuck_voltage_v: safety.stuck_voltage_v.min(0.9 * block.command_limit_v),
             stuck_ticks: (safety.stuck_s / period_s + 0.5) as u32,
         }
     }

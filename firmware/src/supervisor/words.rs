@@ -102,8 +102,10 @@ impl Display for Implausible {
             Self::Disagrees => "the velocity estimate disagrees with the encoder",
             Self::Jumped => "the encoder has jumped a moment ago",
             Self::NotFinite => "an estimate is not a finite number",
-            Self::NoHome => "nobody has told since power-on where the joint is",
-            Self::NeverMoved => "its encoder has not moved since power-on; turn it by hand",
+            Self::NoHome => {
+                "nobody has told where the joint is, since power-on or since its encoder failed"
+            }
+            Self::NeverMoved => "its encoder has not moved since power-on or since it failed",
         })
     }
 }

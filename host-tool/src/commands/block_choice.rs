@@ -10,6 +10,7 @@ use model::ParameterError;
 
 use super::{Failure, simulate};
 use crate::files::ExcitationFile;
+use crate::link::joints::with_joints;
 use crate::simulation::{Plan, Rig, plan};
 
 /// What the board is to do with the model.
@@ -24,6 +25,9 @@ pub struct BlockChoice {
     /// Play this motion, as `rrr design-excitation` writes it; 30 s.
     #[arg(long, value_name = "EXCITATION.toml", conflicts_with = "reference")]
     pub excitation: Option<PathBuf>,
+    /// The joints that the rig has, as in 3 or 1,3; the others get no voltage, and need no encoder.
+    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u8).range(1..=3))]
+    pub joints: Vec<u8>,
     /// The board makes up for the effects that the model file holds, as far as it can.
     #[arg(long)]
     pub compensate: bool,
@@ -82,6 +86,10 @@ impl BlockChoice {
         let rig = self.limited(arguments.rig()?)?;
         let mode = simulate::mode_named(&self.mode)?;
         let block = self.plan()?.with_mode(mode).block(&rig);
+        let block = match self.joints.as_slice() {
+            [] => block,
+            joints => with_joints(block, joints),
+        };
         block.check().map_err(|error| refused(model, &error))?;
         HardLimits::default().check(&block).map_err(|error| beyond_limit(model, &error))?;
         Ok(block)

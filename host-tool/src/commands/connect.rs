@@ -29,9 +29,7 @@ fn board(hello: &Hello) -> String {
 fn lines(report: &Report) -> Vec<String> {
     let mut lines = vec![format!("state       {}", report.state)];
     lines.extend(report.fault.map(|fault| format!("fault       {fault}")));
-    if !report.position_known {
-        lines.push("position    not known since power-on: `rrr home` tells it".to_owned());
-    }
+    lines.extend(unknown_positions(report.position_known));
     lines.extend([
         format!("parameters  {}", parameters(report.parameters.as_ref())),
         format!("link        {}", openness(report)),
@@ -39,6 +37,14 @@ fn lines(report: &Report) -> Vec<String> {
         limits(&report.counters),
     ]);
     lines
+}
+
+/// Of which joints the board does not know where they are.
+fn unknown_positions(known: [bool; 3]) -> Option<String> {
+    let unknown = (1..).zip(known).filter(|(_, known)| !known);
+    let joints: Vec<String> = unknown.map(|(joint, _)| joint.to_string()).collect();
+    let joints = (!joints.is_empty()).then(|| joints.join(", "))?;
+    Some(format!("position    not known of joint {joints}: `rrr home` tells it"))
 }
 
 fn ticks(counters: &Counters) -> String {

@@ -1,5 +1,6 @@
 //! `rrr home`: where the arm is now.
 
+use std::f32::consts::PI;
 use std::sync::atomic::Ordering;
 
 use clap::Args;
@@ -30,9 +31,11 @@ pub struct Angles(pub [f32; 3]);
 
 fn angles(text: &str) -> Result<Angles, String> {
     let numbers: Result<Vec<f32>, _> = text.split(',').map(|part| part.trim().parse()).collect();
-    let numbers = numbers.ok().filter(|all| all.iter().all(|angle| angle.abs() <= 7.0));
+    let numbers = numbers.ok().filter(|all| all.iter().all(|angle| angle.abs() <= PI));
     let angles = numbers.and_then(|all| all.try_into().ok());
-    angles.map(Angles).ok_or_else(|| "take three angles in rad, as in 0,-1.5708,0".to_owned())
+    angles.map(Angles).ok_or_else(|| {
+        "take three angles within half a turn of zero, in rad, as in 0,-1.5708,0".to_owned()
+    })
 }
 
 /// Runs the command.
@@ -43,11 +46,25 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut client = arguments.link.connect()?;
     wait_for_rest(&mut client)?;
     let Angles(at_rad) = arguments.at;
-    client.order(Command::Home { position: at_rad.map(Angle::from_radians) })?;
-    let [first, second, third] = at_rad;
-    say(format_args!(
-        "the joints are at {first} / {second} / {third} rad, until the board is reset"
-    ))
+    let position = at_rad.map(Angle::from_radians);
+    if !session::patiently(&mut client, Command::Home { position }, interrupt())? {
+        return Err(stopped());
+    }
+    for (joint, (known, at_rad)) in (1..).zip(client.report()?.position_known.iter().zip(at_rad)) {
+        match known {
+            true => {
+                say(format_args!("joint {joint} is at {at_rad} rad, until the board is reset"))?
+            }
+            false => say(format_args!(
+                "joint {joint} has an encoder that has not moved yet: turn it by hand, then tell again"
+            ))?,
+        }
+    }
+    Ok(())
+}
+
+fn stopped() -> Failure {
+    Failure::interrupted("stopped before the board was told")
 }
 
 fn wait_for_rest(client: &mut Client) -> Result<(), Failure> {
@@ -61,7 +78,7 @@ fn wait_for_rest(client: &mut Client) -> Result<(), Failure> {
     client.order(Command::Stream { on: false })?;
     rest?;
     if interrupt().load(Ordering::Relaxed) {
-        return Err(Failure::interrupted("stopped before the board was told"));
+        return Err(stopped());
     }
     Ok(())
 }
@@ -73,7 +90,7 @@ mod tests {
     #[test]
     fn three_angles_are_three_angles() {
         assert_eq!(angles("0, -1.5,2e-1"), Ok(Angles([0.0, -1.5, 0.2])));
-        for wrong in ["", "0,0", "0,0,0,0", "0,a,0", "0,nan,0", "0,90,0"] {
+        for wrong in ["", "0,0", "0,0,0,0", "0,a,0", "0,nan,0", "0,90,0", "3.5,0,0"] {
             assert!(angles(wrong).is_err(), "{wrong}");
         }
     }

@@ -72,7 +72,7 @@ impl LinkChoice {
 /// Whether the board keeps its key to itself, in words.
 pub fn openness(report: &Report) -> &'static str {
     match report.has_key {
-        true => "needs the key to upload, arm, run and clear faults",
+        true => "needs the key to upload, tell home, arm, run and clear faults",
         false => "open: whoever has the line may upload and arm; `rrr set-key` changes that",
     }
 }
@@ -136,7 +136,8 @@ fn refusal_hint(why: &Refusal) -> &'static str {
             "bring the arm to a place that you know, then `rrr home --at Q1,Q2,Q3`"
         }
         Refusal::Implausible { why: Implausible::NeverMoved, .. } => {
-            "turn the joint to and fro by hand; `rrr monitor` shows whether its encoder counts"
+            "turn the joint to and fro by hand, then `rrr home`; `rrr monitor` shows whether its \
+             encoder counts; a rig without this joint: `rrr upload --joints` names those it has"
         }
         Refusal::Implausible { .. } => "let the arm come to rest; look at the encoder's wiring",
         Refusal::FarFromStart { .. } => "move the arm there by hand, or let `rrr run` approach",

@@ -42,6 +42,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     transfer::compare(&mut client, &encoded)?;
     say(format_args!("{file}: stored, read back, the same byte for byte"))?;
     say(format_args!("parameters  {}", connect::parameters(Some(&in_use))))?;
+    if client.report()?.position_known != report.position_known {
+        say(
+            "position    void: the encoder counts another number a turn; `rrr home` tells it again",
+        )?;
+    }
     say(format_args!("link        {}", openness(&report)))
 }
 

@@ -5,6 +5,7 @@ use firmware::reference::{Motion, Reference};
 use firmware::{Angle, Mode, ParameterBlock};
 use std::f32::consts::TAU;
 
+use super::joints;
 use crate::simulation::start_of;
 
 /// Nearer than this, nothing is approached [rad].
@@ -17,16 +18,20 @@ const PEAK_TO_MEAN: f32 = 1.875;
 /// The block that moves every joint, at `speed_rad_per_s` at most, to where `block`'s
 /// reference begins, the shorter way round; `None` if all are there.
 ///
-/// Joints in open loop are moved with feedback, and nothing is injected.
+/// Joints in open loop are moved with feedback, and nothing is injected; those that are not
+/// there stay as they are.
 pub fn approach(
     block: &ParameterBlock,
     now: &Telemetry,
     speed_rad_per_s: f32,
 ) -> Option<ParameterBlock> {
+    let is_there = [1, 2, 3].map(|joint| joints::present(block).contains(&joint));
     let from_rad = positions_rad(block, now);
     let start_rad = start_of(block);
-    let way_rad = [0, 1, 2]
-        .map(|i| Angle::from_radians(start_rad[i] as f32).minus(Angle::from_radians(from_rad[i])));
+    let way_rad = [0, 1, 2].map(|i| {
+        let way = Angle::from_radians(start_rad[i] as f32).minus(Angle::from_radians(from_rad[i]));
+        if is_there[i] { way } else { 0.0 }
+    });
     let furthest_rad = way_rad.iter().fold(0.0f32, |most, way| most.max(way.abs()));
     if furthest_rad < NEAR_RAD {
         return None;
@@ -38,9 +43,9 @@ pub fn approach(
         duration_s,
     });
     let reference = Reference { motion, ..Reference::hold([0.0; 3]) };
-    let mode = block.mode.map(|mode| match mode {
-        Mode::OpenLoop | Mode::FrictionOnly => Mode::Pd,
-        closed => closed,
+    let mode = [0, 1, 2].map(|i| match block.mode[i] {
+        Mode::OpenLoop | Mode::FrictionOnly if is_there[i] => Mode::Pd,
+        mode => mode,
     });
     // A second longer than the motion, so that what is left of it dies out.
     Some(ParameterBlock {

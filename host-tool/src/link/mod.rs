@@ -6,6 +6,7 @@
 //! | [`client`], [`told`] | numbered requests, time-outs, retries, the key; answers |
 //! | [`transfer`] | parameter blocks up, down, and compared |
 //! | [`session`], [`approach`] | a run from arming to disarming, and the way to its beginning |
+//! | [`joints`] | which joints the rig has |
 //! | [`recorder`], [`span`] | telemetry to a log, and which ticks are missing |
 //! | [`simulated_board`] | a board in this process at a simulated robot, for tests |
 
@@ -13,6 +14,7 @@ pub mod address;
 pub mod approach;
 pub mod client;
 pub mod error;
+pub mod joints;
 pub mod port;
 pub mod recorder;
 pub mod session;

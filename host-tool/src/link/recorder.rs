@@ -27,6 +27,8 @@ pub struct Recorder {
     ticks: u32,
     span: Span,
     dropped: Dropped,
+    /// The board may run from now on.
+    is_ordered: bool,
     begun: Option<Begun>,
 }
 
@@ -47,8 +49,9 @@ struct Dropped {
 }
 
 impl Recorder {
-    /// For a run of so many ticks with this block.
+    /// For a run of so many ticks with this block; its log has the joints that are there.
     pub fn new(block: &ParameterBlock, ticks: u32) -> Self {
+        let joints = super::joints::present(block);
         let joint = |joint| JointLog {
             joint,
             position: Position::Count(Vec::new()),
@@ -56,7 +59,7 @@ impl Recorder {
             reference_rad: Some(Vec::new()),
         };
         Self {
-            log: Log { time_s: Vec::new(), joints: (1..=3).map(joint).collect() },
+            log: Log { time_s: Vec::new(), joints: joints.into_iter().map(joint).collect() },
             board: Vec::new(),
             longest_tick_tenth_us: 0,
             saturated: [0; 3],
@@ -66,6 +69,7 @@ impl Recorder {
             ticks,
             span: Span::default(),
             dropped: Dropped::default(),
+            is_ordered: false,
             begun: None,
         }
     }
@@ -76,9 +80,17 @@ impl Recorder {
         self.dropped.before = Some(report.counters.telemetry_dropped);
     }
 
+    /// The board is told to run: what it tells from now on is of the run or after it.
+    pub fn is_ordered(&mut self) {
+        self.is_ordered = true;
+    }
+
     /// Takes a report from within the run or after it; it tells ticks whose records are lost.
     pub fn hear(&mut self, report: &Report) {
         let ticks = report.counters.ticks;
+        if !self.is_ordered {
+            return;
+        }
         match (report.state, report.fault) {
             (State::Running, _) => return self.span.runs_at(ticks),
             (State::Faulted, Some(fault)) => self.span.ended_before(fault.tick),
@@ -94,6 +106,9 @@ impl Recorder {
         }
         match record.state == State::Running {
             true => self.add(record),
+            false if self.begun.is_none() && record.state == State::Faulted => {
+                self.span.ended_before(record.sequence);
+            }
             false if self.begun.is_none() => {
                 self.span.begins_after(record.sequence);
                 self.dropped.before = Some(record.dropped);
@@ -170,7 +185,8 @@ impl Recorder {
         let sample = self.sample(since, record);
         self.log.time_s.push(sample.t_s);
         self.board.push(sample);
-        for (i, joint) in self.log.joints.iter_mut().enumerate() {
+        for joint in &mut self.log.joints {
+            let i = usize::from(joint.joint) - 1;
             if let Position::Count(column) = &mut joint.position {
                 column.push(begun.counts[i]);
             }

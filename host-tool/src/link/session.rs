@@ -69,13 +69,16 @@ pub fn run(
         return Ok(Ending::Interrupted);
     }
     client.set_patience(Patience::MOVING);
-    let ending = arm(client, interrupted).and_then(|is_wanted| {
-        let ending = match is_wanted {
-            true => play(client, host_timeout_ms, recorder, interrupted, progress),
-            false => Ok(Ending::Interrupted),
-        };
-        end(client, recorder, ending)
-    });
+    let ending = match patiently(client, Command::Arm, interrupted) {
+        Ok(true) => play(client, host_timeout_ms, recorder, interrupted, progress),
+        Ok(false) => Ok(Ending::Interrupted),
+        Err(error) => Err(error),
+    };
+    // What is refused has changed nothing; else the board may be armed.
+    let ending = match ending {
+        Err(error @ LinkError::Refused { what: "arm", .. }) => Err(error),
+        ending => end(client, recorder, ending),
+    };
     client.take_records().iter().for_each(|record| recorder.push(record));
     client.set_patience(Patience::USUAL);
     ending
@@ -94,20 +97,35 @@ fn play(
     if interrupted.load(Ordering::Relaxed) {
         return Ok(Ending::Interrupted);
     }
-    client.order(Command::Run { host_timeout_ms: Some(host_timeout_ms) })?;
-    Ok(follow(client, recorder, interrupted, progress).unwrap_or_else(Ending::from))
+    recorder.is_ordered();
+    match patiently(client, Command::Run { host_timeout_ms: Some(host_timeout_ms) }, interrupted) {
+        Ok(true) => {
+            Ok(follow(client, recorder, interrupted, progress).unwrap_or_else(Ending::from))
+        }
+        Ok(false) => Ok(Ending::Interrupted),
+        Err(error @ LinkError::Refused { .. }) => Err(error),
+        // The answer is lost: it may run.
+        Err(error) => Ok(Ending::from(error)),
+    }
 }
 
-/// Arms the board; waits while its estimates settle and the joints come to rest. False once
-/// `interrupted`; it may be armed then.
-fn arm(client: &mut Client, interrupted: &AtomicBool) -> Result<bool, LinkError> {
+/// Orders again while estimates settle and joints come to rest, for 5 s at most. False once
+/// `interrupted`; it may have been carried out then.
+///
+/// # Errors
+/// The line is broken, the board is silent, or it says no.
+pub fn patiently(
+    client: &mut Client,
+    command: Command<'_>,
+    interrupted: &AtomicBool,
+) -> Result<bool, LinkError> {
     let begin = Instant::now();
     loop {
-        let armed = client.order(Command::Arm);
+        let result = client.order(command);
         if interrupted.load(Ordering::Relaxed) {
             return Ok(false);
         }
-        match armed {
+        match result {
             Err(LinkError::Refused { why, .. }) if passes(&why) && begin.elapsed() < SETTLING => {
                 std::thread::sleep(Duration::from_millis(20));
             }

@@ -39,6 +39,8 @@ pub struct BoardSettings {
     /// The encoders count from zero at power-on, wherever the robot is; within the second after
     /// it somebody turns each joint by hand, and back.
     pub incremental_encoders: bool,
+    /// Encoders that count nothing.
+    pub dead_encoders: [bool; 3],
 }
 
 impl BoardSettings {
@@ -51,6 +53,7 @@ impl BoardSettings {
             speed: 1.0,
             bytes_per_error: None,
             incremental_encoders: false,
+            dead_encoders: [false; 3],
         }
     }
 }
@@ -104,6 +107,7 @@ struct Machine {
     robot: SimulatedRobot,
     /// Where the encoders count zero.
     zero: [i64; 3],
+    dead: [bool; 3],
     /// Ticks until nobody turns the joints by hand any more.
     turning_ticks: u16,
     command_v: [f64; 3],
@@ -122,6 +126,7 @@ impl Machine {
             line: None,
             station: booted(settings.flash, incremental),
             zero,
+            dead: settings.dead_encoders,
             turning_ticks: if incremental { TURNING_TICKS } else { 0 },
             robot,
             command_v: [0.0; 3],
@@ -151,7 +156,10 @@ impl Machine {
     fn tick(&mut self) {
         let now = counts(&self.robot.reading_rad(), COUNTS_PER_TURN);
         let turned = self.turned_by_hand();
-        let counts = [0, 1, 2].map(|i| (now[i] - self.zero[i] + turned) as i32);
+        let counts = [0, 1, 2].map(|i| match self.dead[i] {
+            true => 0,
+            false => (now[i] - self.zero[i] + turned) as i32,
+        });
         let health = self.station.health();
         let record = self.station.supervisor.tick(&counts, health);
         self.station.after_tick(&record);

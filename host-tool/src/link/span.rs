@@ -41,7 +41,8 @@ impl Span {
 
     /// How many ticks of the run came before this one.
     pub fn since(&self, tick: u32) -> u32 {
-        self.before.map_or(0, |before| tick.wrapping_sub(before).wrapping_sub(1))
+        let since = |before: &u32| tick.wrapping_sub(*before).wrapping_sub(1);
+        self.before.filter(|before| is_later(tick, *before)).as_ref().map_or(0, since)
     }
 
     /// How many ticks the run has taken; once it has ended, how many it took.
@@ -74,6 +75,14 @@ mod tests {
         span.ended_before(9);
         span.ended_before(5);
         assert_eq!(span.ticks(), 7);
+    }
+
+    #[test]
+    fn a_run_that_ended_before_it_began_has_no_tick() {
+        let mut span = Span::default();
+        span.begins_after(100);
+        span.ended_before(98);
+        assert_eq!((span.since(98), span.since(100), span.since(101), span.ticks()), (0, 0, 0, 0));
     }
 
     #[test]

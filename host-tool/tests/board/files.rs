@@ -48,7 +48,7 @@ fn a_log_that_cannot_be_kept_does_not_hide_why_the_run_ended() {
         }),
     );
     let text = refused(rrr_at(&at, &line.port, TOO_FAST));
-    assert_tells(&text, &["the board ended the run: speed", "its log is lost", "clear-fault"]);
+    assert_tells(&text, &["the board ended the run: speed", "and then: ", "clear-fault"]);
 }
 
 /// The task is faster than its limit, the way to its beginning is not.

@@ -17,7 +17,7 @@ use super::upload::encoded;
 use crate::files::Role;
 use crate::link::approach::approach;
 use crate::link::session::{self, Ending};
-use crate::link::{Client, Patience, Recorder, transfer};
+use crate::link::{Client, Patience, Recorder, joints, transfer};
 use crate::progress::Progress;
 use crate::simulation::Plan;
 
@@ -131,11 +131,17 @@ impl Arguments {
         client.order(Command::Stream { on: true })?;
         let now = session::rest(client, stored.encoder_counts_per_turn, interrupted)?;
         let plan = self.choice.plan(&stored, &now)?;
+        let joints = joints::present(&stored);
+        if let Some(joint) = plan.joint.filter(|joint| !joints.contains(joint)) {
+            let message = format!("joint {joint} is moved by {}, but not there", plan.name);
+            return Err(Failure::new(message, "`rrr upload` was told --joints without it"));
+        }
         let block = ParameterBlock {
             mode: plan.mode,
             reference: plan.reference.clone(),
             ..self.limits.applied_to(stored)?
         };
+        let block = joints::with_joints(block, &joints);
         block.check().map_err(|error| {
             Failure::new(format!("the board would refuse it: {error}"), "change the option")
         })?;

@@ -60,11 +60,13 @@ impl Folder {
         recorder: &Recorder,
     ) -> Result<(), Failure> {
         let entry = self.entry(plan);
-        if self.write(&entry.file, recorder)? {
-            Dataset::append(&self.directory, &entry, counts_per_rev)?;
-            self.say_log(&entry.file, "");
+        if !self.write_csv(&entry.file, recorder)? {
+            return Ok(());
         }
-        Ok(())
+        let appended = Dataset::append(&self.directory, &entry, counts_per_rev);
+        self.say_log(&entry.file, if appended.is_ok() { "" } else { "; not in dataset.toml" });
+        appended?;
+        self.write_mcap(&entry.file, recorder)
     }
 
     /// Writes the log of the way to the beginning, which is no experiment of the data set.
@@ -73,22 +75,27 @@ impl Folder {
     /// Files that cannot be written.
     pub fn save_approach(&self, plan: &Plan, recorder: &Recorder) -> Result<(), Failure> {
         let file = self.free_name(&format!("{}-approach", plan.name)) + CSV;
-        if self.write(&file, recorder)? {
-            self.say_log(&file, ", the way to the beginning; not in dataset.toml");
+        if !self.write_csv(&file, recorder)? {
+            return Ok(());
         }
-        Ok(())
+        self.say_log(&file, ", the way to the beginning; not in dataset.toml");
+        self.write_mcap(&file, recorder)
     }
 
-    /// Writes both files of a log; false, and it says so, if there is nothing to write.
-    fn write(&self, file: &str, recorder: &Recorder) -> Result<bool, Failure> {
+    /// False, and it says so, if there is nothing to write.
+    fn write_csv(&self, file: &str, recorder: &Recorder) -> Result<bool, Failure> {
         if recorder.log.len() < 2 {
             say("log         none, nothing was recorded");
             return Ok(false);
         }
         recorder.log.write(self.directory.join(file))?;
-        let mcap = self.directory.join(file.replace(CSV, MCAP));
-        recorder.log.write_with_board(mcap, &recorder.board)?;
         Ok(true)
+    }
+
+    /// Last, as the log is whole without it.
+    fn write_mcap(&self, file: &str, recorder: &Recorder) -> Result<(), Failure> {
+        let mcap = self.directory.join(file.replace(CSV, MCAP));
+        Ok(recorder.log.write_with_board(mcap, &recorder.board)?)
     }
 
     fn say_log(&self, file: &str, what: &str) {

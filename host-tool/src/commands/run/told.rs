@@ -128,7 +128,7 @@ pub fn worse(told: Result<(), Failure>, saved: Result<(), Failure>) -> Result<()
         (Ok(()), saved) => saved,
         (told, Ok(())) => told,
         (Err(told), Err(saved)) => Err(Failure::new(
-            format!("{}; and its log is lost: {}", told.message, saved.message),
+            format!("{}; and then: {}", told.message, saved.message),
             format!("{}; {}", told.hint, saved.hint).trim_start_matches("; "),
         )),
     }

@@ -44,7 +44,7 @@ fn what_is_missing_is_a_gap_and_counted() {
 
 fn report(ticks: u32, state: State) -> Report {
     let counters = Counters { ticks, telemetry_dropped: 7 + ticks / 10, ..Counters::default() };
-    let position_known = true;
+    let position_known = [true; 3];
     Report { state, fault: None, position_known, parameters: None, has_key: false, counters }
 }
 
@@ -52,6 +52,7 @@ fn report(ticks: u32, state: State) -> Report {
 fn records_lost_at_the_beginning_are_missing() {
     let mut recorder = Recorder::new(&block(), 20);
     recorder.begins_after(&report(98, State::Armed));
+    recorder.is_ordered();
     recorder.push(&record(98, State::Running)); // of an earlier run
     recorder.push(&record(101, State::Armed));
     for sequence in 106..130 {
@@ -68,6 +69,7 @@ fn records_lost_at_the_beginning_are_missing() {
 fn records_lost_before_a_fault_are_missing() {
     let mut recorder = Recorder::new(&block(), 20);
     recorder.begins_after(&report(100, State::Armed));
+    recorder.is_ordered();
     (101..105).for_each(|sequence| recorder.push(&record(sequence, State::Running)));
     let fault = FaultRecord { fault: Fault::Speed, joint: 2, tick: 111, value: 2.0, limit: 1.0 };
     recorder.hear(&Report { fault: Some(fault), ..report(150, State::Faulted) });
@@ -85,6 +87,7 @@ fn records_lost_before_a_fault_are_missing() {
 fn records_lost_before_a_stop_are_missing() {
     let mut recorder = Recorder::new(&block(), 20);
     recorder.begins_after(&report(100, State::Armed));
+    recorder.is_ordered();
     (101..105).for_each(|sequence| recorder.push(&record(sequence, State::Running)));
     recorder.hear(&report(112, State::Disarmed));
     assert_eq!((recorder.missed(), recorder.ticks_done()), (8, 12));
@@ -96,6 +99,7 @@ fn records_lost_before_a_stop_are_missing() {
 fn a_run_of_which_no_record_came_ends_by_the_reports_alone() {
     let mut recorder = Recorder::new(&block(), 20);
     recorder.begins_after(&report(100, State::Armed));
+    recorder.is_ordered();
     recorder.hear(&report(100, State::Running));
     assert_eq!(recorder.ticks_seen(), 0);
     recorder.hear(&report(130, State::Running));
@@ -111,4 +115,22 @@ fn counts_do_not_wrap() {
     let Position::Count(counts) = &recorder.log.joints[0].position else { panic!() };
     let first = i64::from(i32::MAX);
     assert_eq!(*counts, [first, first + 1, first + 2, first + 3, first + 4]);
+}
+
+#[test]
+fn a_run_that_took_no_tick_has_none_missing() {
+    // A fault in the first tick: 100 records of a faulted board, then a report.
+    let mut recorder = Recorder::new(&block(), 20);
+    recorder.begins_after(&report(98, State::Armed));
+    recorder.is_ordered();
+    recorder.push(&record(99, State::Armed));
+    (100..200).for_each(|sequence| recorder.push(&record(sequence, State::Faulted)));
+    recorder.hear(&report(200, State::Disarmed));
+    assert_eq!((recorder.ticks_done(), recorder.missed()), (0, 0));
+    // Ctrl-C before the order: what the board tells then is of no run.
+    let mut recorder = Recorder::new(&block(), 20);
+    recorder.begins_after(&report(98, State::Armed));
+    recorder.push(&record(96, State::Armed));
+    recorder.hear(&report(102, State::Disarmed));
+    assert_eq!((recorder.ticks_done(), recorder.missed()), (0, 0));
 }
