@@ -9,7 +9,7 @@ use firmware::supervisor::HardLimits;
 use model::ParameterError;
 
 use super::{Failure, simulate};
-use crate::files::ExcitationFile;
+use crate::files::{ExcitationFile, RobotFile};
 use crate::link::joints::with_joints;
 use crate::simulation::{Plan, Rig, plan};
 
@@ -83,16 +83,33 @@ impl BlockChoice {
     pub fn block(&self, model: &Path) -> Result<ParameterBlock, Failure> {
         let mut arguments = simulate::Arguments::new(model, "", Path::new(""));
         arguments.compensate = self.compensate;
-        let rig = self.limited(arguments.rig()?)?;
+        let file = RobotFile::read(model)?;
+        let (rig, joints) = self.rig(&file)?;
+        let rig = self.limited(arguments.compensated(rig, &file)?)?;
         let mode = simulate::mode_named(&self.mode)?;
         let block = self.plan()?.with_mode(mode).block(&rig);
-        let block = match self.joints.as_slice() {
+        let block = match joints {
             [] => block,
             joints => with_joints(block, joints),
         };
         block.check().map_err(|error| refused(model, &error))?;
         HardLimits::default().check(&block).map_err(|error| beyond_limit(model, &error))?;
         Ok(block)
+    }
+
+    /// The rig, and the joints that it has; none named means all.
+    fn rig(&self, file: &RobotFile) -> Result<(Rig, &[u8]), Failure> {
+        match file.is_pendulum().then(|| file.pendulum()).transpose()? {
+            None => Ok((Rig::of_file(file)?, &self.joints)),
+            Some(pendulum) if pendulum.joint == 3 => Ok((Rig::of_one_joint(file)?, &[3])),
+            Some(pendulum) => Err(Failure::new(
+                format!(
+                    "joint = {} in [pendulum]: the board has a rig of one joint as joint 3",
+                    pendulum.joint
+                ),
+                "wire it to encoder 3 and output C, and write joint = 3 in the model file",
+            )),
+        }
     }
 
     fn limited(&self, rig: Rig) -> Result<Rig, Failure> {

@@ -140,7 +140,9 @@ fn refusal_hint(why: &Refusal) -> &'static str {
              encoder counts; a rig without this joint: `rrr upload --joints` names those it has"
         }
         Refusal::Implausible { .. } => "let the arm come to rest; look at the encoder's wiring",
-        Refusal::FarFromStart { .. } => "move the arm there by hand, or let `rrr run` approach",
+        Refusal::FarFromStart { .. } => {
+            "the arm is at 0 V before it runs: let the reference begin where it rests by itself, hanging"
+        }
         Refusal::FaultPersists => "remove the cause first; docs/safety.md lists the faults",
         Refusal::Block(BlockRefusal::Value { .. }) => "correct the value in the model file",
         Refusal::Block(BlockRefusal::Version { .. }) => {

@@ -137,7 +137,11 @@ impl Arguments {
     /// The rig of the model file; says which effects it is to compensate and cannot.
     pub(super) fn rig(&self) -> Result<Rig, Failure> {
         let file = RobotFile::read(&self.model)?;
-        let rig = Rig::of_file(&file)?;
+        self.compensated(Rig::of_file(&file)?, &file)
+    }
+
+    /// The rig with what the board makes up for, if it shall.
+    pub(super) fn compensated(&self, rig: Rig, file: &RobotFile) -> Result<Rig, Failure> {
         if !self.compensate {
             return Ok(rig);
         }

@@ -5,8 +5,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use model::Robot;
 use model::base::COUNT;
-use model::{BaseParameters, Friction, Geometry, Robot};
 
 use crate::effects::{Definition, EffectError};
 use crate::files::{FileError, RobotFile};
@@ -53,7 +53,7 @@ impl Subject {
     pub fn of(campaign: &Campaign) -> Result<Self, SubjectError> {
         let file = &campaign.robot_file;
         let one_joint = file.is_pendulum();
-        let robot = if one_joint { pendulum_as_robot(file)? } else { file.robot()? };
+        let robot = if one_joint { file.as_third_joint(IMMOVABLE_KG_M2)? } else { file.robot()? };
         let numbers = campaign.known.joints.clone();
         let joints = if one_joint { vec![ONLY] } else { vec![0, 1, 2] };
         let mut subject = Self {
@@ -139,48 +139,4 @@ impl From<FileError> for SubjectError {
     fn from(error: FileError) -> Self {
         Self::File(Box::new(error))
     }
-}
-
-fn pendulum_as_robot(file: &RobotFile) -> Result<Robot<f64>, FileError> {
-    let pendulum = file.pendulum()?;
-    let gravity_m_s2 = file.robot.gravity_m_s2.unwrap_or(9.81);
-    let mut base = [0.0; COUNT];
-    base[ZZ3R] = pendulum.inertia_kg_m2;
-    base[MX3R] = pendulum.gravity_torque_nm / gravity_m_s2;
-    let base = BaseParameters {
-        zz1r: IMMOVABLE_KG_M2,
-        zz2r: IMMOVABLE_KG_M2,
-        ..BaseParameters::from_array(base)
-    };
-    // Without a length, the mass is thought where a point mass would swing alike.
-    let pendulum_length_m = match base.mx3r {
-        moment if moment > 0.0 => pendulum.inertia_kg_m2 / moment,
-        _ => 0.5,
-    };
-    let geometry = Geometry {
-        gravity_m_s2,
-        d1_m: 0.0,
-        d2_m: 0.0,
-        a2_m: 0.0,
-        d3_m: 0.0,
-        a3_m: file.robot.a3_m.unwrap_or(pendulum_length_m),
-    };
-    let k_t = file.torque_constant(pendulum.joint)?;
-    let friction = one_joint_friction(file, pendulum.joint)?;
-    Ok(Robot { geometry, base, torque_constant_nm_per_v: [k_t; 3], friction: [friction; 3] })
-}
-
-/// The joint's friction; bristles that bend by a milliradian where none are given.
-fn one_joint_friction(file: &RobotFile, joint: u8) -> Result<Friction<f64>, FileError> {
-    const BENT_RAD: f64 = 1e-3;
-    let table = file.friction_table(joint)?;
-    let level_v = table.alpha0_v.max(table.alpha0_v + table.alpha1_v).max(1e-6);
-    Ok(Friction {
-        alpha0_v: table.alpha0_v.max(1e-6),
-        alpha1_v: table.alpha1_v,
-        stribeck_velocity_rad_per_s: table.stribeck_velocity_rad_per_s,
-        alpha2_v_s_per_rad: table.alpha2_v_s_per_rad,
-        sigma0_v_per_rad: table.sigma0_v_per_rad.unwrap_or(level_v / BENT_RAD),
-        sigma1_v_s_per_rad: table.sigma1_v_s_per_rad.unwrap_or(0.0),
-    })
 }

@@ -47,14 +47,28 @@ impl Rig {
     /// # Errors
     /// The file lacks a part of the model.
     pub fn of_file(file: &RobotFile) -> Result<Self, FileError> {
-        let mut rig = Self::new(file.robot()?);
+        Ok(Self::with_settings(file.robot()?, file))
+    }
+
+    /// The rig of one joint that a `[pendulum]` file describes, as joint 3 of an arm whose
+    /// others are there in name only.
+    ///
+    /// # Errors
+    /// A parameter that is missing or that no pendulum can have, with its line.
+    pub fn of_one_joint(file: &RobotFile) -> Result<Self, FileError> {
+        const OTHERS_KG_M2: f64 = 1.0;
+        Ok(Self::with_settings(file.as_third_joint(OTHERS_KG_M2)?, file))
+    }
+
+    fn with_settings(robot: Robot<f64>, file: &RobotFile) -> Self {
+        let mut rig = Self::new(robot);
         let table = &file.robot;
         if let Some(counts) = table.encoder_counts_per_rev {
             rig.encoder_counts_per_turn = counts as u32;
         }
         rig.sample_period_s = table.sample_period_s.unwrap_or(rig.sample_period_s);
         rig.command_limit_v = table.command_limit_v.unwrap_or(rig.command_limit_v);
-        Ok(rig)
+        rig
     }
 
     /// A parameter block: this rig with these modes and this reference.

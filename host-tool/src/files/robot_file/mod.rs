@@ -9,6 +9,7 @@ use super::toml_source::TomlSource;
 
 mod check;
 mod convert;
+mod one_joint;
 mod read;
 mod tables;
 mod write;
