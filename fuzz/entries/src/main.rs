@@ -1,9 +1,12 @@
-//! The plain runner: `fuzz-entries TARGET|all [--runs N] [--seed N]`.
+//! The plain runner: `fuzz-entries TARGET|all [--runs N] [--seed N]`; `fuzz-entries seeds DIR`
+//! writes the good inputs of each target, for cargo-fuzz to begin from.
 //!
 //! Prints how many inputs each target took. An input that makes one panic is printed as bytes,
 //! written to `fuzz-failure-TARGET`, and ends the program.
 
+use std::fs::{create_dir_all, write};
 use std::panic::catch_unwind;
+use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -20,14 +23,34 @@ struct Wish {
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if let [command, directory] = arguments.as_slice()
+        && command == "seeds"
+    {
+        return write_seeds(Path::new(directory));
+    }
     let Some(wish) = parse(&arguments) else {
         let names = TARGETS.map(|target| target.name).join(", ");
-        eprintln!("fuzz-entries TARGET|all [--runs N] [--seed N]; targets: {names}");
+        eprintln!("fuzz-entries TARGET|all [--runs N] [--seed N], or seeds DIR; targets: {names}");
         return ExitCode::from(2);
     };
     let wanted = |target: &&Target| wish.name == "all" || wish.name == target.name;
     let fine = TARGETS.iter().filter(wanted).all(|target| fuzz(target, wish.runs, wish.seed));
     if fine { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+fn write_seeds(directory: &Path) -> ExitCode {
+    for target in &TARGETS {
+        let folder = directory.join(target.name);
+        let written = create_dir_all(&folder).and_then(|()| {
+            let mut numbered = (0..).zip((target.seeds)());
+            numbered.try_for_each(|(n, seed)| write(folder.join(format!("seed-{n}")), seed))
+        });
+        if let Err(error) = written {
+            eprintln!("{}: the seeds cannot be written: {error}", folder.display());
+            return ExitCode::FAILURE;
+        }
+    }
+    ExitCode::SUCCESS
 }
 
 fn parse(arguments: &[String]) -> Option<Wish> {
@@ -71,7 +94,7 @@ fn fuzz(target: &Target, runs: u64, seed: u64) -> bool {
 fn report(target: &Target, run: u64, input: &[u8]) {
     let file = format!("fuzz-failure-{}", target.name);
     println!("{}: run {run} failed on {} bytes, see {file}", target.name, input.len());
-    if let Err(error) = std::fs::write(&file, input) {
+    if let Err(error) = write(&file, input) {
         println!("{file}: cannot be written: {error}; the bytes are {input:02X?}");
     }
 }
