@@ -142,3 +142,17 @@ impl HardLimits {
 }
 
 const BELOW: &str = "not exceed the board's hard limit";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limits_that_are_none_are_refused() {
+        let mut limits = SafetyLimits::default();
+        limits.speed_rad_per_s[2] = 0.0;
+        assert_eq!(limits.check().unwrap_err().name, "speed_limit_rad_per_s");
+        let limits = SafetyLimits { saturation_s: f32::NAN, ..SafetyLimits::default() };
+        assert_eq!(limits.check().unwrap_err().name, "saturation_limit_s");
+    }
+}

@@ -4,14 +4,15 @@ use std::f32::consts::PI;
 use std::sync::atomic::Ordering;
 
 use clap::Args;
+use firmware::Angle;
 use firmware::link::{Command, Source};
-use firmware::{Angle, ParameterBlock};
 
 use super::Failure;
 use super::interrupt::interrupt;
 use super::link_choice::LinkChoice;
 use super::output::say;
-use crate::link::{Client, session, transfer};
+use super::upload::downloaded;
+use crate::link::{Client, session};
 
 /// Arguments of `rrr home`.
 #[derive(Debug, Args)]
@@ -68,11 +69,7 @@ fn stopped() -> Failure {
 }
 
 fn wait_for_rest(client: &mut Client) -> Result<(), Failure> {
-    let bytes = transfer::download(client, Source::InUse)?;
-    let block = ParameterBlock::decode(&bytes).map_err(|error| {
-        let hint = "build tool and firmware from the same sources";
-        Failure::new(format!("the board's block: {error}"), hint)
-    })?;
+    let block = downloaded(client, Source::InUse)?;
     client.order(Command::Stream { on: true })?;
     let rest = session::rest(client, block.encoder_counts_per_turn, interrupt());
     client.order(Command::Stream { on: false })?;

@@ -5,13 +5,14 @@ use std::path::PathBuf;
 use clap::Args;
 use firmware::ParameterBlock;
 use firmware::block::MAX_BYTES;
+use firmware::link::Source;
 
 use super::Failure;
 use super::block_choice::BlockChoice;
 use super::connect;
 use super::link_choice::{LinkChoice, openness};
 use super::output::say;
-use crate::link::transfer;
+use crate::link::{Client, transfer};
 
 /// Arguments of `rrr upload`.
 #[derive(Debug, Args)]
@@ -60,4 +61,16 @@ pub(super) fn encoded(block: &ParameterBlock) -> Result<Vec<u8>, Failure> {
         Failure::new(format!("the parameter block: {error}"), "use fewer effects in the model file")
     })?;
     Ok(encoded.to_vec())
+}
+
+/// A block of the board.
+///
+/// # Errors
+/// The line is broken, the board says no, or the block is of another build.
+pub(super) fn downloaded(client: &mut Client, source: Source) -> Result<ParameterBlock, Failure> {
+    let bytes = transfer::download(client, source)?;
+    ParameterBlock::decode(&bytes).map_err(|error| {
+        let hint = "build tool and firmware from the same sources";
+        Failure::new(format!("the board's block: {error}"), hint)
+    })
 }

@@ -81,7 +81,7 @@ impl Recorder {
     }
 
     /// The board is told to run: what it tells from now on is of the run or after it.
-    pub fn is_ordered(&mut self) {
+    pub fn expect_run(&mut self) {
         self.is_ordered = true;
     }
 

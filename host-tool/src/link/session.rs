@@ -70,14 +70,15 @@ pub fn run(
     }
     client.set_patience(Patience::MOVING);
     let ending = match patiently(client, Command::Arm, interrupted) {
-        Ok(true) => play(client, host_timeout_ms, recorder, interrupted, progress),
-        Ok(false) => Ok(Ending::Interrupted),
-        Err(error) => Err(error),
-    };
-    // What is refused has changed nothing; else the board may be armed.
-    let ending = match ending {
-        Err(error @ LinkError::Refused { what: "arm", .. }) => Err(error),
-        ending => end(client, recorder, ending),
+        // What is refused has changed nothing; else the board may be armed.
+        Err(error @ LinkError::Refused { .. }) => Err(error),
+        armed => {
+            let ending = armed.and_then(|is_wanted| match is_wanted {
+                true => play(client, host_timeout_ms, recorder, interrupted, progress),
+                false => Ok(Ending::Interrupted),
+            });
+            end(client, recorder, ending)
+        }
     };
     client.take_records().iter().for_each(|record| recorder.push(record));
     client.set_patience(Patience::USUAL);
@@ -97,7 +98,7 @@ fn play(
     if interrupted.load(Ordering::Relaxed) {
         return Ok(Ending::Interrupted);
     }
-    recorder.is_ordered();
+    recorder.expect_run();
     match patiently(client, Command::Run { host_timeout_ms: Some(host_timeout_ms) }, interrupted) {
         Ok(true) => {
             Ok(follow(client, recorder, interrupted, progress).unwrap_or_else(Ending::from))

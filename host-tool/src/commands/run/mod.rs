@@ -13,7 +13,7 @@ use self::told::{Part, say};
 use super::Failure;
 use super::interrupt::interrupt;
 use super::link_choice::{LinkChoice, openness};
-use super::upload::encoded;
+use super::upload::{downloaded, encoded};
 use crate::files::Role;
 use crate::link::approach::approach;
 use crate::link::session::{self, Ending};
@@ -123,11 +123,7 @@ impl Arguments {
         client: &mut Client,
         interrupted: &AtomicBool,
     ) -> Result<(Plan, ParameterBlock), Failure> {
-        let bytes = transfer::download(client, Source::Stored)?;
-        let stored = ParameterBlock::decode(&bytes).map_err(|error| {
-            let hint = "build tool and firmware from the same sources";
-            Failure::new(format!("the board's block: {error}"), hint)
-        })?;
+        let stored = downloaded(client, Source::Stored)?;
         client.order(Command::Stream { on: true })?;
         let now = session::rest(client, stored.encoder_counts_per_turn, interrupted)?;
         let plan = self.choice.plan(&stored, &now)?;

@@ -52,7 +52,7 @@ fn report(ticks: u32, state: State) -> Report {
 fn records_lost_at_the_beginning_are_missing() {
     let mut recorder = Recorder::new(&block(), 20);
     recorder.begins_after(&report(98, State::Armed));
-    recorder.is_ordered();
+    recorder.expect_run();
     recorder.push(&record(98, State::Running)); // of an earlier run
     recorder.push(&record(101, State::Armed));
     for sequence in 106..130 {
@@ -69,7 +69,7 @@ fn records_lost_at_the_beginning_are_missing() {
 fn records_lost_before_a_fault_are_missing() {
     let mut recorder = Recorder::new(&block(), 20);
     recorder.begins_after(&report(100, State::Armed));
-    recorder.is_ordered();
+    recorder.expect_run();
     (101..105).for_each(|sequence| recorder.push(&record(sequence, State::Running)));
     let fault = FaultRecord { fault: Fault::Speed, joint: 2, tick: 111, value: 2.0, limit: 1.0 };
     recorder.hear(&Report { fault: Some(fault), ..report(150, State::Faulted) });
@@ -87,7 +87,7 @@ fn records_lost_before_a_fault_are_missing() {
 fn records_lost_before_a_stop_are_missing() {
     let mut recorder = Recorder::new(&block(), 20);
     recorder.begins_after(&report(100, State::Armed));
-    recorder.is_ordered();
+    recorder.expect_run();
     (101..105).for_each(|sequence| recorder.push(&record(sequence, State::Running)));
     recorder.hear(&report(112, State::Disarmed));
     assert_eq!((recorder.missed(), recorder.ticks_done()), (8, 12));
@@ -99,7 +99,7 @@ fn records_lost_before_a_stop_are_missing() {
 fn a_run_of_which_no_record_came_ends_by_the_reports_alone() {
     let mut recorder = Recorder::new(&block(), 20);
     recorder.begins_after(&report(100, State::Armed));
-    recorder.is_ordered();
+    recorder.expect_run();
     recorder.hear(&report(100, State::Running));
     assert_eq!(recorder.ticks_seen(), 0);
     recorder.hear(&report(130, State::Running));
@@ -122,7 +122,7 @@ fn a_run_that_took_no_tick_has_none_missing() {
     // A fault in the first tick: 100 records of a faulted board, then a report.
     let mut recorder = Recorder::new(&block(), 20);
     recorder.begins_after(&report(98, State::Armed));
-    recorder.is_ordered();
+    recorder.expect_run();
     recorder.push(&record(99, State::Armed));
     (100..200).for_each(|sequence| recorder.push(&record(sequence, State::Faulted)));
     recorder.hear(&report(200, State::Disarmed));
