@@ -10,14 +10,14 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use clap::Parser;
-use host_tool::board::{Board, Qemu, QemuSettings};
+use files::{Dataset, RobotFile};
 use host_tool::commands::CommandLine;
-use host_tool::files::{Dataset, RobotFile};
-use host_tool::simulation::plan::HANGING_RAD;
-use host_tool::simulation::sensor::counts;
-use host_tool::simulation::tracking::Tracking;
-use host_tool::simulation::{Settings, SimulatedRobot};
 use model::reference_robot::reference_robot;
+use recordings::tracking::Tracking;
+use rig::plan::HANGING_RAD;
+use simulation::board::{Board, Qemu, QemuSettings};
+use simulation::sensor::counts;
+use simulation::{Settings, SimulatedRobot};
 use tests::image;
 
 const COUNTS_PER_TURN: u32 = 655_360;

@@ -1,0 +1,11 @@
+//! Recorded experiments, ready for use, and whether they can be what they say.
+#![forbid(unsafe_code)]
+
+pub mod campaign;
+mod error;
+pub mod plausibility;
+pub mod tracking;
+
+pub use campaign::{Campaign, JointTrace, Known, Trace};
+pub use error::StepError;
+pub use tracking::Tracking;
