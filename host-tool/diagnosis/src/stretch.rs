@@ -7,6 +7,8 @@
 
 use model::Posture;
 
+use std::ops::Range;
+
 use super::even_clock::EvenClock;
 use super::subject::Subject;
 use files::Role;
@@ -77,8 +79,12 @@ impl Stretch {
     /// The stretches of a log that holds all joints of the rig.
     pub fn of(trace: &Trace, log: usize, subject: &Subject) -> Vec<Self> {
         let whole = |longest: f64| {
+            let is_long = |range: &Range<usize>| {
+                trace.time_s[range.end - 1] - trace.time_s[range.start] >= SHORTEST_S
+            };
             unbroken(&trace.time_s, longest * trace.period_s)
                 .into_iter()
+                .filter(is_long)
                 .map(|range| Self::of_range(trace, log, subject, range))
                 .collect::<Vec<Self>>()
         };
@@ -102,12 +108,7 @@ impl Stretch {
         self.len() as f64 * self.period_s
     }
 
-    fn of_range(
-        trace: &Trace,
-        log: usize,
-        subject: &Subject,
-        range: std::ops::Range<usize>,
-    ) -> Self {
+    fn of_range(trace: &Trace, log: usize, subject: &Subject, range: Range<usize>) -> Self {
         let time_s = &trace.time_s[range.clone()];
         let clock = EvenClock::over(time_s, trace.period_s);
         let period_s = clock.period_s();
@@ -158,7 +159,7 @@ impl Stretch {
     }
 
     /// A part of the stretch.
-    pub fn part(&self, range: std::ops::Range<usize>) -> Self {
+    pub fn part(&self, range: Range<usize>) -> Self {
         let of = |signals: &[Vec<f64>; 3]| [0, 1, 2].map(|i| signals[i][range.clone()].to_vec());
         Self {
             start_s: self.start_s + range.start as f64 * self.period_s,
@@ -243,20 +244,4 @@ fn settled(q_rad: &[f64], subject: &Subject, joint: usize) -> usize {
     let path_rad = 5.0 * level_v / friction.sigma0_v_per_rad;
     let gone = |q: &f64| (q - q_rad[0]).abs() > path_rad;
     q_rad.iter().position(gone).unwrap_or(0)
-}
-
-/// Ranges of samples without a long gap, none of them short.
-fn unbroken(time_s: &[f64], longest_gap_s: f64) -> Vec<std::ops::Range<usize>> {
-    let mut ranges = Vec::new();
-    let mut begin = 0;
-    for k in 1..=time_s.len() {
-        let ends = k == time_s.len() || time_s[k] - time_s[k - 1] > longest_gap_s;
-        if ends {
-            if time_s[k - 1] - time_s[begin] >= SHORTEST_S {
-                ranges.push(begin..k);
-            }
-            begin = k;
-        }
-    }
-    ranges
 }

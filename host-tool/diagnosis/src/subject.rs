@@ -3,10 +3,8 @@
 //! A rig of one joint becomes the third joint of an arm whose other joints are too heavy to
 //! move, hanging down: eq. (5) of that arm is eq. (11). So one path serves both.
 
-use std::f64::consts::FRAC_PI_2;
-
-use model::Robot;
 use model::base::COUNT;
+use model::{HANGING_RAD, Robot};
 
 use files::{FileError, RobotFile};
 use recordings::Campaign;
@@ -17,8 +15,6 @@ use rig::effects::{Definition, EffectError};
 const ONLY: usize = 2;
 /// Inertia of joints that do not move [kg m^2].
 const IMMOVABLE_KG_M2: f64 = 1e6;
-/// Where joints that are not there stand [rad]: hanging down.
-const HANGING_RAD: [f64; 3] = [0.0, -FRAC_PI_2, 0.0];
 
 /// What is diagnosed.
 #[derive(Clone, Debug)]

@@ -4,6 +4,7 @@ use model::vector::Vector3;
 
 use recordings::StepError;
 use recordings::campaign::Trace;
+use recordings::unbroken;
 use signal::{LowPass, derivative};
 
 /// At which instants of a sample interval motion and command are compared.
@@ -54,7 +55,7 @@ impl Motion {
             }
         }
         let shortest = (1.0 / trace.period_s).ceil() as usize;
-        let stretches: Vec<Self> = unbroken(&trace.time_s, trace.period_s)
+        let stretches: Vec<Self> = unbroken(&trace.time_s, LONGEST_GAP_PERIODS * trace.period_s)
             .into_iter()
             .filter(|range| range.len() > shortest)
             .map(|range| Self::of_range(trace, range, cutoff_hz, instant))
@@ -120,19 +121,8 @@ impl Motion {
     }
 }
 
-/// Ranges of samples between which none is missing.
-fn unbroken(time_s: &[f64], period_s: f64) -> Vec<std::ops::Range<usize>> {
-    let mut ranges = Vec::new();
-    let mut begin = 0;
-    for k in 1..=time_s.len() {
-        if k == time_s.len() || time_s[k] - time_s[k - 1] > 1.6 * period_s {
-            ranges.push(begin..k);
-            begin = k;
-        }
-    }
-    ranges
-}
-
+/// Time between two samples that have none between them, in periods at most.
+const LONGEST_GAP_PERIODS: f64 = 1.6;
 /// Part of a period by which samples may miss an even clock and still count as even.
 const EVEN: f64 = 0.02;
 
@@ -185,6 +175,7 @@ mod tests {
     use super::*;
     use files::{Experiment, Role};
     use recordings::campaign::JointTrace;
+    use recordings::unbroken;
 
     /// Joints that swing at 1 Hz, sampled at given times.
     fn swinging(time_s: Vec<f64>) -> Trace {

@@ -5,7 +5,9 @@ pub mod campaign;
 mod error;
 pub mod plausibility;
 pub mod tracking;
+mod unbroken;
 
 pub use campaign::{Campaign, JointTrace, Known, Trace};
 pub use error::StepError;
 pub use tracking::Tracking;
+pub use unbroken::unbroken;

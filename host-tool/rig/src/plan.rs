@@ -8,12 +8,14 @@ use firmware::reference::{
 };
 use firmware::{Mode, ParameterBlock};
 
+use model::HANGING_RAD as HANGING;
+
 use super::Rig;
 use super::designed_excitation::DESIGNED_EXCITATION;
 use files::{Entry, Experiment, Role};
 
-/// The posture in which joints are held: hanging down, where gravity asks for nothing.
-pub const HANGING_RAD: [f32; 3] = [0.0, -FRAC_PI_2, 0.0];
+/// [`model::HANGING_RAD`] in the precision of the board.
+pub const HANGING_RAD: [f32; 3] = [HANGING[0] as f32, HANGING[1] as f32, HANGING[2] as f32];
 
 /// An experiment before it is recorded.
 #[derive(Clone, Debug, PartialEq)]

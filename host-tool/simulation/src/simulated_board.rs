@@ -48,7 +48,7 @@ impl BoardSettings {
     pub fn new(robot: Robot<f64>) -> Self {
         Self {
             robot,
-            position_rad: rig::plan::HANGING_RAD.map(f64::from),
+            position_rad: model::HANGING_RAD,
             flash: vec![0xFF; Layout::G474.used_bytes() as usize],
             speed: 1.0,
             bytes_per_error: None,

@@ -6,13 +6,12 @@ use super::grey_box::Data;
 use super::motion::{Motion, Smoothing, smoothed};
 use super::reconstruction::{Belief, reconstructed};
 use super::start;
+use model::HANGING_RAD;
 use recordings::StepError;
 use recordings::campaign::{JointTrace, Known, Trace};
 
 /// Points of the motion that are averaged to a row.
 const POINTS_PER_ROW: usize = 5;
-/// Where q2 is presumed where a log of joint 3 does not tell: eq. (11) hangs at q3 = 0.
-pub(crate) const HANGING_RAD: f64 = -std::f64::consts::FRAC_PI_2;
 /// Samples of the log that are averaged to a point.
 const SAMPLES_PER_POINT: usize = 2;
 /// Length of a block for the standard errors: a good part of a leg [s].
@@ -112,7 +111,7 @@ impl Rows {
         let columns = DMatrix::from_fn(count, terms.len(), |row, column| {
             // Joint 3's gravity turns with joint 2, which gives way a little.
             let carried = match joint {
-                3 => of(2).map_or(HANGING_RAD, |m| mean(&m.q_rad, row)),
+                3 => of(2).map_or(HANGING_RAD[1], |m| mean(&m.q_rad, row)),
                 _ => 0.0,
             };
             let angle = rows[row].q_rad + carried;

@@ -2,8 +2,9 @@
 
 use super::innovations::{Noise, Samples};
 use super::motion::{Smoothing, smoothed};
-use super::rows::{HANGING_RAD, Term};
+use super::rows::Term;
 use super::tick::Regressor;
+use model::HANGING_RAD;
 use recordings::campaign::{Known, Trace};
 
 /// The samples of a log, for linear terms of which the first is inertia; `None` where
@@ -45,7 +46,7 @@ pub fn samples(trace: &Trace, joint: u8, terms: &[Term], known: &Known) -> Optio
     };
     let carried_rad = match (joint, trace.joint(2)) {
         (3, Some(second)) => second.q_rad.clone(),
-        (3, None) => vec![HANGING_RAD; trace.len()],
+        (3, None) => vec![HANGING_RAD[1]; trace.len()],
         _ => Vec::new(),
     };
     Some(Samples {
