@@ -12,7 +12,7 @@ use std::ops::Range;
 use super::even_clock::EvenClock;
 use super::subject::Subject;
 use files::Role;
-use recordings::Trace;
+use recordings::{Trace, unbroken};
 use signal::{LowPass, derivative};
 
 /// Angles of the three joints and their derivatives.
