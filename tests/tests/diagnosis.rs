@@ -6,10 +6,10 @@ use std::path::Path;
 
 use blind_trial::Dice;
 use blind_trial::robots::given_model;
-use diagnosis::fit::fit_held;
-use diagnosis::preparation::prepared;
-use diagnosis::stretch::Stretch;
-use diagnosis::subject::Subject;
+use diagnosis::fit::fit::fit_held;
+use diagnosis::fit::preparation::prepared;
+use diagnosis::logs::stretch::Stretch;
+use diagnosis::logs::subject::Subject;
 use diagnosis::{Diagnosis, Verdict, diagnose};
 use files::{EffectTable, Log, RobotFile};
 use firmware::Mode;

@@ -4,15 +4,15 @@
 use rayon::prelude::*;
 
 use super::candidate::Candidate;
-use super::evidence::Evidence;
-use super::fit::fit;
-use super::linearisation::{Linearisation, Which};
-use super::preparation::as_given;
-use super::rest::{MISSES, Rest};
-use super::search::{Start, candidates, places_open, starts};
 use super::shake::shaken;
-use super::subject::Subject;
-use super::voltage::{Added, Point};
+use crate::fit::fit::fit;
+use crate::fit::linearisation::{Linearisation, Which};
+use crate::fit::preparation::as_given;
+use crate::fit::rest::{MISSES, Rest};
+use crate::logs::subject::Subject;
+use crate::rows::evidence::Evidence;
+use crate::search::candidates::{Start, candidates, places_open, starts};
+use crate::trial::voltage::{Added, Point};
 use rig::effects::Definition;
 
 /// The model after each step, and what competed.

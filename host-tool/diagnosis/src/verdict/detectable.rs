@@ -3,13 +3,13 @@
 
 use rayon::prelude::*;
 
-use super::evidence::{Evidence, Rows};
-use super::linearisation::{Linearisation, Which};
-use super::rest::OWN_RATIO;
-use super::search::{places, starts, typical};
-use super::subject::Subject;
-use super::voltage::Added;
-use super::{Detectable, Untestable};
+use crate::fit::linearisation::{Linearisation, Which};
+use crate::fit::rest::OWN_RATIO;
+use crate::logs::subject::Subject;
+use crate::rows::evidence::{Evidence, Rows};
+use crate::search::candidates::{places, starts, typical};
+use crate::trial::voltage::Added;
+use crate::{Detectable, Untestable};
 use rig::effects::Definition;
 
 /// What the logs would have shown of an effect on a joint.

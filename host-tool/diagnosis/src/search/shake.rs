@@ -6,12 +6,12 @@
 use rayon::prelude::*;
 
 use super::candidate::Candidate;
-use super::evidence::Evidence;
-use super::fit::{fit, open_in};
-use super::linearisation::{Linearisation, Which};
 use super::selection::{SPRING_STEPS, Step};
-use super::subject::Subject;
-use super::voltage::Added;
+use crate::fit::fit::{fit, open_in};
+use crate::fit::linearisation::{Linearisation, Which};
+use crate::logs::subject::Subject;
+use crate::rows::evidence::Evidence;
+use crate::trial::voltage::Added;
 
 /// Factors of gap, stiffness, damping and the motor's inertia to begin anew with.
 const SHAKES: [[f64; 4]; 4] =

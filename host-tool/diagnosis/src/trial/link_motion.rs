@@ -4,7 +4,7 @@ use model::{Posture, Robot};
 use nalgebra::RowVector2;
 
 use super::doubt::Doubt;
-use super::stretch::Kinematics;
+use crate::logs::stretch::Kinematics;
 use rig::effects::Transmission;
 use signal::derivative;
 
@@ -278,8 +278,8 @@ mod tests {
     use rand_pcg::Pcg64Mcg;
 
     use super::*;
-    use crate::stretch::Stretch;
-    use crate::voltage::{Added, Point, Trial};
+    use crate::logs::stretch::Stretch;
+    use crate::trial::voltage::{Added, Point, Trial};
     use files::Role;
     use rig::effects::Definition;
     use signal::LowPass;

@@ -1,10 +1,10 @@
 //! Retuning a model to the train logs, Gauss-Newton with what is known beforehand.
 
-use super::evidence::Evidence;
 use super::linearisation::{Linearisation, objective};
-use super::subject::Subject;
 use super::unknowns::{Expected, Unknown, expected, kept_physical};
-use super::voltage::{Added, Point};
+use crate::logs::subject::Subject;
+use crate::rows::evidence::Evidence;
+use crate::trial::voltage::{Added, Point};
 
 /// Most steps of a fit.
 pub const MOST_STEPS: usize = 6;

@@ -2,19 +2,22 @@
 
 use std::collections::BTreeMap;
 
-use super::evidence::{Evidence, Rows};
-use super::fit::{fit, fit_held};
-use super::judgement::{confidence, verdict};
-use super::linearisation::Linearisation;
 use super::motion_gap::drift_rms_rad;
-use super::noise::NoiseByRate;
-use super::preparation::as_given;
-use super::rest::MISSES;
-use super::selection::{Rivalry, Selection};
-use super::shrinkage::{Shrinkage, held_out_floor_v, held_out_rms_v, noise_floor_v};
-use super::subject::Subject;
-use super::voltage::{Added, Point, Trial, at_samples};
-use super::*;
+use crate::fit::fit::{fit, fit_held};
+use crate::fit::linearisation::Linearisation;
+use crate::fit::preparation::as_given;
+use crate::fit::rest::MISSES;
+use crate::fit::rest::Rest;
+use crate::logs::subject::Subject;
+use crate::report::sentence;
+use crate::rows::evidence::{Evidence, Rows};
+use crate::rows::noise::NoiseByRate;
+use crate::search::selection::{Rivalry, Selection};
+use crate::trial::voltage::{Added, Point, Trial, at_samples};
+use crate::verdict::judgement::{confidence, verdict};
+use crate::verdict::shrinkage::{Shrinkage, held_out_floor_v, held_out_rms_v, noise_floor_v};
+use crate::verdict::{detectable, misfit};
+use crate::*;
 use files::{EffectTable, RobotFile};
 use recordings::Trace;
 
@@ -69,7 +72,7 @@ impl Assembly<'_> {
     /// The refitted model, its parameters no further than three deviations from what is
     /// known of them: what a model's own doubt can explain, and no more.
     fn within_doubt(&self, free: &Linearisation) -> Linearisation {
-        let rest = rest::Rest::of(self.evidence, free);
+        let rest = Rest::of(self.evidence, free);
         let held = (rest.misses > MISSES)
             .then(|| fit_held(self.evidence, self.subject, free.point.clone()))
             .flatten();

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::stretch::Kinematics;
+use crate::logs::stretch::Kinematics;
 use rig::effects::Effect;
 
 /// The motion with the effects' changes of the reading undone.

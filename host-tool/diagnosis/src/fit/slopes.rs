@@ -4,10 +4,10 @@ use model::base::COUNT;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 
-use super::evidence::{Columns, Evidence, Rows};
-use super::parts::{Parts, same, touched};
 use super::unknowns::{Expected, Unknown};
-use super::voltage::{Added, Point, Trial, at_samples};
+use crate::rows::evidence::{Columns, Evidence, Rows};
+use crate::trial::parts::{Parts, same, touched};
+use crate::trial::voltage::{Added, Point, Trial, at_samples};
 
 /// Slopes of one joint's rows.
 #[derive(Clone)]

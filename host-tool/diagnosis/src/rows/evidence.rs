@@ -6,8 +6,8 @@ use rayon::prelude::*;
 
 use super::noise::{Noise, NoiseByRate};
 use super::row_filter::RowFilter;
-use super::stretch::Stretch;
-use super::voltage::{Point, Trial};
+use crate::logs::stretch::Stretch;
+use crate::trial::voltage::{Point, Trial};
 use files::Role;
 
 /// Stretches with the filters and weights of their rows.

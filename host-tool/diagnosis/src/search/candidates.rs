@@ -3,11 +3,11 @@
 use rayon::prelude::*;
 
 use super::candidate::Candidate;
-use super::evidence::Evidence;
 use super::harmonics;
-use super::linearisation::{Linearisation, Which};
-use super::subject::Subject;
-use super::voltage::{Added, Trial};
+use crate::fit::linearisation::{Linearisation, Which};
+use crate::logs::subject::Subject;
+use crate::rows::evidence::Evidence;
+use crate::trial::voltage::{Added, Trial};
 use rig::effects::{CATALOGUE, Definition, Search, Typical};
 use signal::rms;
 
@@ -49,7 +49,7 @@ pub fn candidates(
 
 /// Where a search may begin, and what it promises.
 #[derive(Clone, Debug)]
-pub(super) struct Start {
+pub(crate) struct Start {
     /// The effect with its starting values.
     pub effect: Added,
     /// What the change of rows would gain if it were scaled as suits best.
@@ -57,7 +57,7 @@ pub(super) struct Start {
 }
 
 /// Effects and the joints that they can act on.
-pub(super) fn places(subject: &Subject) -> Vec<(&'static Definition, u8)> {
+pub(crate) fn places(subject: &Subject) -> Vec<(&'static Definition, u8)> {
     let joints: Vec<u8> = subject.joints.iter().map(|&joint| joint as u8 + 1).collect();
     let of = |definition: &'static Definition| -> Vec<(&'static Definition, u8)> {
         match definition.whole_robot {
@@ -70,7 +70,7 @@ pub(super) fn places(subject: &Subject) -> Vec<(&'static Definition, u8)> {
 
 /// Those that a model with effects leaves: a second spring on a joint would only be the first
 /// one searched for again.
-pub(super) fn places_open(subject: &Subject, effects: &[Added]) -> Vec<(&'static Definition, u8)> {
+pub(crate) fn places_open(subject: &Subject, effects: &[Added]) -> Vec<(&'static Definition, u8)> {
     let mut places = places(subject);
     places.retain(|&(definition, joint)| {
         let same = |e: &Added| e.definition.name == definition.name && e.joint == joint;
@@ -81,7 +81,7 @@ pub(super) fn places_open(subject: &Subject, effects: &[Added]) -> Vec<(&'static
 }
 
 /// The most promising starts of an effect, the best first.
-pub(super) fn starts(
+pub(crate) fn starts(
     linear: &Linearisation,
     evidence: &Evidence,
     subject: &Subject,
@@ -109,7 +109,7 @@ pub(super) fn starts(
 }
 
 /// What the change of rows by an effect would gain if it were scaled as suits best.
-pub(super) fn promise(linear: &Linearisation, evidence: &Evidence, effect: &Added) -> f64 {
+pub(crate) fn promise(linear: &Linearisation, evidence: &Evidence, effect: &Added) -> f64 {
     let change = linear.change_by(evidence, effect, Which::OWN);
     let (gradient, curvature) = linear.along(&Default::default(), &[change]);
     gradient[0] * gradient[0] / curvature[(0, 0)].max(1e-12)
@@ -139,7 +139,7 @@ fn searched(
 }
 
 /// What is typical of a joint (1 to 3, or 0 for the whole robot) in these logs.
-pub(super) fn typical(
+pub(crate) fn typical(
     linear: &Linearisation,
     evidence: &Evidence,
     subject: &Subject,
@@ -147,7 +147,7 @@ pub(super) fn typical(
 ) -> Typical {
     let joint = usize::from(joint.max(1)) - 1;
     let robot = &linear.point.robot;
-    let all = |signal: fn(&super::stretch::Stretch, usize) -> &[f64]| {
+    let all = |signal: fn(&crate::logs::stretch::Stretch, usize) -> &[f64]| {
         evidence.stretches.iter().flat_map(move |stretch| signal(stretch, joint)).copied()
     };
     let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(1e-9, f64::max);

@@ -6,9 +6,9 @@
 use model::FrictionState;
 use rayon::prelude::*;
 
-use super::evidence::Evidence;
-use super::stretch::Stretch;
-use super::voltage::{Added, Point, Trial};
+use crate::logs::stretch::Stretch;
+use crate::rows::evidence::Evidence;
+use crate::trial::voltage::{Added, Point, Trial};
 use files::Role;
 use simulation::{Settings, SimulatedRobot};
 

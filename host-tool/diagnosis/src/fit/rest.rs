@@ -1,8 +1,8 @@
 //! How far what a model leaves is above the noise.
 
-use super::evidence::Evidence;
 use super::linearisation::Linearisation;
 use super::unknowns::Unknown;
+use crate::rows::evidence::Evidence;
 
 /// What a model leaves, against the noise.
 #[derive(Clone, Debug, PartialEq)]

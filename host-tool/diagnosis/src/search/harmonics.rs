@@ -6,8 +6,8 @@
 use model::{FrictionState, Robot};
 use rayon::prelude::*;
 
-use super::evidence::{Evidence, Rows};
-use super::linearisation::Linearisation;
+use crate::fit::linearisation::Linearisation;
+use crate::rows::evidence::{Evidence, Rows};
 use rig::effects::Carrier;
 
 /// Highest harmonic per turn that is tried.

@@ -15,7 +15,7 @@ use model::{FrictionState, Posture, Robot};
 
 use super::link_motion::{self, Felt, JointMotion};
 use super::reading;
-use super::stretch::{Kinematics, Stretch};
+use crate::logs::stretch::{Kinematics, Stretch};
 use rig::effects::Transmission;
 use rig::effects::{Definition, Effect, Moment};
 use signal::derivative;

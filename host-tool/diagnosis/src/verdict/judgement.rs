@@ -1,10 +1,10 @@
 //! What the selection amounts to: effect, none or unknown, and how sure.
 
-use super::rest::Rest;
-use super::selection::{Rivalry, Selection, Step};
-use super::voltage::Added;
-use super::{Alternative, Verdict};
-use crate::subject::Subject;
+use crate::fit::rest::Rest;
+use crate::logs::subject::Subject;
+use crate::search::selection::{Rivalry, Selection, Step};
+use crate::trial::voltage::Added;
+use crate::{Alternative, Verdict};
 
 /// A rest up to so many times the noise is explained, whatever the gap was.
 const EXPLAINED_RATIO: f64 = 3.0;

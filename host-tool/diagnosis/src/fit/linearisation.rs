@@ -5,11 +5,11 @@ use std::ops::Range;
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
-use super::evidence::{Evidence, Rows};
-use super::parts::Parts;
 use super::slopes::{JointSlopes, changed, slopes};
 use super::unknowns::Expected;
-use super::voltage::{Added, Point};
+use crate::rows::evidence::{Evidence, Rows};
+use crate::trial::parts::Parts;
+use crate::trial::voltage::{Added, Point};
 
 /// A model with its residuals and their slopes.
 #[derive(Clone)]

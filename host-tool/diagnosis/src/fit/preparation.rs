@@ -2,14 +2,14 @@
 
 use model::{Posture, Robot};
 
-use super::evidence::Evidence;
 use super::fit::{MOST_STEPS, fit};
 use super::linearisation::Linearisation;
-use super::noise::{Noise, NoiseByRate, of_encoder};
-use super::selection::Selection;
-use super::stretch::Stretch;
-use super::subject::Subject;
-use super::voltage::{Added, Point, Trial};
+use crate::logs::stretch::Stretch;
+use crate::logs::subject::Subject;
+use crate::rows::evidence::Evidence;
+use crate::rows::noise::{Noise, NoiseByRate, of_encoder};
+use crate::search::selection::Selection;
+use crate::trial::voltage::{Added, Point, Trial};
 use recordings::StepError;
 
 /// Steps of the first fit, which only serves to see the noise.

@@ -2,10 +2,10 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::evidence::{Evidence, Rows};
-use super::linearisation::{Linearisation, Score, Which};
-use super::slopes::step_of;
-use super::voltage::Added;
+use crate::fit::linearisation::{Linearisation, Score, Which};
+use crate::fit::slopes::step_of;
+use crate::rows::evidence::{Evidence, Rows};
+use crate::trial::voltage::Added;
 
 /// An effect with its best values so far, and how well the model does with it.
 #[derive(Clone, Debug)]

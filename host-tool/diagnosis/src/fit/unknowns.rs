@@ -3,8 +3,8 @@
 use model::base::COUNT;
 use model::{BaseParameters, Friction};
 
-use super::subject::Subject;
-use super::voltage::Point;
+use crate::logs::subject::Subject;
+use crate::trial::voltage::Point;
 use identification::base_parameters::friction::{FRICTION_COUNT, from_array, to_array};
 
 /// One open parameter.

@@ -3,8 +3,8 @@
 use rand_distr::{Distribution, Uniform};
 use rand_pcg::Pcg64Mcg;
 
-use super::evidence::{Evidence, Rows};
-use super::noise::NoiseByRate;
+use crate::rows::evidence::{Evidence, Rows};
+use crate::rows::noise::NoiseByRate;
 use files::Role;
 
 /// 1 - rms with / rms without, with its 95 % interval.

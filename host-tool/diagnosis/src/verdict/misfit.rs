@@ -1,11 +1,11 @@
 //! Whether the model is that of the robot in the logs at all.
 
-use super::Verdict;
-use super::evidence::Evidence;
-use super::linearisation::Linearisation;
-use super::rest::Rest;
-use super::subject::Subject;
-use super::voltage::at_samples;
+use crate::Verdict;
+use crate::fit::linearisation::Linearisation;
+use crate::fit::rest::Rest;
+use crate::logs::subject::Subject;
+use crate::rows::evidence::Evidence;
+use crate::trial::voltage::at_samples;
 
 /// Part of the command's rms that the refitted model of another robot leaves at least.
 const ANOTHER_ROBOT: f64 = 0.2;

@@ -1,8 +1,8 @@
 //! Which logs a diagnosis can use, and what must be said of them.
 
-use super::log_checks::{cannot_be_judged, others_move};
 use super::stretch::Stretch;
 use super::subject::Subject;
+use crate::logs::checks::{cannot_be_judged, others_move};
 use files::Role;
 use recordings::campaign::JointTrace;
 use recordings::plausibility::examine;
