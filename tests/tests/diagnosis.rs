@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use blind_trial::Dice;
+use blind_trial::Rng;
 use blind_trial::robots::given_model;
 use diagnosis::fit::fit::fit_held;
 use diagnosis::fit::preparation::prepared;
@@ -34,7 +34,7 @@ struct Case {
 
 impl Case {
     fn new(effects: &[&str]) -> Self {
-        let given = given_model(&reference_robot(), &mut Dice::new(1, 2));
+        let given = given_model(&reference_robot(), &mut Rng::new(1, 2));
         Self { effects: tables(effects), given }
     }
 

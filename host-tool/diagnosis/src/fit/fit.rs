@@ -4,7 +4,7 @@ use super::linearisation::{Linearisation, objective};
 use super::unknowns::{Expected, Unknown, expected, kept_physical};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
-use crate::trial::voltage::{Added, Point};
+use crate::trial::voltage::{EffectInstance, Hypothesis};
 
 /// Most steps of a fit.
 pub const MOST_STEPS: usize = 6;
@@ -15,7 +15,7 @@ const SMALL_STEP: f64 = 2e-4;
 pub fn fit(
     evidence: &Evidence,
     subject: &Subject,
-    start: Point,
+    start: Hypothesis,
     most_steps: usize,
 ) -> Option<Linearisation> {
     let open = open_in(evidence, subject, &start.effects);
@@ -36,27 +36,31 @@ const DOUBT: f64 = 3.0;
 
 /// The fit with base parameters, Coulomb and viscous friction and lags no further than
 /// three deviations from what is known of them.
-pub fn fit_held(evidence: &Evidence, subject: &Subject, start: Point) -> Option<Linearisation> {
+pub fn fit_held(
+    evidence: &Evidence,
+    subject: &Subject,
+    start: Hypothesis,
+) -> Option<Linearisation> {
     let mut open = open_in(evidence, subject, &start.effects);
-    let mut point = start;
+    let mut hypothesis = start;
     for _ in 0..HELD_ROUNDS {
-        hold(&mut open, &mut point);
-        let linear = Linearisation::of(evidence, point.clone(), open.clone())?;
+        hold(&mut open, &mut hypothesis);
+        let linear = Linearisation::of(evidence, hypothesis.clone(), open.clone())?;
         let better = improved(evidence, subject, &linear, &open);
-        point = better.map_or(linear.point, |(point, _)| point);
+        hypothesis = better.map_or(linear.hypothesis, |(hypothesis, _)| hypothesis);
     }
-    hold(&mut open, &mut point);
-    Linearisation::of(evidence, point, open)
+    hold(&mut open, &mut hypothesis);
+    Linearisation::of(evidence, hypothesis, open)
 }
 
 /// Rounds in which parameters at their bounds are fixed there and the others retuned.
 const HELD_ROUNDS: usize = 3;
 
 /// Fixes at its bound what lies beyond.
-fn hold(open: &mut [Expected], point: &mut Point) {
+fn hold(open: &mut [Expected], hypothesis: &mut Hypothesis) {
     const FIXED: f64 = 1e-3;
     for expected in open {
-        let miss = (expected.unknown.get(point) - expected.mean) / expected.deviation;
+        let miss = (expected.unknown.get(hypothesis) - expected.mean) / expected.deviation;
         let may_be_held = !matches!(
             expected.unknown,
             Unknown::Effect { .. } | Unknown::Friction { parameter: 1 | 2 | 4 | 5, .. }
@@ -64,38 +68,42 @@ fn hold(open: &mut [Expected], point: &mut Point) {
         if may_be_held && miss.abs() > DOUBT {
             expected.mean += DOUBT * expected.deviation * miss.signum();
             expected.deviation *= FIXED;
-            expected.unknown.set(point, expected.mean);
+            expected.unknown.set(hypothesis, expected.mean);
         }
     }
 }
 
-/// A better point along the step with its objective, or none.
+/// A better hypothesis along the step with its objective, or none.
 fn improved(
     evidence: &Evidence,
     subject: &Subject,
     best: &Linearisation,
     open: &[Expected],
-) -> Option<(Point, f64)> {
+) -> Option<(Hypothesis, f64)> {
     let step = best.step();
     [1.0, 0.5, 0.2, 0.05].into_iter().find_map(|part| {
-        let mut point = best.moved(&step, part);
-        kept_physical(&mut point, &subject.robot.friction);
-        for effect in &mut point.effects {
+        let mut hypothesis = best.moved(&step, part);
+        kept_physical(&mut hypothesis, &subject.robot.friction);
+        for effect in &mut hypothesis.effects {
             effect.normalise();
         }
-        let objective = objective_of(evidence, &point, open);
-        (objective < best.objective).then_some((point, objective))
+        let objective = objective_of(evidence, &hypothesis, open);
+        (objective < best.objective).then_some((hypothesis, objective))
     })
 }
 
-fn objective_of(evidence: &Evidence, point: &Point, open: &[Expected]) -> f64 {
-    let residual = evidence.shortfall(point, &evidence.joints);
+fn objective_of(evidence: &Evidence, hypothesis: &Hypothesis, open: &[Expected]) -> f64 {
+    let residual = evidence.residual(hypothesis, &evidence.joints);
     let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
-    objective(&residual, &train, point, open)
+    objective(&residual, &train, hypothesis, open)
 }
 
 /// Everything open in a model with these effects.
-pub fn open_in(evidence: &Evidence, subject: &Subject, effects: &[Added]) -> Vec<Expected> {
+pub fn open_in(
+    evidence: &Evidence,
+    subject: &Subject,
+    effects: &[EffectInstance],
+) -> Vec<Expected> {
     let period_s = evidence.stretches[0].period_s;
     let mut open = expected(subject, period_s);
     for (index, effect) in effects.iter().enumerate().skip(subject.known_effects.len()) {

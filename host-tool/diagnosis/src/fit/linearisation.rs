@@ -9,18 +9,18 @@ use super::slopes::{JointSlopes, changed, slopes};
 use super::unknowns::Expected;
 use crate::rows::evidence::{Evidence, Rows};
 use crate::trial::parts::Parts;
-use crate::trial::voltage::{Added, Point};
+use crate::trial::voltage::{EffectInstance, Hypothesis};
 
 /// A model with its residuals and their slopes.
 #[derive(Clone)]
 pub struct Linearisation {
     /// The model.
-    pub point: Point,
+    pub hypothesis: Hypothesis,
     /// What is open in it.
     pub expected: Vec<Expected>,
     /// Residuals of all joints, in units of noise.
     pub residual: Rows,
-    /// Squares of train rows and of the expectations' misses.
+    /// Squares of train rows and of the prior penalty.
     pub objective: f64,
     /// What the model's equation consists of, stretch by stretch, joint by joint.
     parts: Vec<[Parts; 3]>,
@@ -34,7 +34,7 @@ pub struct Linearisation {
 /// How well a change of the rows fits, everything open retuned.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Score {
-    /// Squares of train rows and of expectations' misses.
+    /// Squares of train rows and of prior penalty.
     pub train: f64,
     /// Squares of the rows held out.
     pub holdout: f64,
@@ -50,14 +50,29 @@ impl Score {
 impl Linearisation {
     /// Linearises a model; `expected` must name its effects' parameters too.
     /// `None` where the numbers do not work out.
-    pub fn of(evidence: &Evidence, point: Point, expected: Vec<Expected>) -> Option<Self> {
+    pub fn of(
+        evidence: &Evidence,
+        hypothesis: Hypothesis,
+        expected: Vec<Expected>,
+    ) -> Option<Self> {
         let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
-        let (parts, residual, joints) = slopes(evidence, &point, &expected);
-        let objective = objective(&residual, &train, &point, &expected);
-        let (normal, gradient) = normal_equations(&joints, &residual, &train, &point, &expected);
+        let (parts, residual, joints) = slopes(evidence, &hypothesis, &expected);
+        let objective = objective(&residual, &train, &hypothesis, &expected);
+        let (normal, gradient) =
+            normal_equations(&joints, &residual, &train, &hypothesis, &expected);
         let normal = Cholesky::new(normal)?;
         objective.is_finite().then_some(())?;
-        Some(Self { point, expected, residual, objective, parts, joints, gradient, normal, train })
+        Some(Self {
+            hypothesis,
+            expected,
+            residual,
+            objective,
+            parts,
+            joints,
+            gradient,
+            normal,
+            train,
+        })
     }
 
     /// The change of what is open that fits best, by the slopes.
@@ -65,14 +80,14 @@ impl Linearisation {
         -self.normal.solve(&self.gradient)
     }
 
-    /// The point a part of a step further.
-    pub fn moved(&self, step: &DVector<f64>, part: f64) -> Point {
-        let mut point = self.point.clone();
+    /// The hypothesis a part of a step further.
+    pub fn moved(&self, step: &DVector<f64>, part: f64) -> Hypothesis {
+        let mut hypothesis = self.hypothesis.clone();
         for (expected, change) in self.expected.iter().zip(step.iter()) {
-            let now = expected.unknown.get(&self.point);
-            expected.unknown.set(&mut point, now + part * change);
+            let now = expected.unknown.get(&self.hypothesis);
+            expected.unknown.set(&mut hypothesis, now + part * change);
         }
-        point
+        hypothesis
     }
 
     /// The score of the model as it stands, retuned by the slopes.
@@ -156,19 +171,19 @@ impl Linearisation {
     }
 
     /// Change of rows by one more effect; `all_joints` or just that of its own joint.
-    pub fn change_by(&self, evidence: &Evidence, effect: &Added, which: Which) -> Rows {
+    pub fn change_by(&self, evidence: &Evidence, effect: &EffectInstance, which: Which) -> Rows {
         let own = usize::from(effect.joint).wrapping_sub(1);
         let joints = match effect.definition.couples_joints && (effect.joint == 0 || which.joints) {
             true => evidence.joints.clone(),
             false => vec![own],
         };
-        let others = &self.point.effects;
-        let point = self.point.with(effect.clone());
+        let others = &self.hypothesis.effects;
+        let hypothesis = self.hypothesis.with(effect.clone());
         let count =
             if which.held_out { evidence.stretches.len() } else { evidence.train_stretches() };
         let mut rows: Rows = Default::default();
         for (s, parts) in self.parts.iter().enumerate().take(count) {
-            changed(evidence, s, parts, &point, (effect, others), &joints, &mut rows);
+            changed(evidence, s, parts, &hypothesis, (effect, others), &joints, &mut rows);
         }
         rows
     }
@@ -218,19 +233,24 @@ impl Which {
     pub const OWN: Self = Self { joints: false, held_out: false };
 }
 
-/// Squares of train rows and of the expectations' misses.
-pub fn objective(residual: &Rows, train: &[usize; 3], point: &Point, expected: &[Expected]) -> f64 {
+/// Squares of train rows and of the prior penalty.
+pub fn objective(
+    residual: &Rows,
+    train: &[usize; 3],
+    hypothesis: &Hypothesis,
+    expected: &[Expected],
+) -> f64 {
     let rows: f64 = (0..3).flat_map(|j| residual[j].iter().take(train[j])).map(|r| r * r).sum();
-    let misses: f64 =
-        expected.iter().map(|e| ((e.unknown.get(point) - e.mean) / e.deviation).powi(2)).sum();
-    rows + misses
+    let prior_penalty: f64 =
+        expected.iter().map(|e| ((e.unknown.get(hypothesis) - e.mean) / e.deviation).powi(2)).sum();
+    rows + prior_penalty
 }
 
 fn normal_equations(
     joints: &[JointSlopes],
     residual: &Rows,
     train: &[usize; 3],
-    point: &Point,
+    hypothesis: &Hypothesis,
     expected: &[Expected],
 ) -> (DMatrix<f64>, DVector<f64>) {
     let count = expected.len();
@@ -239,7 +259,7 @@ fn normal_equations(
     for (place, e) in expected.iter().enumerate() {
         let weight = e.deviation.powi(-2);
         normal[(place, place)] += weight;
-        gradient[place] += weight * (e.unknown.get(point) - e.mean);
+        gradient[place] += weight * (e.unknown.get(hypothesis) - e.mean);
     }
     for slopes in joints {
         let rows = train[slopes.joint];

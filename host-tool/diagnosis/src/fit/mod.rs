@@ -3,6 +3,6 @@
 pub mod fit;
 pub mod linearisation;
 pub mod preparation;
-pub mod rest;
+pub mod residual_stats;
 pub mod slopes;
 pub mod unknowns;

@@ -9,7 +9,7 @@ use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
 use crate::rows::noise::{Noise, NoiseByRate, of_encoder};
 use crate::search::selection::Selection;
-use crate::trial::voltage::{Added, Point, Trial};
+use crate::trial::voltage::{EffectInstance, Hypothesis, Trial};
 use recordings::StepError;
 
 /// Steps of the first fit, which only serves to see the noise.
@@ -26,8 +26,8 @@ pub fn prepared(
     let given = as_given(subject);
     let evidence = with_noise(subject, stretches, &given)?;
     let rough = fit(&evidence, subject, given, FIRST_STEPS).ok_or_else(undetermined)?;
-    let evidence = with_noise(subject, evidence.stretches, &rough.point)?;
-    let linear = fit(&evidence, subject, rough.point, MOST_STEPS).ok_or_else(undetermined)?;
+    let evidence = with_noise(subject, evidence.stretches, &rough.hypothesis)?;
+    let linear = fit(&evidence, subject, rough.hypothesis, MOST_STEPS).ok_or_else(undetermined)?;
     Ok((evidence, linear))
 }
 
@@ -40,9 +40,9 @@ fn undetermined() -> StepError {
 fn with_noise(
     subject: &Subject,
     stretches: Vec<Stretch>,
-    point: &Point,
+    hypothesis: &Hypothesis,
 ) -> Result<Evidence, StepError> {
-    let noise = noise(&stretches, point, subject.known.encoder_step_rad);
+    let noise = noise(&stretches, hypothesis, subject.known.encoder_step_rad);
     for (&joint, number) in subject.joints.iter().zip(&subject.numbers) {
         if !noise.knows(joint) {
             let what = format!(
@@ -58,19 +58,19 @@ fn with_noise(
 /// Noise in what the last model of a selection leaves: a gap that is always there passes for
 /// noise until its cause is found.
 pub fn noise_left(subject: &Subject, evidence: &Evidence, selection: &Selection) -> NoiseByRate {
-    let point = selection.steps.last().map(|step| step.linear.point.clone());
-    let point = point.unwrap_or_else(|| as_given(subject));
-    noise(&evidence.stretches, &point, subject.known.encoder_step_rad)
+    let hypothesis = selection.steps.last().map(|step| step.linear.hypothesis.clone());
+    let hypothesis = hypothesis.unwrap_or_else(|| as_given(subject));
+    noise(&evidence.stretches, &hypothesis, subject.known.encoder_step_rad)
 }
 
 /// The model as given.
-pub fn as_given(subject: &Subject) -> Point {
-    let effects = subject.known_effects.iter().map(|(definition, joint, values)| Added {
+pub fn as_given(subject: &Subject) -> Hypothesis {
+    let effects = subject.known_effects.iter().map(|(definition, joint, values)| EffectInstance {
         definition,
         joint: *joint,
         values: values.clone(),
     });
-    Point { robot: subject.robot, lag_s: [0.0; 3], effects: effects.collect() }
+    Hypothesis { robot: subject.robot, lag_s: [0.0; 3], effects: effects.collect() }
 }
 
 /// Sample periods that differ by less are one rate.
@@ -78,8 +78,8 @@ const SAME_RATE: f64 = 0.05;
 
 /// Noise of each joint in what a model leaves of logs without driven noise, or of all logs
 /// where there are no others; rate by rate.
-fn noise(stretches: &[Stretch], point: &Point, step_rad: f64) -> NoiseByRate {
-    let calm: Vec<&Stretch> = stretches.iter().filter(|s| !s.brisk).collect();
+fn noise(stretches: &[Stretch], hypothesis: &Hypothesis, step_rad: f64) -> NoiseByRate {
+    let calm: Vec<&Stretch> = stretches.iter().filter(|s| !s.broadband).collect();
     let used = if calm.is_empty() { stretches.iter().collect() } else { calm };
     let mut noise = NoiseByRate::default();
     let mut rates_s: Vec<f64> = Vec::new();
@@ -90,22 +90,23 @@ fn noise(stretches: &[Stretch], point: &Point, step_rad: f64) -> NoiseByRate {
         }
         rates_s.push(period_s);
         let alike = used.iter().filter(|other| is_same_rate(other.period_s, period_s));
-        let trials: Vec<Trial> = alike.map(|stretch| Trial::of(stretch, point)).collect();
+        let trials: Vec<Trial> = alike.map(|stretch| Trial::of(stretch, hypothesis)).collect();
         let of_joint = |joint: usize| {
-            let left: Vec<Vec<f64>> = trials.iter().map(|trial| trial.shortfall(joint)).collect();
+            let left: Vec<Vec<f64>> = trials.iter().map(|trial| trial.residual(joint)).collect();
             let left: Vec<&[f64]> = left.iter().map(|rows| &rows[..]).collect();
             Noise::of(&left, period_s)
         };
-        let of_steps =
-            |joint: usize| of_encoder(step_rad, period_s) * lightest(stretch, point, joint).powi(2);
+        let of_steps = |joint: usize| {
+            of_encoder(step_rad, period_s) * lightest(stretch, hypothesis, joint).powi(2)
+        };
         noise.push(period_s, [0, 1, 2].map(of_joint), [0, 1, 2].map(of_steps));
     }
     noise
 }
 
 /// The smallest inertia that a joint (0 to 2) has in a stretch [V s^2/rad].
-fn lightest(stretch: &Stretch, point: &Point, joint: usize) -> f64 {
-    let Robot { base, geometry, torque_constant_nm_per_v, .. } = &point.robot;
+fn lightest(stretch: &Stretch, hypothesis: &Hypothesis, joint: usize) -> f64 {
+    let Robot { base, geometry, torque_constant_nm_per_v, .. } = &hypothesis.robot;
     let inertia = |posture: &Posture<f64>| posture.mass_matrix(base, geometry)[joint][joint];
     let smallest = stretch.postures.iter().map(inertia).fold(f64::INFINITY, f64::min);
     smallest / torque_constant_nm_per_v[joint]

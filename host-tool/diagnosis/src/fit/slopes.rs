@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::unknowns::{Expected, Unknown};
 use crate::rows::evidence::{Columns, Evidence, Rows};
 use crate::trial::parts::{Parts, same, touched};
-use crate::trial::voltage::{Added, Point, Trial, at_samples};
+use crate::trial::voltage::{EffectInstance, Hypothesis, Trial, at_samples};
 
 /// Slopes of one joint's rows.
 #[derive(Clone)]
@@ -20,19 +20,19 @@ pub struct JointSlopes {
     pub matrix: DMatrix<f64>,
 }
 
-/// Appends the change of joints' rows in a stretch once a model becomes `point`, which
+/// Appends the change of joints' rows in a stretch once a model becomes `hypothesis`, which
 /// differs in an effect beside others.
 pub fn changed(
     evidence: &Evidence,
     s: usize,
     parts: &[Parts; 3],
-    point: &Point,
-    (effect, others): (&Added, &[Added]),
+    hypothesis: &Hypothesis,
+    (effect, others): (&EffectInstance, &[EffectInstance]),
     joints: &[usize],
     rows: &mut Rows,
 ) {
     let touches = touched(effect, others);
-    let trial = Trial::beside(&evidence.stretches[s], point, same(parts, effect));
+    let trial = Trial::beside(&evidence.stretches[s], hypothesis, same(parts, effect));
     for &joint in joints {
         let change = parts[joint].change_to(&trial, joint, touches);
         rows[joint].extend(evidence.weighted(s, joint, &change));
@@ -48,12 +48,12 @@ type Piece = (Parts, Vec<f64>, Vec<Column>);
 /// The parts of the equation, the rows, and the slopes of every joint.
 pub fn slopes(
     evidence: &Evidence,
-    point: &Point,
+    hypothesis: &Hypothesis,
     expected: &[Expected],
 ) -> (Vec<[Parts; 3]>, Rows, Vec<JointSlopes>) {
     let pieces: Vec<[Piece; 3]> = (0..evidence.stretches.len())
         .into_par_iter()
-        .map(|s| stretch_slopes(evidence, s, point, expected))
+        .map(|s| stretch_slopes(evidence, s, hypothesis, expected))
         .collect();
     let mut parts = Vec::new();
     let mut residual: Rows = Default::default();
@@ -67,7 +67,7 @@ pub fn slopes(
             parts
         }));
     }
-    for (place, rows) in effect_slopes(evidence, &parts, point, expected) {
+    for (place, rows) in effect_slopes(evidence, &parts, hypothesis, expected) {
         for (joint, rows) in rows.into_iter().enumerate().filter(|(_, rows)| !rows.is_empty()) {
             columns[joint].push((place, rows));
         }
@@ -98,17 +98,17 @@ impl JointSlopes {
 fn stretch_slopes(
     evidence: &Evidence,
     s: usize,
-    point: &Point,
+    hypothesis: &Hypothesis,
     expected: &[Expected],
 ) -> [Piece; 3] {
-    let trial = Trial::of(&evidence.stretches[s], point);
+    let trial = Trial::of(&evidence.stretches[s], hypothesis);
     [0, 1, 2].map(|joint| {
         if !evidence.joints.contains(&joint) {
             return Piece::default();
         }
         let parts = Parts::of(&trial, joint);
         let rows = evidence.weighted(s, joint, &trial.left(joint, &parts.net));
-        let columns = own_slopes(evidence, s, joint, (&trial, &parts), point, expected);
+        let columns = own_slopes(evidence, s, joint, (&trial, &parts), hypothesis, expected);
         (parts, rows, columns)
     })
 }
@@ -119,7 +119,7 @@ fn own_slopes(
     s: usize,
     joint: usize,
     (trial, parts): (&Trial, &Parts),
-    point: &Point,
+    hypothesis: &Hypothesis,
     expected: &[Expected],
 ) -> Vec<Column> {
     let rows = |signal: &[f64]| evidence.weighted(s, joint, signal);
@@ -137,7 +137,7 @@ fn own_slopes(
         match e.unknown {
             Unknown::Base(k) if !base[k].is_empty() => columns.push((place, base[k].clone())),
             Unknown::Friction { joint: of, parameter } if of == joint => {
-                let (moved, step) = friction_moved(point, joint, parameter);
+                let (moved, step) = friction_moved(hypothesis, joint, parameter);
                 let slope: Vec<f64> = trial
                     .friction(joint, &moved)
                     .iter()
@@ -181,11 +181,15 @@ fn base_counts(joint: usize, k: usize) -> bool {
     }
 }
 
-fn friction_moved(point: &Point, joint: usize, parameter: usize) -> (model::Robot<f64>, f64) {
+fn friction_moved(
+    hypothesis: &Hypothesis,
+    joint: usize,
+    parameter: usize,
+) -> (model::Robot<f64>, f64) {
     let unknown = Unknown::Friction { joint, parameter };
-    let value = unknown.get(point);
-    let step = (2e-3 * value.abs()).max(1e-5 * point.robot.friction[joint].alpha0_v);
-    let mut moved = point.clone();
+    let value = unknown.get(hypothesis);
+    let step = (2e-3 * value.abs()).max(1e-5 * hypothesis.robot.friction[joint].alpha0_v);
+    let mut moved = hypothesis.clone();
     unknown.set(&mut moved, value + step);
     (moved.robot, step)
 }
@@ -194,12 +198,12 @@ fn friction_moved(point: &Point, joint: usize, parameter: usize) -> (model::Robo
 fn effect_slopes(
     evidence: &Evidence,
     parts: &[[Parts; 3]],
-    point: &Point,
+    hypothesis: &Hypothesis,
     expected: &[Expected],
 ) -> Vec<(usize, Rows)> {
     let slope = |place: usize| match expected[place].unknown {
         Unknown::Effect { index, value } => {
-            Some((place, effect_slope(evidence, parts, point, index, value)))
+            Some((place, effect_slope(evidence, parts, hypothesis, index, value)))
         }
         _ => None,
     };
@@ -210,15 +214,15 @@ fn effect_slopes(
 fn effect_slope(
     evidence: &Evidence,
     parts: &[[Parts; 3]],
-    point: &Point,
+    hypothesis: &Hypothesis,
     index: usize,
     value: usize,
 ) -> Rows {
-    let effect = &point.effects[index];
+    let effect = &hypothesis.effects[index];
     let step = step_of(effect, value);
-    let mut moved = point.clone();
+    let mut moved = hypothesis.clone();
     moved.effects[index].values[value] += step;
-    let mut others = point.effects.clone();
+    let mut others = hypothesis.effects.clone();
     others.remove(index);
     let joints = match effect.definition.couples_joints {
         true => evidence.joints.clone(),
@@ -234,10 +238,10 @@ fn effect_slope(
 
 /// Step for a difference along a parameter of an effect, away from its nearer bound. A link
 /// that bounces in its play makes rows rough: only wide steps show where they lead.
-pub fn step_of(effect: &Added, value: usize) -> f64 {
+pub fn step_of(effect: &EffectInstance, value: usize) -> f64 {
     let parameters = effect.definition.parameters;
     let (parameter, value) = (&parameters[value], effect.values[value]);
-    let part = if effect.has_play() { 0.15 } else { 5e-3 };
+    let part = if effect.has_backlash() { 0.15 } else { 5e-3 };
     let size = match parameter.name {
         "phase_rad" => 1e-3,
         _ => (part * value.abs()).max(1e-6 * (parameter.highest - parameter.lowest)),

@@ -4,7 +4,7 @@ use model::base::COUNT;
 use model::{BaseParameters, Friction};
 
 use crate::logs::subject::Subject;
-use crate::trial::voltage::Point;
+use crate::trial::voltage::Hypothesis;
 use identification::base_parameters::friction::{FRICTION_COUNT, from_array, to_array};
 
 /// One open parameter.
@@ -134,41 +134,41 @@ fn base_scales(base: &BaseParameters<f64>) -> [f64; COUNT] {
 }
 
 impl Unknown {
-    /// Its value at a point.
-    pub fn get(self, point: &Point) -> f64 {
+    /// Its value at a hypothesis.
+    pub fn get(self, hypothesis: &Hypothesis) -> f64 {
         match self {
-            Self::Base(k) => point.robot.base.to_array()[k],
+            Self::Base(k) => hypothesis.robot.base.to_array()[k],
             Self::Friction { joint, parameter } => {
-                to_array(&point.robot.friction[joint])[parameter]
+                to_array(&hypothesis.robot.friction[joint])[parameter]
             }
-            Self::Lag(joint) => point.lag_s[joint],
-            Self::Effect { index, value } => point.effects[index].values[value],
+            Self::Lag(joint) => hypothesis.lag_s[joint],
+            Self::Effect { index, value } => hypothesis.effects[index].values[value],
         }
     }
 
-    /// Sets its value at a point.
-    pub fn set(self, point: &mut Point, to: f64) {
+    /// Sets its value at a hypothesis.
+    pub fn set(self, hypothesis: &mut Hypothesis, to: f64) {
         match self {
             Self::Base(k) => {
-                let mut base = point.robot.base.to_array();
+                let mut base = hypothesis.robot.base.to_array();
                 base[k] = to;
-                point.robot.base = BaseParameters::from_array(base);
+                hypothesis.robot.base = BaseParameters::from_array(base);
             }
             Self::Friction { joint, parameter } => {
-                let friction = &mut point.robot.friction[joint];
+                let friction = &mut hypothesis.robot.friction[joint];
                 let mut values = to_array(friction);
                 values[parameter] = to;
                 *friction = from_array(values);
             }
-            Self::Lag(joint) => point.lag_s[joint] = to,
-            Self::Effect { index, value } => point.effects[index].values[value] = to,
+            Self::Lag(joint) => hypothesis.lag_s[joint] = to,
+            Self::Effect { index, value } => hypothesis.effects[index].values[value] = to,
         }
     }
 }
 
 /// Friction parameters kept where friction is friction.
-pub fn kept_physical(point: &mut Point, from: &[Friction<f64>; 3]) {
-    for (friction, given) in point.robot.friction.iter_mut().zip(from) {
+pub fn kept_physical(hypothesis: &mut Hypothesis, from: &[Friction<f64>; 3]) {
+    for (friction, given) in hypothesis.robot.friction.iter_mut().zip(from) {
         let f = friction;
         f.alpha0_v = f.alpha0_v.max(0.02 * given.alpha0_v);
         f.alpha1_v = f.alpha1_v.max(-0.95 * f.alpha0_v);

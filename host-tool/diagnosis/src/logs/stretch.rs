@@ -55,7 +55,7 @@ pub struct Stretch {
     /// Sines and cosines of the measured motion.
     pub postures: Vec<Posture<f64>>,
     /// Whether the commands drive the joints at high frequencies.
-    pub brisk: bool,
+    pub broadband: bool,
     /// First sample of each joint from which the bend of its friction is known.
     pub settled: [usize; 3],
 }
@@ -65,12 +65,12 @@ const SHORTEST_S: f64 = 1.5;
 /// Gaps of fewer periods are filled, longer ones end a stretch.
 const LONGEST_GAP_PERIODS: f64 = 10.0;
 /// Under driven noise one missing sample ends a stretch: nobody knows what was put out then.
-const LONGEST_BRISK_GAP_PERIODS: f64 = 1.6;
+const LONGEST_BROADBAND_GAP_PERIODS: f64 = 1.6;
 /// Highest cut-off of positions where they enter products and friction [Hz]. What encoder
 /// steps add to the velocity blurs friction around reversals; what a filter takes away is
 /// missed where noise drives the joints.
 const CALM_CUTOFF_HZ: f64 = 90.0;
-const BRISK_CUTOFF_HZ: f64 = 200.0;
+const BROADBAND_CUTOFF_HZ: f64 = 200.0;
 
 /// What is faster is hardly seen from sample to sample, in parts of the sampling rate.
 const FAST: f64 = 0.2;
@@ -89,8 +89,8 @@ impl Stretch {
                 .collect::<Vec<Self>>()
         };
         let stretches = whole(LONGEST_GAP_PERIODS);
-        match stretches.iter().any(|stretch| stretch.brisk) {
-            true => whole(LONGEST_BRISK_GAP_PERIODS),
+        match stretches.iter().any(|stretch| stretch.broadband) {
+            true => whole(LONGEST_BROADBAND_GAP_PERIODS),
             false => stretches,
         }
     }
@@ -120,7 +120,7 @@ impl Stretch {
             motion: Kinematics::default(),
             command_v: Default::default(),
             postures: Vec::new(),
-            brisk: false,
+            broadband: false,
             settled: [0; 3],
         };
         let mut angles: [Vec<f64>; 3] = Default::default();
@@ -128,12 +128,12 @@ impl Stretch {
             let Some(columns) = trace.joint(number) else { continue };
             let q = clock.smooth(&columns.q_rad[range.clone()]);
             let command = clock.held_mean(&columns.command_v[range.clone()]);
-            stretch.brisk |= is_brisk(&command, period_s);
+            stretch.broadband |= is_broadband(&command, period_s);
             stretch.settled[joint] = settled(&q, subject, joint);
             angles[joint] = q;
             stretch.command_v[joint] = command;
         }
-        let highest_hz = if stretch.brisk { BRISK_CUTOFF_HZ } else { CALM_CUTOFF_HZ };
+        let highest_hz = if stretch.broadband { BROADBAND_CUTOFF_HZ } else { CALM_CUTOFF_HZ };
         for &joint in subject.joints.iter().filter(|&&joint| !angles[joint].is_empty()) {
             let step_rad = subject.known.encoder_step_rad;
             let cutoff_hz = motion_cutoff_hz(&angles[joint], period_s, step_rad, highest_hz);
@@ -224,7 +224,7 @@ fn second_difference(q_rad: &[f64], period_s: f64) -> Vec<f64> {
 }
 
 /// Whether a twentieth of a command lies above 50 Hz.
-fn is_brisk(command_v: &[f64], period_s: f64) -> bool {
+fn is_broadband(command_v: &[f64], period_s: f64) -> bool {
     const ABOVE_HZ: f64 = 50.0;
     const SHARE: f64 = 0.05;
     if period_s * ABOVE_HZ > 0.2 {

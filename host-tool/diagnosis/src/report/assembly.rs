@@ -6,14 +6,14 @@ use super::motion_gap::drift_rms_rad;
 use crate::fit::fit::{fit, fit_held};
 use crate::fit::linearisation::Linearisation;
 use crate::fit::preparation::as_given;
-use crate::fit::rest::MISSES;
-use crate::fit::rest::Rest;
+use crate::fit::residual_stats::PRIOR_PENALTY;
+use crate::fit::residual_stats::ResidualStats;
 use crate::logs::subject::Subject;
 use crate::report::sentence;
 use crate::rows::evidence::{Evidence, Rows};
 use crate::rows::noise::NoiseByRate;
 use crate::search::selection::{Rivalry, Selection};
-use crate::trial::voltage::{Added, Point, Trial, at_samples};
+use crate::trial::voltage::{EffectInstance, Hypothesis, Trial, at_samples};
 use crate::verdict::judgement::{confidence, verdict};
 use crate::verdict::shrinkage::{Shrinkage, held_out_floor_v, held_out_rms_v, noise_floor_v};
 use crate::verdict::{detectable, misfit};
@@ -44,7 +44,7 @@ impl Assembly<'_> {
         let verdict = verdict(self.selection);
         let named = verdict == Verdict::Effect;
         let steps = &self.selection.steps;
-        let given = self.evidence.shortfall(&as_given(self.subject), &self.evidence.joints);
+        let given = self.evidence.residual(&as_given(self.subject), &self.evidence.joints);
         let refitted = self.within_doubt(&steps[0].linear);
         let last = if named { &steps[steps.len() - 1].linear } else { &refitted };
         let logs = self.logs(&given, &refitted.residual, &last.residual);
@@ -65,16 +65,16 @@ impl Assembly<'_> {
             remarks,
         };
         let waterfall = self.waterfall(&given, &refitted, named);
-        let model = self.amended(file, &last.point);
+        let model = self.amended(file, &last.hypothesis);
         Diagnosis { report, logs, waterfall, rivals: self.rivals(named), model }
     }
 
     /// The refitted model, its parameters no further than three deviations from what is
     /// known of them: what a model's own doubt can explain, and no more.
     fn within_doubt(&self, free: &Linearisation) -> Linearisation {
-        let rest = Rest::of(self.evidence, free);
-        let held = (rest.misses > MISSES)
-            .then(|| fit_held(self.evidence, self.subject, free.point.clone()))
+        let rest = ResidualStats::of(self.evidence, free);
+        let held = (rest.prior_penalty > PRIOR_PENALTY)
+            .then(|| fit_held(self.evidence, self.subject, free.hypothesis.clone()))
             .flatten();
         held.unwrap_or_else(|| free.clone())
     }
@@ -85,8 +85,8 @@ impl Assembly<'_> {
             refitted_v: held_out_rms_v(self.evidence, &refitted.residual),
             with_effects_v: held_out_rms_v(self.evidence, &last.residual),
             noise_floor_v: held_out_floor_v(self.evidence, &self.noise),
-            refitted_rad: drift_rms_rad(self.evidence, &refitted.point),
-            with_effects_rad: drift_rms_rad(self.evidence, &last.point),
+            refitted_rad: drift_rms_rad(self.evidence, &refitted.hypothesis),
+            with_effects_rad: drift_rms_rad(self.evidence, &last.hypothesis),
         }
     }
 
@@ -97,7 +97,7 @@ impl Assembly<'_> {
         };
         let mut levels = vec![level("as given", given), level("refitted", &refitted.residual)];
         for step in self.selection.steps.iter().skip(1).filter(|_| named) {
-            let Some(effect) = step.linear.point.effects.last() else { continue };
+            let Some(effect) = step.linear.hypothesis.effects.last() else { continue };
             let name = format!(
                 "with {}, {}",
                 sentence::effect_words(effect.definition.name),
@@ -116,11 +116,11 @@ impl Assembly<'_> {
         last: &Linearisation,
     ) -> (Vec<Cause>, Vec<Alternative>) {
         let known = self.subject.known_effects.len();
-        let added = last.point.effects.len() - known;
+        let added = last.hypothesis.effects.len() - known;
         let mut causes = Vec::new();
         let mut alternatives = Vec::new();
         for index in 0..added {
-            let effect = &last.point.effects[known + index];
+            let effect = &last.hypothesis.effects[known + index];
             let without = (added > 1).then(|| self.without(last, known + index)).flatten();
             let before = without.as_ref().unwrap_or(refitted);
             let joints = match effect.joint {
@@ -148,9 +148,9 @@ impl Assembly<'_> {
 
     /// The model without one of its causes, within its doubt.
     fn without(&self, last: &Linearisation, index: usize) -> Option<Linearisation> {
-        let mut point = last.point.clone();
-        point.effects.remove(index);
-        let free = fit(self.evidence, self.subject, point, STEPS)?;
+        let mut hypothesis = last.hypothesis.clone();
+        hypothesis.effects.remove(index);
+        let free = fit(self.evidence, self.subject, hypothesis, STEPS)?;
         Some(self.within_doubt(&free))
     }
 
@@ -160,7 +160,7 @@ impl Assembly<'_> {
             let before = &steps[rivalry.round.min(steps.len() - 1)].rest;
             let explained = match before.excess > 0.0 {
                 true => 1.0 - rivalry.rest.excess / before.excess,
-                false => 1.0 - rivalry.rest.misses / before.misses.max(1.0),
+                false => 1.0 - rivalry.rest.prior_penalty / before.prior_penalty.max(1.0),
             };
             Rival {
                 effect: rivalry.candidate.effect.definition.name.into(),
@@ -182,7 +182,7 @@ impl Assembly<'_> {
         let steps = &self.selection.steps;
         let left = format!("leaves up to {:.1} times the noise", rivalry.rest.worst());
         let Some(step) = steps.get(rivalry.round + 1).filter(|_| named) else { return left };
-        let Some(taken) = step.linear.point.effects.last() else { return left };
+        let Some(taken) = step.linear.hypothesis.effects.last() else { return left };
         let ratio = (rivalry.rest.rows / step.rest.rows).sqrt();
         format!(
             "{left}, in all {ratio:.1} times what {} leaves",
@@ -194,7 +194,7 @@ impl Assembly<'_> {
     fn taken_in_vain(&self) -> Vec<Rival> {
         let first = &self.selection.steps[0].rest;
         let rival = |step: &selection::Step| {
-            let effect = step.linear.point.effects.last()?;
+            let effect = step.linear.hypothesis.effects.last()?;
             Some(Rival {
                 effect: effect.definition.name.into(),
                 joint: self.subject.outer_joint(effect.joint),
@@ -210,10 +210,10 @@ impl Assembly<'_> {
     }
 
     fn logs(&self, given: &Rows, refitted: &Rows, last: &Rows) -> Vec<LogResiduals> {
-        let point = &self.selection.steps[0].linear.point;
+        let hypothesis = &self.selection.steps[0].linear.hypothesis;
         let of_stretch = |s: usize| {
             let stretch = &self.evidence.stretches[s];
-            let trial = Trial::of(stretch, point);
+            let trial = Trial::of(stretch, hypothesis);
             let filter = self.evidence.filter(self.evidence.joints[0], s);
             let instants: Vec<usize> = filter.instants(stretch.len()).collect();
             let joint = |(&joint, &number): (&usize, &u8)| {
@@ -254,9 +254,9 @@ impl Assembly<'_> {
     }
 
     /// The model file with refitted parameters and the effects.
-    fn amended(&self, file: &RobotFile, point: &Point) -> RobotFile {
-        let mut amended = self.subject.retuned_file(file, &point.robot);
-        amended.effects = point
+    fn amended(&self, file: &RobotFile, hypothesis: &Hypothesis) -> RobotFile {
+        let mut amended = self.subject.retuned_file(file, &hypothesis.robot);
+        amended.effects = hypothesis
             .effects
             .iter()
             .map(|effect| EffectTable {
@@ -274,7 +274,7 @@ impl Assembly<'_> {
 }
 
 /// An effect's parameters by name, components of a vector together.
-fn parameters(effect: &Added) -> BTreeMap<String, Value> {
+fn parameters(effect: &EffectInstance) -> BTreeMap<String, Value> {
     let mut all = BTreeMap::<String, Value>::new();
     for (parameter, &value) in effect.definition.parameters.iter().zip(&effect.values) {
         if parameter.optional && value == 0.0 {

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use crate::logs::stretch::Stretch;
 use crate::rows::evidence::Evidence;
-use crate::trial::voltage::{Added, Point, Trial};
+use crate::trial::voltage::{EffectInstance, Hypothesis, Trial};
 use files::Role;
 use simulation::{Settings, SimulatedRobot};
 
@@ -18,11 +18,11 @@ const WINDOW_S: f64 = 0.25;
 const BEFORE_S: f64 = 0.1;
 
 /// Root mean square of each joint's drift on the logs held out [rad].
-pub fn drift_rms_rad(evidence: &Evidence, point: &Point) -> Vec<f64> {
+pub fn drift_rms_rad(evidence: &Evidence, hypothesis: &Hypothesis) -> Vec<f64> {
     let held: Vec<&Stretch> =
         evidence.stretches.iter().filter(|stretch| stretch.role == Role::Holdout).collect();
     let sums: Vec<([f64; 3], usize)> =
-        held.par_iter().flat_map_iter(|stretch| windows(stretch, point)).collect();
+        held.par_iter().flat_map_iter(|stretch| windows(stretch, hypothesis)).collect();
     let count: usize = sums.iter().map(|sum| sum.1).sum();
     let squares = |joint: usize| sums.iter().map(|sum| sum.0[joint]).sum::<f64>();
     let rms = |&joint: &usize| (squares(joint) / count.max(1) as f64).sqrt();
@@ -30,17 +30,19 @@ pub fn drift_rms_rad(evidence: &Evidence, point: &Point) -> Vec<f64> {
 }
 
 /// Squares of the drift in each window, and samples in it.
-fn windows(stretch: &Stretch, point: &Point) -> Vec<([f64; 3], usize)> {
+fn windows(stretch: &Stretch, hypothesis: &Hypothesis) -> Vec<([f64; 3], usize)> {
     let window = (WINDOW_S / stretch.period_s).round().max(2.0) as usize;
-    let trial = Trial::of(stretch, point);
+    let trial = Trial::of(stretch, hypothesis);
     let bends = trial.bends();
     let starts = (window..stretch.len().saturating_sub(window)).step_by(window);
-    starts.map(|start| (drift(stretch, point, &trial, start, window, &bends), window)).collect()
+    starts
+        .map(|start| (drift(stretch, hypothesis, &trial, start, window, &bends), window))
+        .collect()
 }
 
 fn drift(
     stretch: &Stretch,
-    point: &Point,
+    hypothesis: &Hypothesis,
     trial: &Trial,
     start: usize,
     window: usize,
@@ -48,9 +50,9 @@ fn drift(
 ) -> [f64; 3] {
     let settings =
         Settings { sample_period_s: stretch.period_s, noise_v: 0.0, ..Settings::default() };
-    let effects = point.effects.iter().filter_map(Added::build).collect();
+    let effects = hypothesis.effects.iter().filter_map(EffectInstance::build).collect();
     let (q, qd, qdd) = trial.motor_state(start);
-    let mut robot = SimulatedRobot::with_effects(point.robot, effects, q, &settings);
+    let mut robot = SimulatedRobot::with_effects(hypothesis.robot, effects, q, &settings);
     let time_s = stretch.start_s + start as f64 * stretch.period_s;
     let command = |k: usize| [0, 1, 2].map(|i| stretch.command_v[i][k]);
     let before = (BEFORE_S / stretch.period_s).ceil() as usize;

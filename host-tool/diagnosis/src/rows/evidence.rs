@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::noise::{Noise, NoiseByRate};
 use super::row_filter::RowFilter;
 use crate::logs::stretch::Stretch;
-use crate::trial::voltage::{Point, Trial};
+use crate::trial::voltage::{Hypothesis, Trial};
 use files::Role;
 
 /// Stretches with the filters and weights of their rows.
@@ -48,7 +48,7 @@ impl Evidence {
             let filter = |s: &Stretch| {
                 let corner_hz =
                     noise.of(joint, s.period_s).corner_hz().clamp(2.0, 0.4 / s.period_s);
-                RowFilter::new(s.period_s, s.brisk, corner_hz)
+                RowFilter::new(s.period_s, s.broadband, corner_hz)
             };
             stretches.iter().map(filter).collect::<Vec<_>>()
         });
@@ -73,14 +73,14 @@ impl Evidence {
     }
 
     /// Rows of a model under trial, on some joints.
-    pub fn shortfall(&self, point: &Point, joints: &[usize]) -> Rows {
+    pub fn residual(&self, hypothesis: &Hypothesis, joints: &[usize]) -> Rows {
         let pieces: Vec<[Vec<f64>; 3]> = (0..self.stretches.len())
             .into_par_iter()
             .map(|s| {
-                let trial = Trial::of(&self.stretches[s], point);
+                let trial = Trial::of(&self.stretches[s], hypothesis);
                 let mut rows: [Vec<f64>; 3] = Default::default();
                 for &joint in joints {
-                    rows[joint] = self.weighted(s, joint, &trial.shortfall(joint));
+                    rows[joint] = self.weighted(s, joint, &trial.residual(joint));
                 }
                 rows
             })

@@ -20,17 +20,17 @@ pub struct RowFilter {
 
 /// Rows per second of a motion without and with driven noise.
 const CALM_ROWS_PER_S: f64 = 200.0;
-const BRISK_ROWS_PER_S: f64 = 500.0;
+const BROADBAND_ROWS_PER_S: f64 = 500.0;
 /// Cut-off of the low-pass in parts of the row rate.
 const CUTOFF: f64 = 0.3;
 /// What the ends lose [s].
 const MARGIN_S: f64 = 0.25;
 
 impl RowFilter {
-    /// For signals of a period; `brisk` where the motion is driven at high frequencies,
+    /// For signals of a period; `broadband` where the motion is driven at high frequencies,
     /// `corner_hz` as above.
-    pub fn new(period_s: f64, brisk: bool, corner_hz: f64) -> Self {
-        let wanted = if brisk { BRISK_ROWS_PER_S } else { CALM_ROWS_PER_S };
+    pub fn new(period_s: f64, broadband: bool, corner_hz: f64) -> Self {
+        let wanted = if broadband { BROADBAND_ROWS_PER_S } else { CALM_ROWS_PER_S };
         let every = (1.0 / (wanted * period_s)).round().max(1.0);
         let cutoff_hz = CUTOFF / (every * period_s);
         Self {

@@ -5,13 +5,13 @@ use nalgebra::{DMatrix, DVector};
 use crate::fit::linearisation::{Linearisation, Score, Which};
 use crate::fit::slopes::step_of;
 use crate::rows::evidence::{Evidence, Rows};
-use crate::trial::voltage::Added;
+use crate::trial::voltage::EffectInstance;
 
 /// An effect with its best values so far, and how well the model does with it.
 #[derive(Clone, Debug)]
 pub struct Candidate {
     /// The effect.
-    pub effect: Added,
+    pub effect: EffectInstance,
     /// The score with it, everything open retuned.
     pub score: Score,
 }
@@ -24,7 +24,7 @@ impl Candidate {
     pub fn of(
         linear: &Linearisation,
         evidence: &Evidence,
-        mut effect: Added,
+        mut effect: EffectInstance,
         which: Which,
     ) -> (Self, Rows) {
         effect.normalise();
@@ -52,7 +52,7 @@ impl Candidate {
             let before = best.score.train;
             let found = (0..4).find_map(|_| {
                 let values = best.stepped(&free, &gradient, &curvature, damping);
-                let trial = Added { values, ..best.effect.clone() };
+                let trial = EffectInstance { values, ..best.effect.clone() };
                 let (next, next_change) = Self::of(linear, evidence, trial, which);
                 if next.score.train < best.score.train {
                     damping *= 0.1;

@@ -7,7 +7,7 @@ use super::harmonics;
 use crate::fit::linearisation::{Linearisation, Which};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
-use crate::trial::voltage::{Added, Trial};
+use crate::trial::voltage::{EffectInstance, Trial};
 use rig::effects::{CATALOGUE, Definition, Search, Typical};
 use signal::rms;
 
@@ -19,7 +19,7 @@ const MOST_STEPS: usize = 8;
 const SPRING_STEPS: usize = 14;
 /// A link with play that is kept on its track hides up to two fifths of the squares of
 /// whatever is missed, so play must leave less than this part of them.
-const LEFT_BY_PLAY: f64 = 0.6;
+const LEFT_BY_BACKLASH: f64 = 0.6;
 /// Starts of one effect that are searched from.
 const BEST_STARTS: usize = 2;
 /// Effects that promise less than this part of the best one's promise are not searched.
@@ -33,7 +33,7 @@ pub fn candidates(
     evidence: &Evidence,
     subject: &Subject,
 ) -> Vec<Candidate> {
-    let starts: Vec<Vec<Start>> = places_open(subject, &linear.point.effects)
+    let starts: Vec<Vec<Start>> = places_open(subject, &linear.hypothesis.effects)
         .par_iter()
         .map(|&(definition, joint)| starts(linear, evidence, subject, definition, joint))
         .collect();
@@ -51,7 +51,7 @@ pub fn candidates(
 #[derive(Clone, Debug)]
 pub(crate) struct Start {
     /// The effect with its starting values.
-    pub effect: Added,
+    pub effect: EffectInstance,
     /// What the change of rows would gain if it were scaled as suits best.
     pub gain: f64,
 }
@@ -70,10 +70,13 @@ pub(crate) fn places(subject: &Subject) -> Vec<(&'static Definition, u8)> {
 
 /// Those that a model with effects leaves: a second spring on a joint would only be the first
 /// one searched for again.
-pub(crate) fn places_open(subject: &Subject, effects: &[Added]) -> Vec<(&'static Definition, u8)> {
+pub(crate) fn places_open(
+    subject: &Subject,
+    effects: &[EffectInstance],
+) -> Vec<(&'static Definition, u8)> {
     let mut places = places(subject);
     places.retain(|&(definition, joint)| {
-        let same = |e: &Added| e.definition.name == definition.name && e.joint == joint;
+        let same = |e: &EffectInstance| e.definition.name == definition.name && e.joint == joint;
         let alone = matches!(definition.search, Search::From(_));
         !(alone && effects.iter().any(same))
     });
@@ -100,7 +103,7 @@ pub(crate) fn starts(
     };
     let mut starts: Vec<Start> = values
         .into_iter()
-        .map(|values| Added { definition, joint, values })
+        .map(|values| EffectInstance { definition, joint, values })
         .map(|effect| Start { gain: promise(linear, evidence, &effect), effect })
         .collect();
     starts.sort_by(|a, b| b.gain.total_cmp(&a.gain));
@@ -109,7 +112,7 @@ pub(crate) fn starts(
 }
 
 /// What the change of rows by an effect would gain if it were scaled as suits best.
-pub(crate) fn promise(linear: &Linearisation, evidence: &Evidence, effect: &Added) -> f64 {
+pub(crate) fn promise(linear: &Linearisation, evidence: &Evidence, effect: &EffectInstance) -> f64 {
     let change = linear.change_by(evidence, effect, Which::OWN);
     let (gradient, curvature) = linear.along(&Default::default(), &[change]);
     gradient[0] * gradient[0] / curvature[(0, 0)].max(1e-12)
@@ -132,7 +135,7 @@ fn searched(
         })
         .min_by(|a, b| a.score.train.total_cmp(&b.score.train))
         .filter(|best| {
-            let most = if best.effect.has_play() { LEFT_BY_PLAY } else { f64::INFINITY };
+            let most = if best.effect.has_backlash() { LEFT_BY_BACKLASH } else { f64::INFINITY };
             best.score.train < most * linear.score().train
         })
         .map(|best| Candidate::of(linear, evidence, best.effect, Which::ALL).0)
@@ -146,7 +149,7 @@ pub(crate) fn typical(
     joint: u8,
 ) -> Typical {
     let joint = usize::from(joint.max(1)) - 1;
-    let robot = &linear.point.robot;
+    let robot = &linear.hypothesis.robot;
     let all = |signal: fn(&crate::logs::stretch::Stretch, usize) -> &[f64]| {
         evidence.stretches.iter().flat_map(move |stretch| signal(stretch, joint)).copied()
     };
@@ -155,7 +158,7 @@ pub(crate) fn typical(
     let load: Vec<f64> = evidence
         .stretches
         .iter()
-        .flat_map(|stretch| Trial::of(stretch, &linear.point).load_nm(joint))
+        .flat_map(|stretch| Trial::of(stretch, &linear.hypothesis).load_nm(joint))
         .collect();
     Typical {
         command_v: largest(&mut all(|s, j| &s.command_v[j])),

@@ -76,7 +76,7 @@ impl JointRows {
                 Carrier::Unity => vec![1.0; stretch.len()],
                 Carrier::Command => stretch.command_v[joint].clone(),
                 Carrier::Friction => friction_level(
-                    &linear.point.robot,
+                    &linear.hypothesis.robot,
                     joint,
                     &stretch.motion.qd_rad_per_s[joint],
                     stretch.period_s,

@@ -3,5 +3,5 @@
 pub mod candidate;
 pub mod candidates;
 pub mod harmonics;
+pub mod restart;
 pub mod selection;
-pub mod shake;

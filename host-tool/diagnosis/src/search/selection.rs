@@ -4,15 +4,15 @@
 use rayon::prelude::*;
 
 use super::candidate::Candidate;
-use super::shake::shaken;
+use super::restart::restarted;
 use crate::fit::fit::fit;
 use crate::fit::linearisation::{Linearisation, Which};
 use crate::fit::preparation::as_given;
-use crate::fit::rest::{MISSES, Rest};
+use crate::fit::residual_stats::{PRIOR_PENALTY, ResidualStats};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
 use crate::search::candidates::{Start, candidates, places_open, starts};
-use crate::trial::voltage::{Added, Point};
+use crate::trial::voltage::{EffectInstance, Hypothesis};
 use rig::effects::Definition;
 
 /// The model after each step, and what competed.
@@ -28,7 +28,7 @@ pub struct Step {
     /// The model.
     pub linear: Linearisation,
     /// What it leaves.
-    pub rest: Rest,
+    pub rest: ResidualStats,
 }
 
 /// A candidate that lost against an effect that was taken.
@@ -39,7 +39,7 @@ pub struct Rivalry {
     /// The candidate, retuned with everything else.
     pub candidate: Candidate,
     /// What the model leaves with it.
-    pub rest: Rest,
+    pub rest: ResidualStats,
 }
 
 /// Most effects in a model.
@@ -59,7 +59,7 @@ const TAKEN_STEPS: usize = 4;
 /// The same where that is a spring, whose values are far from linear.
 pub(super) const SPRING_STEPS: usize = 10;
 /// How often play is searched for anew from near where it was found.
-const MOST_SHAKES: usize = 3;
+const MOST_RESTARTS: usize = 3;
 /// Part of the excess that an effect must take away.
 const LEAST_PART: f64 = 0.2;
 /// A model that leaves less than this of what encoder steps must leave takes it for motion,
@@ -68,9 +68,9 @@ const BELOW_NOISE: f64 = 0.7;
 const NEAR_NOISE: f64 = 2.0;
 /// What an effect that brings parameters back to what is known of them may cost in rows: those
 /// parameters had been bent to fit every detail.
-const ROWS_FOR_MISSES: f64 = 1.15;
-const HELD_OUT_FOR_MISSES: f64 = 1.5;
-/// An effect takes parameters further beyond belief when it multiplies their misses by this.
+const ROWS_FOR_PRIOR_PENALTY: f64 = 1.15;
+const HELD_OUT_FOR_PRIOR_PENALTY: f64 = 1.5;
+/// An effect takes parameters further beyond belief when it multiplies their prior penalty by this.
 const FURTHER: f64 = 1.2;
 /// Part of all squares, and of those held out, that it must take away: less is at the edge
 /// of what is an excess.
@@ -79,7 +79,7 @@ const LEAST_OF_ALL: f64 = 0.05;
 impl Step {
     /// A model with what it leaves.
     pub fn of(evidence: &Evidence, linear: Linearisation) -> Self {
-        let rest = Rest::of(evidence, &linear);
+        let rest = ResidualStats::of(evidence, &linear);
         Self { linear, rest }
     }
 
@@ -117,7 +117,7 @@ pub fn select(
             Some((_, step)) => {
                 let finished = finished(evidence, subject, step);
                 // What fits better in the end may yet foretell worse.
-                let effects = &finished.linear.point.effects;
+                let effects = &finished.linear.hypothesis.effects;
                 let physical = effects.iter().all(|e| is_physical(e, subject, evidence));
                 if !physical || !is_worth_it(&selection.steps[round].rest, &finished) {
                     break;
@@ -139,9 +139,9 @@ impl Selection {
         let mut index = 0;
         while index + 2 < self.steps.len() {
             let last = &self.steps[self.steps.len() - 1];
-            let mut point = last.linear.point.clone();
-            point.effects.remove(known + index);
-            let without = fit(evidence, subject, point, TAKEN_STEPS);
+            let mut hypothesis = last.linear.hypothesis.clone();
+            hypothesis.effects.remove(known + index);
+            let without = fit(evidence, subject, hypothesis, TAKEN_STEPS);
             match without.map(|linear| Step::of(evidence, linear)) {
                 Some(without) if !pays(&without.rest, &last.rest) => {
                     self.leave_out(evidence, subject, index, without);
@@ -154,13 +154,13 @@ impl Selection {
 
     /// Takes an effect out of all steps after it; `last` is the last of them.
     fn leave_out(&mut self, evidence: &Evidence, subject: &Subject, index: usize, last: Step) {
-        let effects = last.linear.point.effects.clone();
+        let effects = last.linear.hypothesis.effects.clone();
         let known = subject.known_effects.len();
         self.steps.truncate(index + 1);
         for count in known + index + 1..effects.len() {
-            let mut point = last.linear.point.clone();
-            point.effects.truncate(count);
-            let step = fit(evidence, subject, point, TAKEN_STEPS);
+            let mut hypothesis = last.linear.hypothesis.clone();
+            hypothesis.effects.truncate(count);
+            let step = fit(evidence, subject, hypothesis, TAKEN_STEPS);
             self.steps.extend(step.map(|linear| Step::of(evidence, linear)));
         }
         self.steps.push(last);
@@ -173,12 +173,12 @@ impl Selection {
 
 /// A step whose fit is carried on to its end.
 fn finished(evidence: &Evidence, subject: &Subject, step: Step) -> Step {
-    let is_spring = step.linear.point.effects.last().is_some_and(Added::is_spring);
+    let is_spring = step.linear.hypothesis.effects.last().is_some_and(EffectInstance::is_spring);
     let steps = if is_spring { SPRING_STEPS } else { TAKEN_STEPS };
-    let fitted = fit(evidence, subject, step.linear.point.clone(), steps);
+    let fitted = fit(evidence, subject, step.linear.hypothesis.clone(), steps);
     let mut best = fitted.map_or(step, |linear| Step::of(evidence, linear));
-    for _ in 0..MOST_SHAKES {
-        match shaken(evidence, subject, &best) {
+    for _ in 0..MOST_RESTARTS {
+        match restarted(evidence, subject, &best) {
             Some(better) => best = better,
             None => break,
         }
@@ -193,8 +193,9 @@ fn untuned(
     subject: &Subject,
     retuned: &Linearisation,
 ) -> Option<Linearisation> {
-    let point = Point { effects: retuned.point.effects.clone(), ..as_given(subject) };
-    Linearisation::of(evidence, point, retuned.expected.clone())
+    let hypothesis =
+        Hypothesis { effects: retuned.hypothesis.effects.clone(), ..as_given(subject) };
+    Linearisation::of(evidence, hypothesis, retuned.expected.clone())
 }
 
 /// The best candidates, retuned with everything else, the best first: of those that promise
@@ -203,7 +204,7 @@ fn finalists(
     evidence: &Evidence,
     subject: &Subject,
     now: &Linearisation,
-    rest: &Rest,
+    rest: &ResidualStats,
 ) -> Vec<(Candidate, Step)> {
     let before = now.score().total();
     let mut promising = candidates(now, evidence, subject);
@@ -241,7 +242,7 @@ fn overlooked(
         starts(now, evidence, subject, definition, joint).into_iter().next()
     };
     let places: Vec<(&'static Definition, u8)> =
-        places_open(subject, &now.point.effects).into_iter().filter(is_new).collect();
+        places_open(subject, &now.hypothesis.effects).into_iter().filter(is_new).collect();
     let mut promising: Vec<Start> = places.into_par_iter().filter_map(first).collect();
     promising.sort_by(|a, b| b.gain.total_cmp(&a.gain));
     promising.truncate(MOST_OVERLOOKED);
@@ -273,9 +274,9 @@ fn retuned(
     batch
         .into_par_iter()
         .filter_map(|mut candidate| {
-            let start = now.point.with(candidate.effect.clone());
+            let start = now.hypothesis.with(candidate.effect.clone());
             let step = Step::of(evidence, fit(evidence, subject, start, FINALIST_STEPS)?);
-            candidate.effect = step.linear.point.effects.last()?.clone();
+            candidate.effect = step.linear.hypothesis.effects.last()?.clone();
             is_physical(&candidate.effect, subject, evidence).then_some((candidate, step))
         })
         .collect()
@@ -283,7 +284,7 @@ fn retuned(
 
 /// Whether a spring leaves its motor some inertia, without which it would only smooth what
 /// the encoder reads, and whether its play, if it has some, is more than the spring gives.
-fn is_physical(effect: &Added, subject: &Subject, evidence: &Evidence) -> bool {
+fn is_physical(effect: &EffectInstance, subject: &Subject, evidence: &Evidence) -> bool {
     const LEAST_INERTIA: f64 = 0.02;
     const LEAST_PLAY: f64 = 0.02;
     let Some((joint, spring)) = effect.build().and_then(|effect| effect.transmission()) else {
@@ -294,29 +295,29 @@ fn is_physical(effect: &Added, subject: &Subject, evidence: &Evidence) -> bool {
     let largest_nm = subject.robot.torque_constant_nm_per_v[joint] * largest_v;
     let has_motor = spring.motor_inertia_kg_m2 > LEAST_INERTIA * subject.inertia_kg_m2(joint);
     let is_free = spring.gap_rad * spring.stiffness_nm_per_rad > LEAST_PLAY * largest_nm;
-    has_motor && (is_free || !effect.has_play())
+    has_motor && (is_free || !effect.has_backlash())
 }
 
 /// Whether so little is left of the gap that it may be the method's own: effects that are
 /// not linear are not undone to the last.
-fn is_as_good_as_clean(gap: &Rest, rest: &Rest) -> bool {
+fn is_as_good_as_clean(gap: &ResidualStats, rest: &ResidualStats) -> bool {
     const RATIO: f64 = 3.0;
     const PART: f64 = 5e-4;
-    rest.worst() < RATIO && rest.excess < PART * gap.excess && rest.misses < MISSES
+    rest.worst() < RATIO && rest.excess < PART * gap.excess && rest.prior_penalty < PRIOR_PENALTY
 }
 
 /// Whether the last effect of a model pays. A spring rings, and that shows in the rows; where
 /// those are noise alone, it could only smooth what a coarse encoder reads.
-fn is_worth_it(before: &Rest, after: &Step) -> bool {
-    let is_spring = after.linear.point.effects.last().is_some_and(Added::is_spring);
+fn is_worth_it(before: &ResidualStats, after: &Step) -> bool {
+    let is_spring = after.linear.hypothesis.effects.last().is_some_and(EffectInstance::is_spring);
     (before.excess > 0.0 || !is_spring) && pays(before, &after.rest)
 }
 
 /// Whether an effect takes enough away, and does not do so by bending the model beyond
 /// belief: an amplifier that swallows every command "explains" any motion of a robot that
 /// weighs nothing. Nor by taking away noise: a soft spring smooths what encoder steps add.
-fn pays(before: &Rest, after: &Rest) -> bool {
-    if after.is_beyond_belief() && after.misses > FURTHER * before.misses {
+fn pays(before: &ResidualStats, after: &ResidualStats) -> bool {
+    if after.is_beyond_belief() && after.prior_penalty > FURTHER * before.prior_penalty {
         return false;
     }
     if after.of_steps < BELOW_NOISE && before.of_steps < NEAR_NOISE {
@@ -326,8 +327,9 @@ fn pays(before: &Rest, after: &Rest) -> bool {
         && after.excess < (1.0 - LEAST_PART) * before.excess
         && after.rows < (1.0 - LEAST_OF_ALL) * before.rows
         && after.held_out < (1.0 - LEAST_OF_ALL) * before.held_out;
-    let by_misses = before.misses - after.misses > MISSES.max(0.5 * before.misses)
-        && after.rows < ROWS_FOR_MISSES * before.rows
-        && after.held_out < HELD_OUT_FOR_MISSES * before.held_out;
+    let by_misses = before.prior_penalty - after.prior_penalty
+        > PRIOR_PENALTY.max(0.5 * before.prior_penalty)
+        && after.rows < ROWS_FOR_PRIOR_PENALTY * before.rows
+        && after.held_out < HELD_OUT_FOR_PRIOR_PENALTY * before.held_out;
     by_rows || by_misses
 }

@@ -4,7 +4,7 @@ use nalgebra::{Matrix2, RowVector2, Vector2};
 
 /// Torque on a link that no model tells, in parts of the noise of the measured torque. More
 /// lets less of a bounce's chaos through, but also hides more of whatever slow torque a
-/// model misses: about 1 - 1/sqrt(1 + part^2) of it, up to a quarter behind a very stiff spring.
+/// model prior_penalty: about 1 - 1/sqrt(1 + part^2) of it, up to a quarter behind a very stiff spring.
 const UNKNOWN_TORQUE: f64 = 0.5;
 
 /// Carried along as an extended Kalman filter does: the covariance of the link's angle and

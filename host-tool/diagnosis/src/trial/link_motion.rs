@@ -279,7 +279,7 @@ mod tests {
 
     use super::*;
     use crate::logs::stretch::Stretch;
-    use crate::trial::voltage::{Added, Point, Trial};
+    use crate::trial::voltage::{EffectInstance, Hypothesis, Trial};
     use files::Role;
     use rig::effects::Definition;
     use signal::LowPass;
@@ -289,14 +289,14 @@ mod tests {
     const PERIOD_S: f64 = 1e-3;
     const COUNT_RAD: f64 = TAU / 655_360.0;
 
-    fn backlash(values: [f64; 4]) -> Added {
+    fn backlash(values: [f64; 4]) -> EffectInstance {
         let definition = Definition::by_name("backlash").unwrap();
-        Added { definition, joint: 3, values: values.to_vec() }
+        EffectInstance { definition, joint: 3, values: values.to_vec() }
     }
 
     /// Ten seconds of driven noise on joint 3 of a robot with an effect, as encoders see them.
-    fn driven(effect: Option<&Added>) -> Stretch {
-        let effects = effect.and_then(Added::build).into_iter().collect();
+    fn driven(effect: Option<&EffectInstance>) -> Stretch {
+        let effects = effect.and_then(EffectInstance::build).into_iter().collect();
         let start = [0.0, -1.5, 0.3];
         let settings = Settings::default();
         let mut robot = SimulatedRobot::with_effects(reference_robot(), effects, start, &settings);
@@ -315,9 +315,9 @@ mod tests {
         }
         let motion = motion(angles);
         let (role, settled) = (Role::Train, [0; 3]);
-        let (log, start_s, period_s, brisk) = (0, 0.0, PERIOD_S, true);
+        let (log, start_s, period_s, broadband) = (0, 0.0, PERIOD_S, true);
         let postures = motion.postures();
-        Stretch { log, role, start_s, period_s, motion, postures, command_v, brisk, settled }
+        Stretch { log, role, start_s, period_s, motion, postures, command_v, broadband, settled }
     }
 
     fn motion(angles: [Vec<f64>; 3]) -> Kinematics {
@@ -340,10 +340,10 @@ mod tests {
     }
 
     /// What a model leaves of joint 3 below 40 Hz, rms [V].
-    fn left_v(stretch: &Stretch, effect: Option<Added>) -> f64 {
+    fn left_v(stretch: &Stretch, effect: Option<EffectInstance>) -> f64 {
         let effects = effect.into_iter().collect();
-        let point = Point { robot: reference_robot(), lag_s: [0.0; 3], effects };
-        let left = Trial::of(stretch, &point).shortfall(2);
+        let hypothesis = Hypothesis { robot: reference_robot(), lag_s: [0.0; 3], effects };
+        let left = Trial::of(stretch, &hypothesis).residual(2);
         rms(&LowPass::new(40.0, PERIOD_S).zero_phase(&left)[500..9500])
     }
 
@@ -361,7 +361,7 @@ mod tests {
     #[test]
     fn play_that_is_not_there_explains_nothing_away() {
         let delay = Definition::by_name("delay").unwrap();
-        let delay = Added { definition: delay, joint: 3, values: vec![4e-3] };
+        let delay = EffectInstance { definition: delay, joint: 3, values: vec![4e-3] };
         let stretch = driven(Some(&delay));
         let null_v = left_v(&stretch, None);
         for gap_rad in [1e-6, 1e-4, 1e-3] {

@@ -1,7 +1,7 @@
 //! What a model's equation consists of along a stretch, and how it changes with an effect.
 
 use super::link_motion::Felt;
-use super::voltage::{Added, Same, Trial, at_samples};
+use super::voltage::{EffectInstance, Same, Trial, at_samples};
 use rig::effects::Touches;
 
 /// The equation of a joint over a stretch, on the log's clock [V].
@@ -29,7 +29,7 @@ impl Parts {
         Self { drive, friction, net, needed, felt }
     }
 
-    /// Change of the shortfall at the samples when a trial takes these parts' place.
+    /// Change of the residual at the samples when a trial takes these parts' place.
     pub fn change_to(&self, trial: &Trial, joint: usize, touches: Touches) -> Vec<f64> {
         let mut net = vec![0.0; self.drive.len()];
         let mut add = |after: Vec<f64>, before: &[f64], sign: f64| {
@@ -53,7 +53,7 @@ impl Parts {
 
 /// What these parts share with those of a model that differs in `effect`: nothing unless
 /// that is a spring.
-pub fn same<'a>(parts: &'a [Parts; 3], effect: &Added) -> Option<Same<'a>> {
+pub fn same<'a>(parts: &'a [Parts; 3], effect: &EffectInstance) -> Option<Same<'a>> {
     effect.is_spring().then(|| Same {
         felt: [0, 1, 2].map(|joint| &parts[joint].felt[..]),
         net_v: [0, 1, 2].map(|joint| &parts[joint].net[..]),
@@ -61,14 +61,14 @@ pub fn same<'a>(parts: &'a [Parts; 3], effect: &Added) -> Option<Same<'a>> {
 }
 
 /// What an effect changes in the equation of a model that has others too.
-pub fn touched(effect: &Added, others: &[Added]) -> Touches {
+pub fn touched(effect: &EffectInstance, others: &[EffectInstance]) -> Touches {
     let mut touches = effect.definition.touches;
     let moves_others = touches.body && !effect.is_spring() && !others.is_empty();
     // What is in the model already may feel a body or a motion that changes.
     touches.drive |= moves_others;
     touches.friction |= moves_others;
     // A link with play is kept on its track by what drives its motor.
-    let meets = |other: &Added| effect.joint == 0 || effect.joint == other.joint;
-    touches.body |= others.iter().any(|other| other.has_play() && meets(other));
+    let meets = |other: &EffectInstance| effect.joint == 0 || effect.joint == other.joint;
+    touches.body |= others.iter().any(|other| other.has_backlash() && meets(other));
     touches
 }

@@ -17,12 +17,12 @@ use super::link_motion::{self, Felt, JointMotion};
 use super::reading;
 use crate::logs::stretch::{Kinematics, Stretch};
 use rig::effects::Transmission;
-use rig::effects::{Definition, Effect, Moment};
+use rig::effects::{Definition, Effect, JointState};
 use signal::derivative;
 
 /// An effect that is in a model under trial.
 #[derive(Clone, Debug)]
-pub struct Added {
+pub struct EffectInstance {
     /// What it is.
     pub definition: &'static Definition,
     /// Joint, 1 to 3; 0 for the whole robot.
@@ -31,14 +31,14 @@ pub struct Added {
     pub values: Vec<f64>,
 }
 
-impl Added {
+impl EffectInstance {
     /// The effect, its values kept within their bounds; `None` if it acts on no such joint.
     pub fn build(&self) -> Option<Box<dyn Effect>> {
         self.definition.with(self.joint, &self.bounded()).ok()
     }
 
     /// Whether it leaves play between a motor and its link.
-    pub fn has_play(&self) -> bool {
+    pub fn has_backlash(&self) -> bool {
         self.definition.parameters.iter().any(|parameter| parameter.name == "gap_rad")
     }
 
@@ -69,21 +69,21 @@ impl Added {
 
 /// A model under trial.
 #[derive(Clone, Debug)]
-pub struct Point {
+pub struct Hypothesis {
     /// Rigid body and friction.
     pub robot: Robot<f64>,
     /// By how much each command comes later than the log says [s].
     pub lag_s: [f64; 3],
     /// Effects, in order.
-    pub effects: Vec<Added>,
+    pub effects: Vec<EffectInstance>,
 }
 
-impl Point {
+impl Hypothesis {
     /// The same with one more effect.
-    pub fn with(&self, effect: Added) -> Self {
-        let mut point = self.clone();
-        point.effects.push(effect);
-        point
+    pub fn with(&self, effect: EffectInstance) -> Self {
+        let mut hypothesis = self.clone();
+        hypothesis.effects.push(effect);
+        hypothesis
     }
 }
 
@@ -91,7 +91,7 @@ impl Point {
 /// all joints.
 pub struct Trial<'a> {
     stretch: &'a Stretch,
-    point: &'a Point,
+    hypothesis: &'a Hypothesis,
     same: Option<Same<'a>>,
     /// The robot with what effects change in it, motors of elastic joints included.
     robot: Robot<f64>,
@@ -125,14 +125,18 @@ pub struct Same<'a> {
 
 impl<'a> Trial<'a> {
     /// Prepares a model for a stretch.
-    pub fn of(stretch: &'a Stretch, point: &'a Point) -> Self {
-        Self::beside(stretch, point, None)
+    pub fn of(stretch: &'a Stretch, hypothesis: &'a Hypothesis) -> Self {
+        Self::beside(stretch, hypothesis, None)
     }
 
     /// The same where it differs from another model in its springs alone.
-    pub fn beside(stretch: &'a Stretch, point: &'a Point, same: Option<Same<'a>>) -> Self {
-        let effects = built(&point.effects);
-        let mut robot = point.robot;
+    pub fn beside(
+        stretch: &'a Stretch,
+        hypothesis: &'a Hypothesis,
+        same: Option<Same<'a>>,
+    ) -> Self {
+        let effects = built(&hypothesis.effects);
+        let mut robot = hypothesis.robot;
         effects.iter().for_each(|effect| effect.change_robot(&mut robot));
         let springs: Vec<_> = effects.iter().filter_map(|effect| effect.transmission()).collect();
         let links = springs
@@ -140,7 +144,7 @@ impl<'a> Trial<'a> {
             .fold(robot, |links, (joint, spring)| spring.without_motor(*joint, &links));
         Self {
             stretch,
-            point,
+            hypothesis,
             same,
             robot,
             links,
@@ -211,7 +215,7 @@ impl<'a> Trial<'a> {
     }
 
     /// What the motor of a joint (0 to 2) gave less what was needed, at the samples [V].
-    pub fn shortfall(&self, joint: usize) -> Vec<f64> {
+    pub fn residual(&self, joint: usize) -> Vec<f64> {
         self.left(joint, &self.net(joint))
     }
 
@@ -219,7 +223,7 @@ impl<'a> Trial<'a> {
     pub fn left(&self, joint: usize, net_v: &[f64]) -> Vec<f64> {
         let given = at_samples(net_v);
         let needed = self.needed(joint);
-        let lag_s = self.point.lag_s[joint];
+        let lag_s = self.hypothesis.lag_s[joint];
         let slope = self.command_slope(joint);
         (0..given.len()).map(|k| given[k] - needed[k] - lag_s * slope[k]).collect()
     }
@@ -275,25 +279,25 @@ impl<'a> Trial<'a> {
     /// The command as the motor feels it in the interval after each sample, with the
     /// voltages and torques that effects add [V].
     pub fn drive(&self, joint: usize) -> Vec<f64> {
-        match self.point.effects.is_empty() {
+        match self.hypothesis.effects.is_empty() {
             true => self.stretch.command_v[joint].clone(),
             false => self.drive_v.get_or_init(|| self.driven_by_effects())[joint].clone(),
         }
     }
 
     fn driven_by_effects(&self) -> [Vec<f64>; 3] {
-        let mut effects = built(&self.point.effects);
+        let mut effects = built(&self.hypothesis.effects);
         effects.iter_mut().for_each(|effect| effect.set_step(self.stretch.period_s));
         let k_t = self.robot.torque_constant_nm_per_v;
         let mut drive_v = [0, 1, 2].map(|_| Vec::with_capacity(self.stretch.len()));
         for k in 0..self.stretch.len() {
-            let moment = self.moment(k);
+            let joint_state = self.joint_state(k);
             let mut command_v = [0, 1, 2].map(|i| self.stretch.command_v[i][k]);
             let mut torque_nm = [0.0; 3];
-            effects.iter_mut().for_each(|e| e.change_command(&moment, &mut command_v));
+            effects.iter_mut().for_each(|e| e.change_command(&joint_state, &mut command_v));
             for effect in &effects {
-                effect.add_voltage(&moment, &mut command_v);
-                effect.add_torque(&moment, &self.robot, &mut torque_nm);
+                effect.add_voltage(&joint_state, &mut command_v);
+                effect.add_torque(&joint_state, &self.robot, &mut torque_nm);
             }
             (0..3).for_each(|i| drive_v[i].push(command_v[i] + torque_nm[i] / k_t[i]));
         }
@@ -302,7 +306,7 @@ impl<'a> Trial<'a> {
 
     /// Friction of a robot's joint in the interval after each sample [V].
     pub fn friction(&self, joint: usize, robot: &Robot<f64>) -> Vec<f64> {
-        let effects = built(&self.point.effects);
+        let effects = built(&self.hypothesis.effects);
         let friction = &robot.friction[joint];
         let half_s = 0.5 * self.stretch.period_s;
         let v = &self.motor.qd_rad_per_s[joint];
@@ -311,8 +315,8 @@ impl<'a> Trial<'a> {
         let mut interval = |k: usize| {
             let mut scale = [FrictionScale::unchanged(); 3];
             if !effects.is_empty() {
-                let moment = self.moment(k);
-                effects.iter().for_each(|e| e.change_friction(&moment, &mut scale));
+                let joint_state = self.joint_state(k);
+                effects.iter().for_each(|e| e.change_friction(&joint_state, &mut scale));
             }
             let (here, next) = (v[k], v[(k + 1).min(last)]);
             let (early, late) = (0.75 * here + 0.25 * next, 0.25 * here + 0.75 * next);
@@ -324,14 +328,14 @@ impl<'a> Trial<'a> {
 
     /// How the bristles of each joint are bent at every sample.
     pub fn bends(&self) -> Vec<[FrictionState<f64>; 3]> {
-        let effects = built(&self.point.effects);
+        let effects = built(&self.hypothesis.effects);
         let mut bends = [FrictionState::default(); 3];
         let mut at = |k: usize| {
             let before = bends;
             let mut scale = [FrictionScale::unchanged(); 3];
             if !effects.is_empty() {
-                let moment = self.moment(k);
-                effects.iter().for_each(|e| e.change_friction(&moment, &mut scale));
+                let joint_state = self.joint_state(k);
+                effects.iter().for_each(|e| e.change_friction(&joint_state, &mut scale));
             }
             for (joint, bend) in bends.iter_mut().enumerate() {
                 let v = self.motor.qd_rad_per_s[joint][k];
@@ -349,7 +353,7 @@ impl<'a> Trial<'a> {
     }
 
     /// The middle of an interval, as effects see it.
-    fn moment(&self, k: usize) -> Moment {
+    fn joint_state(&self, k: usize) -> JointState {
         let next = (k + 1).min(self.stretch.len() - 1);
         let middle =
             |signal: &[Vec<f64>; 3]| [0, 1, 2].map(|i| 0.5 * (signal[i][k] + signal[i][next]));
@@ -359,7 +363,7 @@ impl<'a> Trial<'a> {
             true => load(&self.robot, &q_rad, &qd_rad_per_s),
             false => [0.0; 3],
         };
-        Moment {
+        JointState {
             time_s: self.stretch.start_s + (k as f64 + 0.5) * self.stretch.period_s,
             q_rad,
             qd_rad_per_s,
@@ -384,8 +388,8 @@ fn load(robot: &Robot<f64>, q_rad: &[f64; 3], qd_rad_per_s: &[f64; 3]) -> [f64; 
     [0, 1, 2].map(|i| coriolis[i] + gravity[i])
 }
 
-fn built(effects: &[Added]) -> Vec<Box<dyn Effect>> {
-    effects.iter().filter_map(Added::build).collect()
+fn built(effects: &[EffectInstance]) -> Vec<Box<dyn Effect>> {
+    effects.iter().filter_map(EffectInstance::build).collect()
 }
 
 /// What acts over the two intervals about each sample, on average.

@@ -4,11 +4,11 @@
 use rayon::prelude::*;
 
 use crate::fit::linearisation::{Linearisation, Which};
-use crate::fit::rest::OWN_RATIO;
+use crate::fit::residual_stats::OWN_RATIO;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::{Evidence, Rows};
 use crate::search::candidates::{places, starts, typical};
-use crate::trial::voltage::Added;
+use crate::trial::voltage::EffectInstance;
 use crate::{Detectable, Untestable};
 use rig::effects::Definition;
 
@@ -16,7 +16,7 @@ use rig::effects::Definition;
 struct Sight {
     definition: &'static Definition,
     joint: u8,
-    effect: Added,
+    effect: EffectInstance,
     /// Squares of the rows that a start of the effect changes, everything open retuned.
     squares: f64,
     change: Rows,

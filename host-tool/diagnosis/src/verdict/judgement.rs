@@ -1,9 +1,9 @@
 //! What the selection amounts to: effect, none or unknown, and how sure.
 
-use crate::fit::rest::Rest;
+use crate::fit::residual_stats::ResidualStats;
 use crate::logs::subject::Subject;
 use crate::search::selection::{Rivalry, Selection, Step};
-use crate::trial::voltage::Added;
+use crate::trial::voltage::EffectInstance;
 use crate::{Alternative, Verdict};
 
 /// A rest up to so many times the noise is explained, whatever the gap was.
@@ -36,7 +36,7 @@ pub fn verdict(selection: &Selection) -> Verdict {
 
 /// Whether what is left is as good as noise.
 fn is_explained(gap: &Step, last: &Step) -> bool {
-    let sprung = last.linear.point.effects.iter().any(Added::is_spring);
+    let sprung = last.linear.hypothesis.effects.iter().any(EffectInstance::is_spring);
     let (ratio, part) = match sprung {
         true => (SPRUNG_RATIO, SPRUNG_PART),
         false => (EXPLAINED_RATIO, EXPLAINED_PART),
@@ -80,12 +80,12 @@ pub fn confidence(
 /// Log-likelihood by which a rest is better than another, on the joint where it is most so:
 /// another effect that is still missing weighs on both alike. What retuning had to move
 /// counts where the rows themselves are clean.
-fn advantage(taken: &Rest, rival: &Rest) -> f64 {
+fn advantage(taken: &ResidualStats, rival: &ResidualStats) -> f64 {
     let by_joint = rival.rows_of.iter().zip(&taken.rows_of);
     let by_rows = by_joint
         .map(|(rival, taken)| 0.5 * INDEPENDENT * (rival / taken.max(1.0)).ln())
         .fold(f64::NEG_INFINITY, f64::max);
     let clean = taken.excess == 0.0 && rival.excess == 0.0;
-    let by_misses = if clean { 0.125 * (rival.misses - taken.misses) } else { 0.0 };
+    let by_misses = if clean { 0.125 * (rival.prior_penalty - taken.prior_penalty) } else { 0.0 };
     (by_rows + by_misses).clamp(-50.0, 50.0)
 }

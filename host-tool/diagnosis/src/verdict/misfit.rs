@@ -2,7 +2,7 @@
 
 use crate::Verdict;
 use crate::fit::linearisation::Linearisation;
-use crate::fit::rest::Rest;
+use crate::fit::residual_stats::ResidualStats;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
 use crate::trial::voltage::at_samples;
@@ -17,7 +17,7 @@ pub fn remark(
     refitted: &Linearisation,
     verdict: Verdict,
 ) -> Option<String> {
-    let rest = Rest::of(evidence, refitted);
+    let rest = ResidualStats::of(evidence, refitted);
     if verdict == Verdict::Effect {
         return None;
     }

@@ -7,21 +7,21 @@ use rand_pcg::Pcg64Mcg;
 
 /// Random numbers of one case; same seed and case, same numbers.
 #[derive(Clone, Debug)]
-pub struct Dice {
+pub struct Rng {
     random: Pcg64Mcg,
 }
 
-impl Dice {
-    /// The dice of a case of a trial.
+impl Rng {
+    /// The rng of a case of a trial.
     pub fn new(seed: u32, case: u32) -> Self {
         const NAME: u128 = 0xB11D_7E57;
         let state = NAME << 64 | u128::from(seed) << 32 | u128::from(case);
-        let mut dice = Self { random: Pcg64Mcg::new(state << 1 | 1) };
+        let mut rng = Self { random: Pcg64Mcg::new(state << 1 | 1) };
         // The first numbers of neighbouring seeds are alike.
         for _ in 0..16 {
-            dice.unit();
+            rng.unit();
         }
-        dice
+        rng
     }
 
     /// 0 to 1.
@@ -88,7 +88,7 @@ mod tests {
 
     #[test]
     fn same_case_same_numbers_and_another_case_others() {
-        let first = |seed, case| Dice::new(seed, case).unit();
+        let first = |seed, case| Rng::new(seed, case).unit();
         assert_eq!(first(1, 2), first(1, 2));
         assert!((first(1, 2) - first(1, 3)).abs() > 1e-6);
         assert!((first(1, 2) - first(2, 2)).abs() > 1e-6);
@@ -96,12 +96,12 @@ mod tests {
 
     #[test]
     fn numbers_stay_within_their_ranges() {
-        let mut dice = Dice::new(1, 1);
+        let mut rng = Rng::new(1, 1);
         for _ in 0..1000 {
-            assert!((0.1..=0.2).contains(&dice.log_uniform(0.1, 0.2)));
-            assert!((1.0..=24.0).contains(&dice.harmonic(24)));
-            assert!(dice.normal_within(2.5).abs() <= 2.5);
-            assert!((1..=3).contains(&dice.joint()));
+            assert!((0.1..=0.2).contains(&rng.log_uniform(0.1, 0.2)));
+            assert!((1.0..=24.0).contains(&rng.harmonic(24)));
+            assert!(rng.normal_within(2.5).abs() <= 2.5);
+            assert!((1..=3).contains(&rng.joint()));
         }
     }
 }

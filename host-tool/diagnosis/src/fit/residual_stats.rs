@@ -6,7 +6,7 @@ use crate::rows::evidence::Evidence;
 
 /// What a model leaves, against the noise.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Rest {
+pub struct ResidualStats {
     /// Root mean square over what noise, and what is not known of the model, make of it; by joint of the
     /// rig and stretch.
     pub ratios: Vec<Vec<f64>>,
@@ -22,7 +22,7 @@ pub struct Rest {
     /// Those of rows held out alone.
     pub held_out: f64,
     /// Squares by which retuned parameters miss what is known of them, in deviations.
-    pub misses: f64,
+    pub prior_penalty: f64,
 }
 
 /// What the method itself leaves of robots without effect: friction around reversals, where
@@ -30,12 +30,12 @@ pub struct Rest {
 pub const OWN_RATIO: f64 = 1.5;
 /// Squared misses of parameters that ask for a cause; some thirty parameters that are known
 /// to their deviation make thirty.
-pub const MISSES: f64 = 60.0;
+pub const PRIOR_PENALTY: f64 = 60.0;
 /// Squared misses with which a model is no longer the one that was given: parameters some
 /// ten deviations off, a quarter of their values.
 pub const BEYOND_BELIEF: f64 = 240.0;
 
-impl Rest {
+impl ResidualStats {
     /// What a model leaves once retuned.
     pub fn of(evidence: &Evidence, linear: &Linearisation) -> Self {
         let (mut ratios, mut excess, mut held_out) = (Vec::new(), 0.0, 0.0);
@@ -64,17 +64,25 @@ impl Rest {
             of_steps = f64::min(of_steps, (own / least.max(1e-300)).sqrt());
         }
         let rows = rows_of.iter().sum();
-        Self { ratios, excess, rows, rows_of, of_steps, held_out, misses: misses(linear) }
+        Self {
+            ratios,
+            excess,
+            rows,
+            rows_of,
+            of_steps,
+            held_out,
+            prior_penalty: prior_penalty(linear),
+        }
     }
 
     /// Whether nothing is left that asks for a cause.
     pub fn is_clean(&self) -> bool {
-        self.excess == 0.0 && self.misses < MISSES
+        self.excess == 0.0 && self.prior_penalty < PRIOR_PENALTY
     }
 
     /// Whether the parameters are where nobody would look for them.
     pub fn is_beyond_belief(&self) -> bool {
-        self.misses > BEYOND_BELIEF
+        self.prior_penalty > BEYOND_BELIEF
     }
 
     /// The largest ratio to the noise.
@@ -83,8 +91,8 @@ impl Rest {
     }
 }
 
-/// Squares of the misses of those parameters that logs like these determine.
-fn misses(linear: &Linearisation) -> f64 {
+/// Squared misses of those parameters that logs like these determine.
+fn prior_penalty(linear: &Linearisation) -> f64 {
     const ALPHA0: usize = 0;
     const ALPHA2: usize = 3;
     let counts = |unknown: Unknown| match unknown {
@@ -96,6 +104,6 @@ fn misses(linear: &Linearisation) -> f64 {
         .expected
         .iter()
         .filter(|e| counts(e.unknown))
-        .map(|e| ((e.unknown.get(&linear.point) - e.mean) / e.deviation).powi(2))
+        .map(|e| ((e.unknown.get(&linear.hypothesis) - e.mean) / e.deviation).powi(2))
         .sum()
 }

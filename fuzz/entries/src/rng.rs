@@ -1,11 +1,11 @@
-//! Repeatable dice.
+//! Repeatable rng.
 
 /// A xorshift generator.
 #[derive(Clone, Debug)]
-pub struct Dice(u64);
+pub struct Rng(u64);
 
-impl Dice {
-    /// Dice that fall alike for equal seeds.
+impl Rng {
+    /// Rng that fall alike for equal seeds.
     pub fn new(seed: u64) -> Self {
         Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
     }

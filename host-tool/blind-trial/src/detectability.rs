@@ -44,7 +44,7 @@ pub struct Visibility {
 impl Visibility {
     /// Whether a diagnosis has a chance: five floors of the true model, and of these two
     /// and a half after the refit, or parameters where no error of 2 % brings them.
-    pub fn matters(&self) -> bool {
+    pub fn is_detectable(&self) -> bool {
         self.raw >= 5.0 && (self.left >= 2.5 || self.moved >= 12.0)
     }
 }
