@@ -1,4 +1,4 @@
-//! `cargo xtask lint`: formatting and clippy, on the host and for every image.
+//! `cargo xtask lint`: imports, formatting and clippy, on the host and for every image.
 
 use anyhow::Result;
 
@@ -6,10 +6,13 @@ use crate::board::Board;
 use crate::command::{cargo, run as run_command, say};
 use crate::firmware;
 use crate::function_costs;
+use crate::source;
 use crate::toolchain::FirmwareToolchain;
 
-/// Fails at the first file that is not formatted and at every warning.
+/// Fails at circles of imports, at files that are not formatted and at every warning.
 pub fn run() -> Result<()> {
+    say("looking for circles of imports");
+    source::run("imports", &[])?;
     say("checking the formatting");
     run_command(cargo("fmt").args(["--all", "--check"]))?;
     say("clippy for the host");

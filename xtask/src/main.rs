@@ -16,6 +16,7 @@ mod lint;
 mod packages;
 mod setup;
 mod soak;
+mod source;
 mod test;
 mod thumb;
 mod toolchain;
@@ -32,7 +33,8 @@ The project's chores: cargo xtask <task>
   firmware [qemu|nucleo]    build the images, print their paths and sizes, check the limits
   check-elf [qemu|nucleo]   check that the control tick neither computes in f64 nor panics
   test                      all of that, then the tests of all packages, the emulated board's too
-  lint                      formatting and clippy, on the host and for every image
+  lint                      imports, formatting and clippy, on the host and for every image
+  imports [DIR]             the circles in which files or folders import each other
   bench [filter]            the benchmarks of all packages
   fuzz [target] [--runs N]  damaged inputs for all that takes bytes from outside (docs/fuzzing.md)
   function-costs            what elementary functions cost on the board's core, counted in QEMU
@@ -65,6 +67,7 @@ fn run(arguments: &[&str]) -> Result<()> {
         ["check-elf", boards @ ..] => check_elf::run(boards),
         ["test"] => test::run(),
         ["lint"] => lint::run(),
+        [check @ "imports", directory @ ..] => source::run(check, directory),
         ["bench", filter @ ..] => bench::run(filter),
         ["fuzz", arguments @ ..] => fuzz::run(arguments),
         ["function-costs"] => function_costs::run(),
