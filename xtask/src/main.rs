@@ -35,6 +35,7 @@ The project's chores: cargo xtask <task>
   test                      all of that, then the tests of all packages, the emulated board's too
   lint                      imports, formatting and clippy, on the host and for every image
   imports [DIR]             the circles in which files or folders import each other
+  lengths [DIR]             how long functions and files are, tests apart
   bench [filter]            the benchmarks of all packages
   fuzz [target] [--runs N]  damaged inputs for all that takes bytes from outside (docs/fuzzing.md)
   function-costs            what elementary functions cost on the board's core, counted in QEMU
@@ -67,7 +68,7 @@ fn run(arguments: &[&str]) -> Result<()> {
         ["check-elf", boards @ ..] => check_elf::run(boards),
         ["test"] => test::run(),
         ["lint"] => lint::run(),
-        [check @ "imports", directory @ ..] => source::run(check, directory),
+        [check @ ("imports" | "lengths"), directory @ ..] => source::run(check, directory),
         ["bench", filter @ ..] => bench::run(filter),
         ["fuzz", arguments @ ..] => fuzz::run(arguments),
         ["function-costs"] => function_costs::run(),

@@ -1,9 +1,10 @@
-//! What the source itself tells: `source-checks imports [DIRECTORY]`.
+//! What the source itself tells: `source-checks imports|lengths [DIRECTORY]`.
 //!
-//! `cargo xtask imports` calls it.
+//! `cargo xtask imports` and `cargo xtask lengths` call it.
 
 mod crates;
 mod imports;
+mod lengths;
 mod syntax;
 
 use std::path::Path;
@@ -26,6 +27,7 @@ fn run(arguments: &[&str]) -> Result<()> {
     let directory = Path::new(arguments.get(1).unwrap_or(&"."));
     match arguments {
         ["imports"] | ["imports", _] => imports::run(directory),
-        _ => bail!("say `imports`, and the workspace's directory if it is another"),
+        ["lengths"] | ["lengths", _] => lengths::run(directory),
+        _ => bail!("say `imports` or `lengths`, and the workspace's directory if it is another"),
     }
 }

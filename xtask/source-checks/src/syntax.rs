@@ -66,7 +66,8 @@ impl Place {
 
     /// A file of a module, whose own modules are beside `mod.rs` or in a folder of its name.
     pub fn of_file(file: PathBuf) -> Self {
-        let is_mod = file.file_name().is_some_and(|name| name == "mod.rs");
+        let is_first = |name| ["mod.rs", "lib.rs", "main.rs"].iter().any(|first| *first == name);
+        let is_mod = file.file_name().is_some_and(is_first);
         let directory = if is_mod { parent(&file).to_owned() } else { file.with_extension("") };
         Self { file, directory }
     }
