@@ -7,14 +7,14 @@ use std::fs;
 use std::time::Instant;
 
 use criterion::{BenchmarkId, Criterion, SamplingMode, criterion_group, criterion_main};
-use host_tool::board::InProcess;
-use host_tool::diagnosis::diagnose;
-use host_tool::files::{EffectTable, RobotFile, Role};
-use host_tool::identification::{Campaign, Trace};
-use host_tool::progress::Steps;
-use host_tool::simulation::plan::{Plan, driven_noise, excitation, slow, task};
-use host_tool::simulation::{Rig, Settings, SimulatedRobot, record_robot, start_of};
+use diagnosis::diagnose;
+use files::{RobotFile, Role};
 use model::reference_robot::reference_robot;
+use recordings::{Campaign, Trace};
+use rig::Rig;
+use rig::plan::{Plan, driven_noise, excitation, slow, task};
+use simulation::board::InProcess;
+use simulation::{Settings, SimulatedRobot, record_robot, start_of};
 
 /// Lengths of all logs together [s].
 const LENGTHS_S: [f32; 4] = [18.0, 36.0, 72.0, 144.0];
@@ -33,12 +33,13 @@ fn plans(length_s: f32) -> Vec<Plan> {
 
 fn campaign(length_s: f32) -> Campaign {
     let rig = Rig::new(reference_robot());
-    let cogging = EffectTable::from_text("cogging:3:amplitude_V=0.15,harmonic=8,phase_rad=0.9")
-        .expect("an effect");
+    let cogging =
+        rig::effects::table_from_text("cogging:3:amplitude_V=0.15,harmonic=8,phase_rad=0.9")
+            .expect("an effect");
     let counts = f64::from(rig.encoder_counts_per_turn);
     let trace = |plan: &Plan| {
         let block = plan.block(&rig);
-        let effects = vec![cogging.effect().expect("its values fit")];
+        let effects = vec![rig::effects::effect_of(&cogging).expect("its values fit")];
         let (start, settings) = (start_of(&block), Settings::default());
         let robot = SimulatedRobot::with_effects(rig.model, effects, start, &settings);
         let (mut board, ticks) = (InProcess::default(), plan.ticks(&rig));
@@ -51,7 +52,7 @@ fn campaign(length_s: f32) -> Campaign {
 }
 
 fn run(campaign: &Campaign) {
-    diagnose(campaign, &Steps::new()).expect("the logs can be used");
+    diagnose(campaign, &|_| ()).expect("the logs can be used");
 }
 
 /// Processor time of this process [s]; `None` where the system does not tell.

@@ -5,10 +5,11 @@
 use std::time::{Duration, Instant};
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use host_tool::board::InProcess;
-use host_tool::simulation::plan::excitation;
-use host_tool::simulation::{Plan, Rig, Settings, record};
 use model::reference_robot::reference_robot;
+use rig::plan::excitation;
+use rig::{Plan, Rig};
+use simulation::board::InProcess;
+use simulation::{Settings, record};
 
 /// One second.
 const TICKS: u32 = 1000;

@@ -45,11 +45,6 @@ impl Steps {
         Self { line }
     }
 
-    /// Steps that nobody sees: several lines at once would overwrite each other.
-    pub fn hidden() -> Self {
-        Self { line: ProgressBar::hidden() }
-    }
-
     /// This step now.
     pub fn at(&self, step: &str) {
         self.line.set_message(step.to_owned());

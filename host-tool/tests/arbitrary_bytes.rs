@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use host_tool::files::{Dataset, Log, RobotFile};
+use files::{Dataset, Log, RobotFile};
 use proptest::prelude::*;
 
 mod common;

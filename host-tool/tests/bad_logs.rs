@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use host_tool::files::{FileError, JointLog, Log, Position};
+use files::{FileError, JointLog, Log, Position};
 
 mod common;
 use common::{directory, log_in_counts, log_in_radians};

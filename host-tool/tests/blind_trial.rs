@@ -5,11 +5,11 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use assert_cmd::Command;
-use host_tool::blind_trial::{
+use blind_trial::{
     Case, DrawSettings, Kind, Results, RunSettings, Seal, diagnose_case, draw, logs,
 };
-use host_tool::diagnosis::{Cause, Gap, Report, Verdict};
-use host_tool::files::RobotFile;
+use diagnosis::{Cause, Gap, Report, Verdict};
+use files::RobotFile;
 
 fn rrr(out: &Path, arguments: &[&str]) -> assert_cmd::assert::Assert {
     let mut command = Command::cargo_bin("rrr").unwrap();

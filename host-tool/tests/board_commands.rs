@@ -10,15 +10,15 @@ use std::process::{Child, Stdio};
 use std::time::{Duration, Instant};
 
 use assert_cmd::cargo::cargo_bin;
+use files::RobotFile;
 use firmware::ParameterBlock;
 use firmware::block::MAX_BYTES;
 use firmware::link::Command;
 use firmware::store::{Layout, Slot, safe_defaults};
-use host_tool::files::RobotFile;
-use host_tool::link::simulated_board::{BoardSettings, SimulatedBoard};
-use host_tool::link::transfer;
+use link::transfer;
 use model::reference_robot::reference_robot;
 use serialport::TTYPort;
+use simulation::simulated_board::{BoardSettings, SimulatedBoard};
 
 mod common;
 use common::at_board::{assert_tells, board, client, refused, rrr, said};

@@ -13,8 +13,8 @@ use assert_cmd::cargo::cargo_bin;
 use firmware::frame::FrameReader;
 use firmware::link::{Command, MAX_FRAME_BYTES, PROTOCOL_VERSION, Request, ToBoard};
 use firmware::supervisor::State;
-use host_tool::link::Client;
-use host_tool::link::simulated_board::SimulatedBoard;
+use link::Client;
+use simulation::simulated_board::SimulatedBoard;
 
 mod common;
 use common::at_board::{assert_tells, board, client, refused, rrr, said, stdout};

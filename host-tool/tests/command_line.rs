@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use assert_cmd::Command;
-use host_tool::files::RobotFile;
+use files::RobotFile;
 use model::Posture;
 use model::reference_robot::reference_robot;
 

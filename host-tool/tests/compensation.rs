@@ -1,20 +1,21 @@
 //! A controller that knows an effect tracks as if the effect were not there.
 #![allow(missing_docs)]
 
+use files::EffectTable;
 use firmware::Mode;
-use host_tool::board::InProcess;
-use host_tool::compensation::Compensations;
-use host_tool::files::EffectTable;
-use host_tool::simulation::plan::{Plan, excitation, slow, task};
-use host_tool::simulation::tracking::Tracking;
-use host_tool::simulation::{Rig, Settings, SimulatedRobot, record_robot, start_of};
 use model::reference_robot::reference_robot;
+use recordings::tracking::Tracking;
+use rig::Rig;
+use rig::compensation::Compensations;
+use rig::plan::{Plan, excitation, slow, task};
+use simulation::board::InProcess;
+use simulation::{Settings, SimulatedRobot, record_robot, start_of};
 
 /// Root mean square tracking error of each joint [mrad], on a robot with these effects.
 fn errors_mrad(rig: &Rig, plan: &Plan, effects: &[EffectTable]) -> [f64; 3] {
     let block = plan.block(rig);
     let settings = Settings::default();
-    let effects = effects.iter().map(|table| table.effect().unwrap()).collect();
+    let effects = effects.iter().map(|table| rig::effects::effect_of(table).unwrap()).collect();
     let robot = SimulatedRobot::with_effects(rig.model, effects, start_of(&block), &settings);
     let mut board = InProcess::default();
     let recording = record_robot(&mut board, &block, robot, plan.ticks(rig), &mut |_| {}).unwrap();
@@ -42,7 +43,7 @@ fn before_and_after(plan: &Plan, effects: &[EffectTable]) -> [[f64; 3]; 3] {
 }
 
 fn tables(texts: &[&str]) -> Vec<EffectTable> {
-    texts.iter().map(|text| EffectTable::from_text(text).unwrap()).collect()
+    texts.iter().map(|text| rig::effects::table_from_text(text).unwrap()).collect()
 }
 
 fn length(errors: &[f64; 3]) -> f64 {

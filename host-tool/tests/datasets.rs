@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use host_tool::files::{Dataset, Entry, Experiment, FileError, Role};
+use files::{Dataset, Entry, Experiment, FileError, Role};
 
 mod common;
 use common::{directory, log_in_counts, log_in_radians};

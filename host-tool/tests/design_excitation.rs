@@ -3,22 +3,23 @@
 use std::path::Path;
 
 use assert_cmd::Command;
+use files::excitation_file::ExcitationFile;
+use files::{JointLog, Log, RobotFile};
 use firmware::Mode;
 use firmware::reference::{FadeIn, FourierSeries, Motion};
-use host_tool::board::InProcess;
-use host_tool::excitation_design::condition::stacked_regressor;
-use host_tool::excitation_design::{
+use identification::excitation_design::condition::stacked_regressor;
+use identification::excitation_design::{
     Demand, Effort, Limits, Series, Settings, State, condition_number, design,
 };
-use host_tool::files::excitation_file::ExcitationFile;
-use host_tool::files::{JointLog, Log, RobotFile};
-use host_tool::simulation::designed_excitation::DESIGNED_EXCITATION;
-use host_tool::simulation::plan::excitation;
-use host_tool::simulation::{self, Rig, record};
 use model::reference_robot::reference_robot;
 use model::{BaseParameters, Robot};
 use rand_distr::{Distribution, Uniform};
 use rand_pcg::Pcg64Mcg;
+use rig::Rig;
+use rig::designed_excitation::DESIGNED_EXCITATION;
+use rig::plan::excitation;
+use simulation::board::InProcess;
+use simulation::{self, record};
 
 mod common;
 use common::directory;

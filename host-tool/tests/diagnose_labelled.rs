@@ -2,10 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use host_tool::diagnosis::{Cause, Diagnosis, Value, Verdict, diagnose};
-use host_tool::files::{Dataset, RobotFile};
-use host_tool::identification::Campaign;
-use host_tool::progress::Steps;
+use diagnosis::{Cause, Diagnosis, Value, Verdict, diagnose};
+use files::{Dataset, RobotFile};
+use recordings::Campaign;
 
 /// The labelled data, where it is there.
 fn labelled(number: u32) -> Option<PathBuf> {
@@ -22,7 +21,7 @@ fn diagnosis(directory: &Path) -> Diagnosis {
     let dataset = Dataset::read(directory).unwrap();
     let model = RobotFile::read(directory.join("model.toml")).unwrap();
     let campaign = Campaign::read(&dataset, model).unwrap();
-    diagnose(&campaign, &Steps::new()).unwrap()
+    diagnose(&campaign, &|_| ()).unwrap()
 }
 
 fn number(cause: &Cause, name: &str) -> f64 {

@@ -2,17 +2,16 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use host_tool::diagnosis::{self, Report, Verdict};
-use host_tool::effects::Definition;
-use host_tool::files::{Experiment, RobotFile, Role};
-use host_tool::identification::campaign::JointTrace;
-use host_tool::identification::{Campaign, Trace};
-use host_tool::progress::Steps;
-use host_tool::simulation::{Settings, SimulatedRobot};
+use diagnosis::{self, Report, Verdict};
+use files::{Experiment, RobotFile, Role};
 use model::reference_robot::reference_robot;
 use model::{BaseParameters, Robot};
 use rand_distr::{Distribution, Uniform};
 use rand_pcg::Pcg64Mcg;
+use recordings::campaign::JointTrace;
+use recordings::{Campaign, Trace};
+use rig::effects::Definition;
+use simulation::{Settings, SimulatedRobot};
 
 const COUNTS_PER_TURN: f64 = 655_360.0;
 const INERTIA: f64 = 0.0714;
@@ -156,7 +155,7 @@ impl Rig {
         let traces = logs.iter().map(|log| self.recorded(effects, *log)).collect();
         let counts = self.in_counts.then_some(COUNTS_PER_TURN);
         let campaign = Campaign::new(self.model(), counts, traces).unwrap();
-        let diagnosis = diagnosis::diagnose(&campaign, &Steps::new()).unwrap();
+        let diagnosis = diagnosis::diagnose(&campaign, &|_| ()).unwrap();
         eprintln!("{self:?} {effects:?}");
         eprintln!("{}", host_tool::commands::diagnose::in_words(&diagnosis));
         diagnosis.report

@@ -4,16 +4,16 @@
 use std::f64::consts::TAU;
 use std::sync::OnceLock;
 
-use host_tool::board::InProcess;
-use host_tool::diagnosis::{self, Diagnosis, DiagnosisError, Verdict};
-use host_tool::effects::Definition;
-use host_tool::files::{RobotFile, Role};
-use host_tool::identification::{Campaign, Trace};
-use host_tool::progress::Steps;
-use host_tool::simulation::plan::{driven_noise, excitation, slow};
-use host_tool::simulation::{Plan, Rig, Settings, SimulatedRobot, record_robot, start_of};
+use diagnosis::{self, Diagnosis, DiagnosisError, Verdict};
+use files::{RobotFile, Role};
 use model::Robot;
 use model::reference_robot::reference_robot;
+use recordings::{Campaign, Trace};
+use rig::effects::Definition;
+use rig::plan::{driven_noise, excitation, slow};
+use rig::{Plan, Rig};
+use simulation::board::InProcess;
+use simulation::{Settings, SimulatedRobot, record_robot, start_of};
 
 const COUNTS_PER_TURN: f64 = 655_360.0;
 
@@ -53,7 +53,7 @@ fn file(robot: &Robot<f64>) -> RobotFile {
 
 fn diagnose_with(robot_file: RobotFile, traces: Vec<Trace>) -> Result<Diagnosis, DiagnosisError> {
     let campaign = Campaign::new(robot_file, Some(COUNTS_PER_TURN), traces).unwrap();
-    let found = diagnosis::diagnose(&campaign, &Steps::new());
+    let found = diagnosis::diagnose(&campaign, &|_| ());
     if let Ok(diagnosis) = &found {
         eprintln!("{}", host_tool::commands::diagnose::in_words(diagnosis));
     }

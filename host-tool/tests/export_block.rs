@@ -4,11 +4,11 @@
 use std::path::Path;
 
 use assert_cmd::Command;
+use files::RobotFile;
 use firmware::store::{Layout, RamFlash, Slot, Source, Store};
 use firmware::{Mode, ParameterBlock};
-use host_tool::files::RobotFile;
-use host_tool::flash_image::parameters::next_slot;
-use host_tool::flash_image::{FlashImage, Piece};
+use link::flash_image::parameters::next_slot;
+use link::flash_image::{FlashImage, Piece};
 use model::reference_robot::reference_robot;
 
 mod common;

@@ -7,9 +7,9 @@ use std::path::Path;
 use std::time::Duration;
 
 use assert_cmd::Command;
-use host_tool::files::{Dataset, Log, RobotFile};
-use host_tool::link::simulated_board::{BoardSettings, SimulatedBoard};
+use files::{Dataset, Log, RobotFile};
 use model::reference_robot::reference_robot;
+use simulation::simulated_board::{BoardSettings, SimulatedBoard};
 
 const PAGE: &str = include_str!("../../docs/first-motion.md");
 

@@ -5,11 +5,11 @@ use std::path::Path;
 
 use assert_cmd::Command;
 use firmware::store::{Layout, Slot};
-use host_tool::flash_image::check::unchanged;
-use host_tool::flash_image::parameters::next_slot;
-use host_tool::flash_image::{FlashError, FlashImage, Piece};
-use host_tool::simulation::{Rig, plan};
+use link::flash_image::check::unchanged;
+use link::flash_image::parameters::next_slot;
+use link::flash_image::{FlashError, FlashImage, Piece};
 use model::reference_robot::reference_robot;
+use rig::{Rig, plan};
 
 mod common;
 
@@ -170,7 +170,7 @@ fn without_a_probe_it_says_so_and_what_to_do() {
     assert_eq!(failure.message, "no debug probe is connected");
     assert!(failure.hint.contains("rrr export-block"), "{}", failure.hint);
     // With a probe, the command would write to whatever hangs there.
-    if !host_tool::flash_image::probe::connected().is_empty() {
+    if !link::flash_image::probe::connected().is_empty() {
         return;
     }
     let directory = common::with_model();

@@ -8,9 +8,9 @@ use std::time::Duration;
 
 use assert_cmd::Command;
 use firmware::link::{Hello, MAX_FRAME_BYTES, PROTOCOL_VERSION, ToHost};
-use host_tool::link::simulated_board::{BoardSettings, SimulatedBoard};
 use model::reference_robot::reference_robot;
 use serialport::{SerialPort, TTYPort};
+use simulation::simulated_board::{BoardSettings, SimulatedBoard};
 
 /// What `rrr connect` says about a board that answers everything with this Hello, exit status 2.
 fn said_of(hello: Hello) -> String {

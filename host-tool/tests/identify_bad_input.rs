@@ -4,10 +4,10 @@
 mod campaign;
 
 use campaign::{perturbed_robot, recorded_campaign};
-use host_tool::files::{Experiment, Role};
-use host_tool::identification::campaign::Trace;
-use host_tool::identification::procedure::{Identified, identify};
-use host_tool::identification::{Campaign, StepError};
+use files::{Experiment, Role};
+use identification::procedure::{Identified, identify};
+use recordings::campaign::Trace;
+use recordings::{Campaign, StepError};
 
 fn whole() -> Campaign {
     recorded_campaign(&perturbed_robot(7), 7)

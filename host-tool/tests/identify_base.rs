@@ -2,24 +2,26 @@
 
 mod common;
 
-use host_tool::board::{Board, InProcess};
-use host_tool::files::{Dataset, Experiment, RobotFile, Role};
-use host_tool::identification::base_parameters::friction::{
+use files::{Dataset, Experiment, RobotFile, Role};
+use identification::base_parameters::friction::{
     FRICTION_COUNT, FrictionKnowledge, from_array, to_array,
 };
-use host_tool::identification::base_parameters::{self, RowSettings};
-use host_tool::identification::campaign::{JointTrace, Known};
-use host_tool::identification::reconstruction::reconstruct;
-use host_tool::identification::refinement::{self, ModelDoubt, Refined, refine};
-use host_tool::identification::{Campaign, Estimate, StepError, Trace, physical};
-use host_tool::simulation::plan::excitation;
-use host_tool::simulation::{Plan, Rig, Settings, record};
+use identification::base_parameters::{self, RowSettings};
+use identification::reconstruction::reconstruct;
+use identification::refinement::{self, ModelDoubt, Refined, refine};
+use identification::{Estimate, physical};
 use model::base::NAMES;
 use model::reference_robot::reference_robot;
 use model::{BaseParameters, FrictionState, Posture, Robot};
 use rand_distr::{Distribution, StandardNormal, Uniform};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
+use recordings::campaign::{JointTrace, Known};
+use recordings::{Campaign, StepError, Trace};
+use rig::plan::excitation;
+use rig::{Plan, Rig};
+use simulation::board::{Board, InProcess};
+use simulation::{Settings, record};
 
 /// The reference robot with every value up to 15 % off; of those that are robots.
 fn other_robot(seed: u64) -> Robot<f64> {
@@ -104,10 +106,10 @@ fn recorded(robot: &Robot<f64>, plan: &Plan, seed: u64) -> Trace {
 /// Largest share of the torque that a joint gets wrong over random states within the
 /// ranges of a log.
 fn torque_error(truth: &Robot<f64>, base: &BaseParameters<f64>, trace: &Trace) -> f64 {
-    let motion = &host_tool::identification::motion::Motion::stretches(
+    let motion = &identification::motion::Motion::stretches(
         trace,
         20.0,
-        host_tool::identification::motion::Instant::Middle,
+        identification::motion::Instant::Middle,
     )
     .unwrap()[0];
     let ranges = [&motion.q_rad, &motion.qd_rad_per_s, &motion.qdd_rad_per_s2]
@@ -326,7 +328,7 @@ fn recorded_by_euler(robot: &Robot<f64>, plan: &Plan) -> Trace {
     let mut qd = [0.0; 3];
     let mut friction = [FrictionState::<f64>::default(); 3];
     for k in 0..trace.len() {
-        let counts = host_tool::simulation::sensor::counts(&q, 655_360);
+        let counts = simulation::sensor::counts(&q, 655_360);
         let reply = board.tick(&counts.map(|count| count as i32)).unwrap();
         let command_v = reply.codes.map(|code| f64::from(code.to_volts()));
         for (i, joint) in trace.joints.iter_mut().enumerate() {

@@ -9,8 +9,8 @@ mod campaign;
 use std::collections::BTreeMap;
 
 use campaign::{perturbed_robot, recorded_campaign, torque_error};
-use host_tool::identification::Estimate;
-use host_tool::identification::procedure::{Identified, identify};
+use identification::Estimate;
+use identification::procedure::{Identified, identify};
 use model::base::NAMES;
 use model::{Friction, Robot};
 

@@ -2,15 +2,17 @@
 
 mod common;
 
-use host_tool::board::InProcess;
-use host_tool::files::{Dataset, Entry, Experiment, RobotFile, Role};
-use host_tool::identification::campaign::{JointTrace, Known};
-use host_tool::identification::ekf::{self, Start};
-use host_tool::identification::{Campaign, Estimate, StepError, Trace, static_friction};
-use host_tool::simulation::plan::{Plan, constant_velocity, friction_excitation};
-use host_tool::simulation::{Rig, Settings, record};
+use files::{Dataset, Entry, Experiment, RobotFile, Role};
+use identification::ekf::{self, Start};
+use identification::{Estimate, static_friction};
 use model::reference_robot::reference_robot;
 use model::{Friction, Robot};
+use recordings::campaign::{JointTrace, Known};
+use recordings::{Campaign, StepError, Trace};
+use rig::Rig;
+use rig::plan::{Plan, constant_velocity, friction_excitation};
+use simulation::board::InProcess;
+use simulation::{Settings, record};
 
 /// What issue and brief ask for.
 const SLIDING: f64 = 0.03;

@@ -4,7 +4,7 @@
 mod campaign;
 
 use campaign::recorded_campaign;
-use host_tool::identification::procedure::identify;
+use identification::procedure::identify;
 use model::base::NAMES;
 use model::reference_robot::reference_robot;
 

@@ -2,9 +2,9 @@
 
 mod common;
 
-use host_tool::files::{Dataset, RobotFile, Role};
-use host_tool::identification::one_joint::pendulum::{self, OneJoint};
-use host_tool::identification::{Campaign, Trace};
+use files::{Dataset, RobotFile, Role};
+use identification::one_joint::pendulum::{self, OneJoint};
+use recordings::{Campaign, Trace};
 
 /// By the makers, from the identification log.
 const PUBLISHED_INERTIA: f64 = 0.06259;

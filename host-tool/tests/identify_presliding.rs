@@ -2,18 +2,20 @@
 
 mod common;
 
-use host_tool::board::InProcess;
-use host_tool::files::{Dataset, Experiment, RobotFile, Role};
-use host_tool::identification::campaign::{JointTrace, Known};
-use host_tool::identification::presliding::{self, Presliding, Prior, Rigid, Settings, Sliding};
-use host_tool::identification::{Campaign, Estimate, StepError, Trace};
-use host_tool::simulation::plan::presliding_noise;
-use host_tool::simulation::{Rig, Settings as RobotSettings, record};
+use files::{Dataset, Experiment, RobotFile, Role};
+use identification::Estimate;
+use identification::presliding::{self, Presliding, Prior, Rigid, Settings, Sliding};
 use model::reference_robot::reference_robot;
 use model::{BaseParameters, Friction, FrictionState, Pendulum, Robot};
 use rand_distr::{Distribution, StandardNormal, Uniform};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
+use recordings::campaign::{JointTrace, Known};
+use recordings::{Campaign, StepError, Trace};
+use rig::Rig;
+use rig::plan::presliding_noise;
+use simulation::board::InProcess;
+use simulation::{Settings as RobotSettings, record};
 
 /// Sliding friction known to a per cent.
 fn sliding(friction: &Friction<f64>) -> Sliding {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use host_tool::files::{Log, Position};
+use files::{Log, Position};
 use mcap::MessageStream;
 
 mod common;

@@ -1,6 +1,6 @@
 //! Robot and model files: what they hold, and what is said of bad ones.
 
-use host_tool::files::{EffectTable, FileError, FrictionTable, RobotFile};
+use files::{EffectTable, FileError, FrictionTable, RobotFile};
 use model::reference_robot::reference_robot;
 
 mod common;

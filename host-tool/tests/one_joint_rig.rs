@@ -7,9 +7,9 @@
 mod at_board;
 
 use at_board::{assert_tells, refused, rrr, said};
-use host_tool::files::{Dataset, Log, Position, RobotFile};
-use host_tool::link::simulated_board::{BoardSettings, SimulatedBoard};
+use files::{Dataset, Log, Position, RobotFile};
 use model::reference_robot::reference_robot;
+use simulation::simulated_board::{BoardSettings, SimulatedBoard};
 
 #[test]
 fn joint_3_alone_is_homed_run_and_recorded() {

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use host_tool::files::{Dataset, Log};
+use files::{Dataset, Log};
 
 mod common;
 

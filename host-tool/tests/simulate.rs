@@ -4,9 +4,9 @@
 use std::path::Path;
 
 use assert_cmd::Command;
-use host_tool::effects::CATALOGUE;
-use host_tool::files::{Dataset, EffectTable, RobotFile};
+use files::{Dataset, RobotFile};
 use model::reference_robot::reference_robot;
+use rig::effects::CATALOGUE;
 
 fn rrr(directory: &Path, arguments: &[&str]) -> assert_cmd::assert::Assert {
     let model = directory.join("model.toml");
@@ -57,7 +57,7 @@ fn the_effects_of_the_model_are_compensated_on_request() {
     let directory = tempfile::tempdir().unwrap();
     let mut file = RobotFile::from_robot(&reference_robot());
     for text in ["dac_offset:2:offset_V=0.5", "delay:1:delay_s=0.001"] {
-        file.effects.push(EffectTable::from_text(text).unwrap());
+        file.effects.push(rig::effects::table_from_text(text).unwrap());
     }
     file.write(directory.path().join("known.toml")).unwrap();
     // The voltage that holds joint 2 at the start is the other's less the offset.

@@ -5,6 +5,9 @@ use serde::{Deserialize, Serialize};
 use crate::Real;
 use crate::parameter::{ParameterError, named};
 
+/// The posture in which the arm hangs down and gravity asks for nothing [rad].
+pub const HANGING_RAD: [f64; 3] = [0.0, -core::f64::consts::FRAC_PI_2, 0.0];
+
 /// Denavit-Hartenberg lengths of Table 1, and gravity.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Geometry<T> {

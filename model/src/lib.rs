@@ -66,7 +66,7 @@ pub mod vector;
 pub use base::BaseParameters;
 pub use dynamics::Posture;
 pub use friction::{Friction, FrictionState};
-pub use geometry::Geometry;
+pub use geometry::{Geometry, HANGING_RAD};
 pub use parameter::ParameterError;
 pub use pendulum::Pendulum;
 pub use real::Real;

@@ -2,16 +2,17 @@
 #![allow(missing_docs)]
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use host_tool::board::{Board, InProcess};
-use host_tool::simulation::sensor::counts;
-use host_tool::simulation::{Rig, Settings, SimulatedRobot};
+use rig::Rig;
+use simulation::board::{Board, InProcess};
+use simulation::sensor::counts;
+use simulation::{Settings, SimulatedRobot};
 use tests::{image, qemu, rig};
 
 const TICKS: u32 = 2000;
 
 /// Ticks of the motion (20)-(21) with the model; 1000 a second are real time.
 fn drive(board: &mut dyn Board, rig: &Rig) {
-    let plan = host_tool::simulation::plan::task(10.0).with_mode(firmware::Mode::PdModel);
+    let plan = rig::plan::task(10.0).with_mode(firmware::Mode::PdModel);
     board.load(&plan.block(rig)).unwrap();
     board.start().unwrap();
     let start = [1.57, -1.57, 0.0];

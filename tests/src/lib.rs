@@ -5,14 +5,14 @@ pub mod soak;
 
 use std::path::PathBuf;
 
+use files::EffectTable;
 use firmware::reference::{Injection, Noise};
 use firmware::{Mode, ParameterBlock};
-use host_tool::board::{Qemu, QemuSettings};
-use host_tool::compensation::Compensations;
-use host_tool::effects::Effect;
-use host_tool::files::EffectTable;
-use host_tool::simulation::{Plan, Rig, plan};
 use model::reference_robot::reference_robot;
+use rig::compensation::Compensations;
+use rig::effects::Effect;
+use rig::{Plan, Rig, plan};
+use simulation::board::{Qemu, QemuSettings};
 
 /// The variable that holds the path of the firmware's image for QEMU.
 pub const IMAGE_VARIABLE: &str = "RRR_QEMU_FIRMWARE";
@@ -66,7 +66,7 @@ const RARER: [&str; 6] = [
 /// # Panics
 /// One of them is none.
 pub fn tables(texts: &[&str]) -> Vec<EffectTable> {
-    texts.iter().map(|text| EffectTable::from_text(text).expect("an effect")).collect()
+    texts.iter().map(|text| rig::effects::table_from_text(text).expect("an effect")).collect()
 }
 
 /// The effects of an arm that has eight of them.
@@ -90,7 +90,7 @@ pub fn every_kind_of_effect() -> Vec<EffectTable> {
 /// # Panics
 /// The list above is wrong.
 pub fn simulated(effects: &[EffectTable]) -> Vec<Box<dyn Effect>> {
-    effects.iter().map(|table| table.effect().expect("its values fit")).collect()
+    effects.iter().map(|table| rig::effects::effect_of(table).expect("its values fit")).collect()
 }
 
 /// The rig with the reference robot, making up for effects.

@@ -2,10 +2,11 @@
 #![allow(missing_docs)]
 
 use firmware::Mode;
-use host_tool::board::{Board, InProcess, Qemu};
-use host_tool::effects::Effect;
-use host_tool::simulation::sensor::counts;
-use host_tool::simulation::{Rig, Settings, SimulatedRobot};
+use rig::Rig;
+use rig::effects::Effect;
+use simulation::board::{Board, InProcess, Qemu};
+use simulation::sensor::counts;
+use simulation::{Settings, SimulatedRobot};
 use tests::{every_kind_of_effect, image, minute_of, qemu, rig, rig_that_compensates, simulated};
 
 /// Drives both boards with what one of them does to a robot, for so many ticks.

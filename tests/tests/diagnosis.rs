@@ -4,24 +4,26 @@
 
 use std::path::Path;
 
+use blind_trial::Dice;
+use blind_trial::robots::given_model;
+use diagnosis::fit::fit_held;
+use diagnosis::preparation::prepared;
+use diagnosis::stretch::Stretch;
+use diagnosis::subject::Subject;
+use diagnosis::{Diagnosis, Verdict, diagnose};
+use files::{EffectTable, Log, RobotFile};
 use firmware::Mode;
-use host_tool::blind_trial::{Dice, robots::given_model};
-use host_tool::board::{Board, InProcess};
 use host_tool::commands::diagnose::{MODEL, write};
-use host_tool::compensation::Compensations;
-use host_tool::diagnosis::fit::fit_held;
-use host_tool::diagnosis::preparation::prepared;
-use host_tool::diagnosis::stretch::Stretch;
-use host_tool::diagnosis::subject::Subject;
-use host_tool::diagnosis::{Diagnosis, Verdict, diagnose};
-use host_tool::files::{EffectTable, Log, RobotFile};
-use host_tool::identification::{Campaign, Trace};
-use host_tool::progress::Steps;
-use host_tool::simulation::plan::{excitation, task};
-use host_tool::simulation::tracking::{Tracking, rms};
-use host_tool::simulation::{Plan, Recipe, Rig, Settings, SimulatedRobot, record_robot, start_of};
 use model::Robot;
 use model::reference_robot::reference_robot;
+use recordings::tracking::Tracking;
+use recordings::{Campaign, Trace};
+use rig::compensation::Compensations;
+use rig::plan::{excitation, task};
+use rig::{Plan, Recipe, Rig};
+use signal::rms;
+use simulation::board::{Board, InProcess};
+use simulation::{Settings, SimulatedRobot, record_robot, start_of};
 use tests::{image, qemu, simulated, tables};
 
 /// A robot with effects; what is written of it is a model that is 2 % off and knows none.
@@ -124,7 +126,7 @@ struct Found {
 
 fn found(case: &Case, board: &mut dyn Board, name: &str) -> Found {
     let campaign = case.campaign();
-    let diagnosis = diagnose(&campaign, &Steps::new()).unwrap();
+    let diagnosis = diagnose(&campaign, &|_| ()).unwrap();
     let file = amended(&diagnosis, name);
     let (compensations, left_out) = Compensations::of(&file.effects).unwrap();
     assert_eq!(left_out, []);

@@ -10,14 +10,14 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use clap::Parser;
-use host_tool::board::{Board, Qemu, QemuSettings};
+use files::{Dataset, RobotFile};
 use host_tool::commands::CommandLine;
-use host_tool::files::{Dataset, RobotFile};
-use host_tool::simulation::plan::HANGING_RAD;
-use host_tool::simulation::sensor::counts;
-use host_tool::simulation::tracking::Tracking;
-use host_tool::simulation::{Settings, SimulatedRobot};
+use model::HANGING_RAD;
 use model::reference_robot::reference_robot;
+use recordings::tracking::Tracking;
+use simulation::board::{Board, Qemu, QemuSettings};
+use simulation::sensor::counts;
+use simulation::{Settings, SimulatedRobot};
 use tests::image;
 
 const COUNTS_PER_TURN: u32 = 655_360;
@@ -104,7 +104,7 @@ fn an_identified_model_survives_the_reboot_and_its_run_is_validated() {
     record_campaign(at);
     rrr(at, "identify DIR/campaign --robot DIR/robot.toml --out DIR/model.toml");
 
-    let board = Powered::on(&image, at, HANGING_RAD.map(f64::from));
+    let board = Powered::on(&image, at, HANGING_RAD);
     rrr(at, "connect --port unix:DIR/line");
     rrr(at, "upload DIR/model.toml --port unix:DIR/line");
     rrr(at, "download --out DIR/before.bin --port unix:DIR/line");

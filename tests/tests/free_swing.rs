@@ -3,8 +3,9 @@
 
 use firmware::Mode;
 use firmware::reference::{FrictionExcitation, Injection};
-use host_tool::board::InProcess;
-use host_tool::simulation::{Settings, plan, record};
+use rig::plan;
+use simulation::board::InProcess;
+use simulation::{Settings, record};
 use tests::rig;
 
 /// Peak angle of joint 3 from hanging [rad] in the seconds 7 to 9 and 17 to 19, after six

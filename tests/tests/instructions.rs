@@ -5,9 +5,9 @@ use firmware::compensation::{
     Compensations, FedForward, MOST_FED_FORWARD, MOST_UNDONE, Outside, TurnWave, Undone,
 };
 use firmware::{Angle, Mode, ParameterBlock};
-use host_tool::board::Board;
-use host_tool::simulation::{Settings, SimulatedRobot, record, record_robot, start_of};
 use model::effects::Tilt;
+use simulation::board::Board;
+use simulation::{Settings, SimulatedRobot, record, record_robot, start_of};
 use tests::{
     every_reference, hidden_effects, image, minute_of, qemu, rig, rig_that_compensates, simulated,
 };

@@ -7,8 +7,8 @@ use firmware::block::MAX_BYTES;
 use firmware::link::Command;
 use firmware::supervisor::State;
 use firmware::{Angle, Mode, ParameterBlock};
-use host_tool::board::{Board, Qemu, QemuSettings};
-use host_tool::simulation::start_of;
+use simulation::board::{Board, Qemu, QemuSettings};
+use simulation::start_of;
 use tests::operator::{Line, request, upload};
 use tests::{image, minute_of, rig};
 

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use firmware::store::{Boot, Layout, RamFlash, Store};
 use firmware::{Mode, ParameterBlock};
-use host_tool::board::{Board, Qemu, QemuSettings};
+use simulation::board::{Board, Qemu, QemuSettings};
 use tests::{image, minute_of, rig};
 
 const KILLS: u32 = 40;

@@ -1,12 +1,13 @@
 //! What the model is worth on the motion (20)-(21).
 #![allow(missing_docs)]
 
+use files::EffectTable;
 use firmware::Mode;
-use host_tool::board::{Board, InProcess};
-use host_tool::files::EffectTable;
-use host_tool::simulation::plan::task;
-use host_tool::simulation::tracking::Tracking;
-use host_tool::simulation::{Rig, Settings, SimulatedRobot, record_robot, start_of};
+use recordings::tracking::Tracking;
+use rig::Rig;
+use rig::plan::task;
+use simulation::board::{Board, InProcess};
+use simulation::{Settings, SimulatedRobot, record_robot, start_of};
 use tests::{hidden_effects, image, qemu, rig, rig_that_compensates, simulated};
 
 /// Root mean square tracking error of each joint [rad] over 20 s.

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use files::excitation_file::JointTable;
+use files::{ExcitationFile, JointLog, Log, Position, RobotFile};
 use firmware::block::MAX_BYTES;
 use firmware::frame::FrameReader;
 use firmware::link::checked::{CHECKSUM, Kind, open};
@@ -11,10 +13,8 @@ use firmware::link::{
 use firmware::reference::Reference;
 use firmware::store::slot_record;
 use firmware::{Angle, Mode, ParameterBlock};
-use host_tool::files::excitation_file::JointTable;
-use host_tool::files::{ExcitationFile, JointLog, Log, Position, RobotFile};
-use host_tool::simulation::{Rig, plan};
 use model::reference_robot::reference_robot;
+use rig::{Rig, plan};
 
 /// Blocks with every kind of reference.
 fn parameter_blocks() -> Vec<ParameterBlock> {

@@ -7,12 +7,12 @@ use std::thread::ScopedJoinHandle;
 use clap::Args;
 
 use super::{Failure, create_directory};
-use crate::blind_trial::{
+use crate::progress::Progress;
+use blind_trial::{
     Case, DrawSettings, Kind, Outcome, Results, RunSettings, Seal, TrialError, diagnose_case, draw,
     logs, seal, table,
 };
-use crate::diagnosis::diagnose;
-use crate::progress::{Progress, Steps};
+use diagnosis::diagnose;
 
 /// Arguments of `rrr blind-trial`.
 #[derive(Debug, Args)]
@@ -130,7 +130,7 @@ impl Arguments {
         let settings =
             RunSettings { out: self.out.clone(), keep_logs: self.keep_logs, ceiling: self.ceiling };
         let outcome = diagnose_case(case, &settings, &|campaign| {
-            let diagnosis = diagnose(campaign, &Steps::hidden());
+            let diagnosis = diagnose(campaign, &|_| ());
             diagnosis.map(|found| found.report).map_err(|error| error.to_string())
         })?;
         Ok(outcome)

@@ -9,9 +9,9 @@ use firmware::supervisor::HardLimits;
 use model::ParameterError;
 
 use super::{Failure, simulate};
-use crate::files::{ExcitationFile, RobotFile};
-use crate::link::joints::with_joints;
-use crate::simulation::{Plan, Rig, plan};
+use files::{ExcitationFile, RobotFile};
+use rig::joints::with_joints;
+use rig::{Plan, Rig, plan};
 
 /// What the board is to do with the model.
 #[derive(Clone, Debug, Args)]

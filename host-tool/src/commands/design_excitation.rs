@@ -6,10 +6,10 @@ use std::time::Duration;
 use clap::Args;
 
 use super::Failure;
-use crate::excitation_design::{Design, Effort, Settings, design};
-use crate::files::RobotFile;
-use crate::files::excitation_file::{ExcitationFile, JointTable};
 use crate::progress::Progress;
+use files::RobotFile;
+use files::excitation_file::{ExcitationFile, JointTable};
+use identification::excitation_design::{Design, Effort, Settings, design};
 
 /// Arguments of `rrr design-excitation`.
 #[derive(Debug, Args)]

@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::{Failure, create_directory};
-use crate::diagnosis::{self, Cause, Diagnosis, DiagnosisError, SubjectError, sentence};
-use crate::files::replace::replace_file;
-use crate::files::{Dataset, Problem, RobotFile};
-use crate::identification::Campaign;
 use crate::progress::Steps;
-use crate::report::diagnosis_page::diagnosis_page;
-use crate::report::diagnosis_page::tables::{CAUSES, cause_rows};
+use diagnosis::{self, Cause, Diagnosis, DiagnosisError, SubjectError, sentence};
+use files::replace::replace_file;
+use files::{Dataset, Problem, RobotFile};
+use recordings::Campaign;
+use report::diagnosis_page::diagnosis_page;
+use report::diagnosis_page::tables::{CAUSES, cause_rows};
 
 /// Arguments of `rrr diagnose`.
 #[derive(Debug, Args)]
@@ -47,7 +47,7 @@ pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
     let steps = Steps::new();
     steps.at("reading the logs");
     let campaign = Campaign::read(&dataset, model)?;
-    let diagnosis = diagnosis::diagnose(&campaign, &steps)?;
+    let diagnosis = diagnosis::diagnose(&campaign, &|what| steps.at(what))?;
     steps.at("drawing the pictures");
     write(&diagnosis, &arguments.out)?;
     steps.finish();

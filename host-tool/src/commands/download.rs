@@ -10,9 +10,9 @@ use firmware::link::Source;
 use super::Failure;
 use super::link_choice::LinkChoice;
 use super::output::say;
-use crate::files::replace::replace_file;
-use crate::files::{Problem, RobotFile};
-use crate::link::transfer;
+use files::replace::replace_file;
+use files::{Problem, RobotFile};
+use link::transfer;
 
 /// Arguments of `rrr download`.
 #[derive(Debug, Args)]

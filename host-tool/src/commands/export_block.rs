@@ -10,9 +10,9 @@ use super::Failure;
 use super::block_choice::BlockChoice;
 use super::flash::SlotName;
 use super::output::say;
-use crate::files::Problem;
-use crate::files::replace::replace_file;
-use crate::flash_image::FlashImage;
+use files::Problem;
+use files::replace::replace_file;
+use link::flash_image::FlashImage;
 
 /// Highest sequence number that a file may have: every later upload needs a higher one, and
 /// the board has room for as many again.

@@ -8,8 +8,8 @@ use firmware::store::Slot;
 
 use super::Failure;
 use super::block_choice::BlockChoice;
-use crate::files::Problem;
-use crate::flash_image::{FlashError, FlashImage};
+use files::Problem;
+use link::flash_image::{FlashError, FlashImage};
 
 /// Arguments of `rrr flash`.
 #[derive(Debug, Args)]
@@ -69,8 +69,8 @@ fn write(
     block: Option<ParameterBlock>,
 ) -> Result<(), Failure> {
     use super::output::say;
-    use crate::flash_image::parameters::next_slot;
-    use crate::flash_image::probe::ProbedBoard;
+    use link::flash_image::parameters::next_slot;
+    use link::flash_image::probe::ProbedBoard;
 
     let mut board = ProbedBoard::attach(arguments.probe.as_deref())?;
     let (mut chosen, mut parameters) = (None, String::new());

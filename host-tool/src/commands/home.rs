@@ -12,7 +12,7 @@ use super::interrupt::interrupt;
 use super::link_choice::LinkChoice;
 use super::output::say;
 use super::upload::downloaded;
-use crate::link::{Client, session};
+use link::{Client, session};
 
 /// Arguments of `rrr home`.
 #[derive(Debug, Args)]

@@ -7,9 +7,9 @@ use clap::Args;
 use model::{BaseParameters, Geometry, Pendulum, Posture};
 
 use super::Failure;
-use crate::files::replace::replace_file;
-use crate::files::table::{Kind, Table};
-use crate::files::{FileError, Problem, RobotFile};
+use files::replace::replace_file;
+use files::table::{Kind, Table};
+use files::{FileError, Problem, RobotFile};
 
 /// Arguments of `rrr inverse-dynamics`.
 #[derive(Debug, Args)]

@@ -8,7 +8,7 @@ use firmware::link::Key;
 use tempfile::NamedTempFile;
 
 use super::Failure;
-use crate::files::Problem;
+use files::Problem;
 
 /// The key in a file.
 ///

@@ -9,7 +9,7 @@ use firmware::supervisor::fault::Implausible;
 
 use super::Failure;
 use super::key_file::read_key;
-use crate::link::{Address, Client, LinkError};
+use link::{Address, Client, LinkError};
 
 /// Names the key's file where --key does not.
 pub const KEY_VARIABLE: &str = "RRR_KEY_FILE";

@@ -7,8 +7,8 @@ use std::path::Path;
 
 use clap::{Parser, Subcommand};
 
-use crate::board::BoardError;
-use crate::files::FileError;
+use files::FileError;
+use simulation::board::BoardError;
 
 pub mod blind_trial;
 pub mod block_choice;

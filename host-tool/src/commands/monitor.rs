@@ -14,8 +14,8 @@ use firmware::supervisor::State;
 use super::interrupt::interrupt;
 use super::link_choice::{LinkChoice, openness};
 use super::{Failure, output};
-use crate::link::session::next_record;
-use crate::link::{Client, LinkError, transfer};
+use link::session::next_record;
+use link::{Client, LinkError, transfer};
 
 /// Time between two tables.
 const PERIOD: Duration = Duration::from_millis(200);

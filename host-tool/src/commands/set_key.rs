@@ -9,7 +9,7 @@ use super::Failure;
 use super::key_file::{NewKey, read_key};
 use super::link_choice::{LinkChoice, openness};
 use super::output::say;
-use crate::link::{Client, LinkError};
+use link::{Client, LinkError};
 
 /// Arguments of `rrr set-key`.
 #[derive(Debug, Args)]

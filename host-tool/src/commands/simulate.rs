@@ -7,12 +7,13 @@ use firmware::Mode;
 
 use super::output::say;
 use super::{Failure, create_directory};
-use crate::board::{Board, InProcess, Qemu, QemuSettings};
-use crate::compensation::Compensations;
-use crate::effects::{Effect, EffectError};
-use crate::files::{Dataset, EffectTable, ExcitationFile, Experiment, RobotFile, Role};
 use crate::progress::Progress;
-use crate::simulation::{Plan, Recipe, Rig, Settings, SimulatedRobot, record_robot, start_of};
+use files::{Dataset, ExcitationFile, Experiment, RobotFile, Role};
+use rig::compensation::Compensations;
+use rig::effects::{Effect, EffectError};
+use rig::{Plan, Recipe, Rig};
+use simulation::board::{Board, InProcess, Qemu, QemuSettings};
+use simulation::{Settings, SimulatedRobot, record_robot, start_of};
 
 /// Arguments of `rrr simulate`.
 #[derive(Debug, Args)]
@@ -191,10 +192,12 @@ impl Arguments {
     /// The effects of the model file and those of the command line.
     fn effects(&self) -> Result<Vec<Box<dyn Effect>>, Failure> {
         let listed = RobotFile::read(&self.model)?.effects;
-        let from_file =
-            listed.iter().map(|table| table.effect().map_err(|error| self.bad_table(&error)));
+        let from_file = listed
+            .iter()
+            .map(|table| rig::effects::effect_of(table).map_err(|error| self.bad_table(&error)));
         let from_line = self.effect.iter().map(|text| {
-            let effect = EffectTable::from_text(text).and_then(|table| table.effect());
+            let effect = rig::effects::table_from_text(text)
+                .and_then(|table| rig::effects::effect_of(&table));
             effect.map_err(|error| Failure::new(format!("--effect {text}: {error}"), EFFECT_HINT))
         });
         from_file.chain(from_line).collect()

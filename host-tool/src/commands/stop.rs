@@ -3,7 +3,7 @@
 use super::Failure;
 pub use super::link_choice::LinkChoice as Arguments;
 use super::output::say;
-use crate::link::session::halt;
+use link::session::halt;
 
 /// Runs the command; it needs no key, and looks at none.
 ///

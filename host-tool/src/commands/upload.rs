@@ -12,7 +12,7 @@ use super::block_choice::BlockChoice;
 use super::connect;
 use super::link_choice::{LinkChoice, openness};
 use super::output::say;
-use crate::link::{Client, transfer};
+use link::{Client, transfer};
 
 /// Arguments of `rrr upload`.
 #[derive(Debug, Args)]

@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::{Failure, create_directory};
-use crate::files::{Dataset, RobotFile, Role};
-use crate::identification::Trace;
-use crate::identification::procedure::Held;
 use crate::progress::Steps;
-use crate::report::validation_page::{HEADER, rows, validation_page};
+use files::{Dataset, RobotFile, Role};
+use identification::procedure::Held;
+use recordings::Trace;
+use report::validation_page::{HEADER, rows, validation_page};
 
 /// Arguments of `rrr validate`.
 #[derive(Debug, Args)]

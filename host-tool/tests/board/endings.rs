@@ -6,13 +6,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, mpsc};
 use std::time::{Duration, Instant};
 
+use files::{Dataset, Log};
 use firmware::link::Command;
-use host_tool::files::{Dataset, Log};
-use host_tool::link::session::{self, Ending};
-use host_tool::link::simulated_board::SimulatedBoard;
-use host_tool::link::{Address, Client, Recorder};
-use host_tool::simulation::{Rig, plan};
+use link::session::{self, Ending};
+use link::{Address, Client, Recorder};
 use model::reference_robot::reference_robot;
+use rig::{Rig, plan};
+use simulation::simulated_board::SimulatedBoard;
 
 use crate::files::TOO_FAST;
 use crate::line::{Deed, Line, at_query};

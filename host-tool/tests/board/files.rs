@@ -3,7 +3,7 @@
 use std::process::Child;
 use std::sync::mpsc;
 
-use host_tool::files::{Dataset, Log};
+use files::{Dataset, Log};
 
 use crate::line::{Deed, Line, at_query};
 use crate::{assert_tells, board, refused, rrr, rrr_at, spawned, with_model};

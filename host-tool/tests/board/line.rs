@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use firmware::frame::FrameReader;
 use firmware::link::{Command, ToBoard};
-use host_tool::link::simulated_board::SimulatedBoard;
+use simulation::simulated_board::SimulatedBoard;
 
 /// What becomes of the line at a request, before the board hears it.
 #[derive(Debug)]

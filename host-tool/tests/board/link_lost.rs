@@ -4,8 +4,8 @@ use std::path::Path;
 use std::sync::mpsc;
 use std::time::{Duration, SystemTime};
 
-use host_tool::files::Dataset;
-use host_tool::link::simulated_board::SimulatedBoard;
+use files::Dataset;
+use simulation::simulated_board::SimulatedBoard;
 
 use crate::line::{Deed, Line, at_query};
 use crate::recording::assert_all_ticks_are_told;

@@ -5,10 +5,10 @@ use std::path::Path;
 use std::process::Stdio;
 use std::time::Duration;
 
+use ::files::RobotFile;
 use assert_cmd::Command;
-use host_tool::files::RobotFile;
-use host_tool::link::simulated_board::{BoardSettings, SimulatedBoard};
 use model::reference_robot::reference_robot;
+use simulation::simulated_board::{BoardSettings, SimulatedBoard};
 
 #[path = "../common/mod.rs"]
 mod common;

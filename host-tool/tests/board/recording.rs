@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use assert_cmd::Command;
-use host_tool::files::{Dataset, Log, Role};
-use host_tool::link::simulated_board::{BoardSettings, SimulatedBoard};
+use files::{Dataset, Log, Role};
+use simulation::simulated_board::{BoardSettings, SimulatedBoard};
 
 use crate::{assert_tells, board, rrr, settings, stdout, with_model};
 

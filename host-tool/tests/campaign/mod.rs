@@ -1,14 +1,15 @@
 //! Other robots, and campaigns recorded with them.
 #![allow(dead_code)]
 
-use host_tool::board::InProcess;
-use host_tool::files::RobotFile;
-use host_tool::identification::{Campaign, Trace};
-use host_tool::simulation::{Plan, Recipe, Rig, Settings, record};
+use files::RobotFile;
 use model::reference_robot::reference_robot;
 use model::{BaseParameters, Posture, Robot};
 use rand_distr::{Distribution, Uniform};
 use rand_pcg::Pcg64Mcg;
+use recordings::{Campaign, Trace};
+use rig::{Plan, Recipe, Rig};
+use simulation::board::InProcess;
+use simulation::{Settings, record};
 
 const COUNTS_PER_TURN: f64 = 655_360.0;
 

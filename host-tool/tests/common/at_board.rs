@@ -4,9 +4,9 @@ use std::path::Path;
 use std::time::Duration;
 
 use assert_cmd::assert::Assert;
-use host_tool::link::simulated_board::{BoardSettings, SimulatedBoard};
-use host_tool::link::{Address, Client};
+use link::{Address, Client};
 use model::reference_robot::reference_robot;
+use simulation::simulated_board::{BoardSettings, SimulatedBoard};
 
 /// A board that was never used, in real time.
 pub fn board() -> SimulatedBoard {

@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-use host_tool::files::{JointLog, Log, Position, RobotFile};
+use files::{JointLog, Log, Position, RobotFile};
 use model::reference_robot::reference_robot;
 
 #[cfg(unix)]

@@ -1,8 +1,8 @@
 //! The simulated arm with its encoders, which may jump.
 
-use host_tool::simulation::sensor::counts;
-use host_tool::simulation::{Settings, SimulatedRobot};
 use model::reference_robot::reference_robot;
+use simulation::sensor::counts;
+use simulation::{Settings, SimulatedRobot};
 
 /// Encoder counts of a turn.
 pub const COUNTS_PER_TURN: u32 = 655_360;

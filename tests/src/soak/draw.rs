@@ -2,7 +2,7 @@
 
 use firmware::reference::{FadeIn, FourierSeries, Injection, Motion, Noise, Reference, Sine};
 use firmware::{Mode, ParameterBlock};
-use host_tool::simulation::Rig;
+use rig::Rig;
 
 use super::dice::Dice;
 

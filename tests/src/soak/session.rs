@@ -11,7 +11,7 @@ use firmware::link::{Command, Kept, Refusal, Reply, Report, Station, Telemetry};
 use firmware::store::{Layout, RamFlash, Store};
 use firmware::supervisor::{Fault, Health, State};
 use firmware::{Mode, ParameterBlock};
-use host_tool::simulation::Rig;
+use rig::Rig;
 
 use super::Settings;
 use super::arm::Arm;

@@ -1,6 +1,6 @@
 //! Logs as text, plain and compressed.
 
-use host_tool::files::Log;
+use files::Log;
 
 /// Reads a log; what is read can be asked for what logs are asked for.
 pub fn run(bytes: &[u8]) {

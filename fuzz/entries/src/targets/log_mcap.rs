@@ -1,6 +1,6 @@
 //! Logs as MCAP.
 
-use host_tool::files::Log;
+use files::Log;
 
 /// Reads a log.
 pub fn run(bytes: &[u8]) {

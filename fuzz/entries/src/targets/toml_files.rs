@@ -1,8 +1,8 @@
 //! Models, data sets and excitations.
 
-use host_tool::compensation::Compensations;
-use host_tool::files::{Dataset, ExcitationFile, RobotFile};
-use host_tool::simulation::{Rig, plan};
+use files::{Dataset, ExcitationFile, RobotFile};
+use rig::compensation::Compensations;
+use rig::{Rig, plan};
 
 /// Reads the bytes as each; a model goes on to the parameter block.
 pub fn run(bytes: &[u8]) {

@@ -6,11 +6,12 @@ use firmware::Mode;
 
 use super::super::{Failure, diagnose, simulate};
 use super::{Arguments, print_table};
-use crate::diagnosis::sentence;
-use crate::files::{EffectTable, Problem, replace::replace_file};
-use crate::report::diagnosis_page::figure;
-use crate::report::tracking_page::Diagnosed;
-use crate::simulation::Rig;
+use diagnosis::sentence;
+use files::replace::replace_file;
+use files::{EffectTable, Problem};
+use report::diagnosis_page::figure;
+use report::tracking_page::Diagnosed;
+use rig::Rig;
 
 /// What the robot does that the identified model does not know.
 const HIDDEN: [&str; 2] = [
@@ -65,7 +66,7 @@ impl Arguments {
 }
 
 fn hidden() -> Result<Vec<EffectTable>, Failure> {
-    let tables = HIDDEN.iter().map(|text| EffectTable::from_text(text));
+    let tables = HIDDEN.iter().map(|text| rig::effects::table_from_text(text));
     let tables: Result<Vec<_>, _> = tables.collect();
     tables.map_err(|error| Failure::new(error.to_string(), ""))
 }

@@ -11,13 +11,14 @@ use firmware::Mode;
 use model::reference_robot::reference_robot;
 
 use super::{Failure, create_directory, identify, simulate};
-use crate::board::{Qemu, QemuSettings};
-use crate::files::{EffectTable, RobotFile};
 use crate::progress::Progress;
-use crate::report::tracking_page::{Run, error_charts, tracking_page};
-use crate::simulation::plan::task;
-use crate::simulation::tracking::Tracking;
-use crate::simulation::{Rig, Settings, SimulatedRobot, record_robot, start_of};
+use files::{EffectTable, RobotFile};
+use recordings::tracking::Tracking;
+use report::tracking_page::{Run, error_charts, tracking_page};
+use rig::Rig;
+use rig::plan::task;
+use simulation::board::{Qemu, QemuSettings};
+use simulation::{Settings, SimulatedRobot, record_robot, start_of};
 
 /// Arguments of `rrr demo`.
 #[derive(Args, Debug)]
@@ -100,7 +101,7 @@ impl Arguments {
     ) -> Result<Run, Failure> {
         let plan = task(self.duration_s).with_mode(mode);
         let (ticks, block) = (plan.ticks(rig), plan.block(rig));
-        let effects: Result<Vec<_>, _> = effects.iter().map(EffectTable::effect).collect();
+        let effects: Result<Vec<_>, _> = effects.iter().map(rig::effects::effect_of).collect();
         let effects = effects.map_err(|error| Failure::new(error.to_string(), ""))?;
         let start = start_of(&block);
         let robot =

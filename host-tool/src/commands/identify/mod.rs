@@ -10,14 +10,14 @@ use clap::Args;
 pub use steps::Step;
 
 use super::{Failure, create_directory};
-use crate::files::replace::replace_file;
-use crate::files::{Dataset, Problem, RobotFile};
-use crate::identification::procedure::{self, Identified, model_file};
-use crate::identification::{Campaign, StepError};
 use crate::progress::Steps;
-use crate::report::identification_page::identification_page;
-use crate::report::identification_summary::Summary;
-use crate::report::one_joint_page::{one_joint_page, one_joint_rows};
+use files::replace::replace_file;
+use files::{Dataset, Problem, RobotFile};
+use identification::procedure::{self, Identified, model_file};
+use recordings::{Campaign, StepError};
+use report::identification_page::identification_page;
+use report::identification_summary::Summary;
+use report::one_joint_page::{one_joint_page, one_joint_rows};
 
 /// Arguments of `rrr identify`: those of the whole procedure, or a step.
 #[derive(Debug, Args)]

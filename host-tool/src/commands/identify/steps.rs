@@ -6,13 +6,13 @@ use clap::{Args, Subcommand};
 use serde::Serialize;
 
 use super::super::{Failure, create_directory};
-use crate::files::{Dataset, Experiment, RobotFile, Role};
-use crate::identification::base_parameters::friction::FrictionKnowledge;
-use crate::identification::presliding::Prior;
-use crate::identification::{Campaign, StepError, Trace};
-use crate::identification::{base_parameters, ekf, presliding, static_friction};
-use crate::report::Page;
-use crate::report::step_page::{base_page, ekf_page, presliding_page, static_page};
+use files::{Dataset, Experiment, RobotFile, Role};
+use identification::base_parameters::friction::FrictionKnowledge;
+use identification::presliding::Prior;
+use identification::{base_parameters, ekf, presliding, static_friction};
+use recordings::{Campaign, StepError, Trace};
+use report::Page;
+use report::step_page::{base_page, ekf_page, presliding_page, static_page};
 
 /// A step of the procedure.
 #[derive(Debug, Subcommand)]

@@ -8,9 +8,9 @@ use firmware::link::Telemetry;
 use firmware::reference::Motion;
 
 use crate::commands::{Failure, simulate};
-use crate::files::ExcitationFile;
-use crate::link::approach::positions_rad;
-use crate::simulation::{Plan, Rig, plan};
+use files::ExcitationFile;
+use link::approach::positions_rad;
+use rig::{Plan, Rig, plan};
 
 /// What can be played.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

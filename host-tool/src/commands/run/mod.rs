@@ -14,12 +14,13 @@ use super::Failure;
 use super::interrupt::interrupt;
 use super::link_choice::{LinkChoice, openness};
 use super::upload::{downloaded, encoded};
-use crate::files::Role;
-use crate::link::approach::approach;
-use crate::link::session::{self, Ending};
-use crate::link::{Client, Patience, Recorder, joints, transfer};
 use crate::progress::Progress;
-use crate::simulation::Plan;
+use files::Role;
+use link::approach::approach;
+use link::session::{self, Ending};
+use link::{Client, Patience, Recorder, transfer};
+use rig::Plan;
+use rig::joints;
 
 mod choice;
 mod save;

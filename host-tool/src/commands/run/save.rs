@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use super::told::say;
 use crate::commands::{Failure, create_directory};
-use crate::files::dataset::LIST_NAME;
-use crate::files::{Dataset, Entry, Problem};
-use crate::link::Recorder;
-use crate::simulation::Plan;
+use files::dataset::LIST_NAME;
+use files::{Dataset, Entry, Problem};
+use link::Recorder;
+use rig::Plan;
 
 /// A data set that grows by one log a run.
 ///

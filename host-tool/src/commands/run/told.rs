@@ -5,8 +5,8 @@ use std::io::Write;
 use firmware::supervisor::FaultRecord;
 
 use crate::commands::Failure;
-use crate::link::session::Ending;
-use crate::link::{LinkError, Recorder, Tally};
+use link::session::Ending;
+use link::{LinkError, Recorder, Tally};
 
 /// What to do about a fault.
 pub const FAULT_HINT: &str = "docs/safety.md says what it means; then `rrr clear-fault`";

@@ -1,0 +1,44 @@
+//! Why a blind trial ends early.
+
+use files::FileError;
+use recordings::StepError;
+use rig::effects::EffectError;
+use simulation::board::BoardError;
+
+/// Why a blind trial ends early.
+#[derive(Debug, thiserror::Error)]
+pub enum TrialError {
+    /// The board refuses a model that was drawn.
+    #[error(transparent)]
+    Board(#[from] BoardError),
+    /// An effect that was drawn cannot be built.
+    #[error(transparent)]
+    Effect(#[from] EffectError),
+    /// A file that cannot be read or written.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// Logs that cannot be used.
+    #[error(transparent)]
+    Step(#[from] StepError),
+    /// No draw of a case was fit for use.
+    #[error("case {case}: {tries} draws of {what} gave nothing that matters and stays stable")]
+    NothingMatters {
+        /// The case.
+        case: u32,
+        /// How often was drawn.
+        tries: u32,
+        /// What was drawn.
+        what: String,
+    },
+    /// A name that is neither in the catalogue nor among the foreign effects.
+    #[error("{0} is no effect, neither of the catalogue nor foreign to it")]
+    UnknownEffect(String),
+    /// What was sealed is not what comes out.
+    #[error("the truth has changed since it was sealed: SHA-256 was {sealed}, is {opened}")]
+    Seal {
+        /// The hash of the sealed truth.
+        sealed: String,
+        /// The hash of what came out.
+        opened: String,
+    },
+}

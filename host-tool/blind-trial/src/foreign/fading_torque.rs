@@ -1,0 +1,31 @@
+//! A motor that weakens as it warms.
+
+use model::vector::Vector3;
+
+use super::Definition;
+use rig::effects::{Effect, Moment};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "fading_torque",
+    words: "the magnets weaken as they warm: (1 - e (1 - exp(-t/T))) u",
+    resembles: &["friction_drift", "torque_constant"],
+    parameters: &["relative_loss", "time_constant_s"],
+    draw: |_, dice| vec![dice.log_uniform(0.05, 0.3), dice.uniform(2.0, 10.0)],
+    build: |joint, values| {
+        Box::new(FadingTorque { joint, relative_loss: values[0], time_constant_s: values[1] })
+    },
+};
+
+#[derive(Clone, Debug)]
+struct FadingTorque {
+    joint: usize,
+    relative_loss: f64,
+    time_constant_s: f64,
+}
+
+impl Effect for FadingTorque {
+    fn change_command(&mut self, moment: &Moment, command_v: &mut Vector3<f64>) {
+        let warmed = -(-moment.time_s / self.time_constant_s).exp_m1();
+        command_v[self.joint] *= 1.0 - self.relative_loss * warmed;
+    }
+}

@@ -1,0 +1,68 @@
+//! Effects that the catalogue does not have but that resemble some that it has: what an
+//! honest diagnosis calls unknown. One file each.
+
+mod cross_talk;
+mod detent;
+mod fading_torque;
+mod hardening_spring;
+mod hysteresis_spring;
+mod mains_hum;
+mod slew_rate;
+mod uneven_gain;
+mod wandering_torque;
+
+use super::Dice;
+use rig::effects::Effect;
+
+/// All of them.
+pub const ALL: [&Definition; 9] = [
+    &mains_hum::DEFINITION,
+    &slew_rate::DEFINITION,
+    &uneven_gain::DEFINITION,
+    &hysteresis_spring::DEFINITION,
+    &hardening_spring::DEFINITION,
+    &detent::DEFINITION,
+    &cross_talk::DEFINITION,
+    &fading_torque::DEFINITION,
+    &wandering_torque::DEFINITION,
+];
+
+/// A foreign effect of one joint, as a kind.
+#[derive(Debug)]
+pub struct Definition {
+    /// Its name.
+    pub name: &'static str,
+    /// What it is, in words.
+    pub words: &'static str,
+    /// Effects of the catalogue for which it may be taken.
+    pub resembles: &'static [&'static str],
+    /// Its parameters, with units.
+    pub parameters: &'static [&'static str],
+    /// Values for them, for a joint (0 to 2).
+    pub draw: fn(joint: usize, dice: &mut Dice) -> Vec<f64>,
+    /// The effect with these values on a joint (0 to 2).
+    pub build: fn(joint: usize, values: &[f64]) -> Box<dyn Effect>,
+}
+
+/// The foreign effect of that name.
+pub fn by_name(name: &str) -> Option<&'static Definition> {
+    ALL.into_iter().find(|definition| definition.name == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rig::effects;
+
+    #[test]
+    fn they_are_foreign_to_the_catalogue_and_resemble_what_it_has() {
+        for definition in ALL {
+            assert!(effects::Definition::by_name(definition.name).is_none());
+            for name in definition.resembles {
+                assert!(effects::Definition::by_name(name).is_some(), "{name}");
+            }
+            let values = (definition.draw)(2, &mut Dice::new(1, 1));
+            assert_eq!(values.len(), definition.parameters.len(), "{}", definition.name);
+        }
+    }
+}

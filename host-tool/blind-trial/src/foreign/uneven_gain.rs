@@ -1,0 +1,27 @@
+//! An amplifier whose halves differ.
+
+use model::vector::Vector3;
+
+use super::Definition;
+use rig::effects::{Effect, Moment};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "uneven_gain",
+    words: "positive commands are amplified more than negative ones: (1 +- g) u",
+    resembles: &["asymmetric_friction", "torque_constant", "dac_offset"],
+    parameters: &["relative_difference"],
+    draw: |_, dice| vec![dice.signed_log_uniform(0.03, 0.15)],
+    build: |joint, values| Box::new(UnevenGain { joint, relative_difference: values[0] }),
+};
+
+#[derive(Clone, Debug)]
+struct UnevenGain {
+    joint: usize,
+    relative_difference: f64,
+}
+
+impl Effect for UnevenGain {
+    fn change_command(&mut self, _: &Moment, command_v: &mut Vector3<f64>) {
+        command_v[self.joint] += self.relative_difference * command_v[self.joint].abs();
+    }
+}

@@ -1,0 +1,78 @@
+//! Why a log says nothing about a model, whatever it holds.
+
+use super::subject::Subject;
+use identification::one_joint::pendulum::{MOVED_FROM_OUTSIDE, is_moved_from_outside};
+use recordings::Trace;
+use recordings::campaign::{JointTrace, Known};
+
+/// Other joints of an arm stand still if they move by less [rad].
+const STILL_RAD: f64 = 0.05;
+/// A log with more of its commands at the limit says little.
+const MOST_AT_LIMIT: f64 = 0.5;
+
+/// The model of one joint does not hold where others of the arm move along.
+pub fn others_move(trace: &Trace, subject: &Subject) -> Option<String> {
+    let moves = |joint: &&JointTrace| {
+        !subject.numbers.contains(&joint.number) && span(&joint.q_rad) > STILL_RAD
+    };
+    let other = trace.joints.iter().find(moves)?;
+    Some(format!(
+        "joint {} moves by {:.2} rad, but the model has joint {} alone; give the model of the \
+         whole arm, or a log in which the other joints stand still",
+        other.number,
+        span(&other.q_rad),
+        subject.numbers[0]
+    ))
+}
+
+/// Why a log that can be what it says cannot be judged by a model.
+pub fn cannot_be_judged(trace: &Trace, subject: &Subject) -> Option<String> {
+    let of_joint = |joint: &JointTrace| {
+        dead_encoder(joint, subject).or_else(|| mostly_at_the_limit(joint, &subject.known))
+    };
+    let outside = || {
+        let alone = subject.one_joint.then_some(subject.numbers[0])?;
+        is_moved_from_outside(trace, alone, &subject.known)
+            .then(|| format!("{MOVED_FROM_OUTSIDE}; record motion that the motor drives"))
+    };
+    trace.joints.iter().find_map(of_joint).or_else(outside)
+}
+
+/// An angle that never changes under commands that friction cannot hold.
+fn dead_encoder(joint: &JointTrace, subject: &Subject) -> Option<String> {
+    const SURELY: f64 = 1.5;
+    if span(&joint.q_rad) > 0.0 {
+        return None;
+    }
+    let place = subject.numbers.iter().position(|&number| number == joint.number)?;
+    let friction = &subject.robot.friction[subject.joints[place]];
+    let level_v = friction.alpha0_v + friction.alpha1_v.max(0.0);
+    let span_v = span(&joint.command_v);
+    (span_v > SURELY * 2.0 * level_v).then(|| {
+        format!(
+            "q{} never changes while u{}_V spans {span_v:.2} V, more than friction holds; the \
+             encoder is stuck or not connected",
+            joint.number, joint.number
+        )
+    })
+}
+
+fn mostly_at_the_limit(joint: &JointTrace, known: &Known) -> Option<String> {
+    let edge_v = known.command_limit_v - 1.5 * known.command_step_v;
+    let at_limit = joint.command_v.iter().filter(|u| u.abs() >= edge_v).count();
+    let share = at_limit as f64 / joint.command_v.len().max(1) as f64;
+    (share > MOST_AT_LIMIT).then(|| {
+        format!(
+            "joint {} is at its limit for {:.0} % of the time; record it with less motion",
+            joint.number,
+            100.0 * share
+        )
+    })
+}
+
+/// How far a signal goes.
+fn span(signal: &[f64]) -> f64 {
+    let low = signal.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = signal.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    (high - low).max(0.0)
+}

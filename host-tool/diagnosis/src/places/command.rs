@@ -1,0 +1,61 @@
+//! What varies with the command.
+
+use super::curve::{Curve, curve};
+use super::shape::{explained, spread};
+use super::{Found, Samples};
+use crate::Axis;
+use crate::quantity::volts;
+
+/// A function of the command.
+pub(super) fn find(samples: &Samples) -> Option<Found> {
+    let Curve { energy_v2, fitted_v } = curve(samples, &samples.command_v, None);
+    let detail = words(&fitted_v, samples);
+    Some(Found { axis: Axis::Command, energy_v2, detail, fitted_v })
+}
+
+const CLEARLY: f64 = 0.8;
+
+fn words(fitted_v: &[f64], samples: &Samples) -> String {
+    let command = &samples.command_v;
+    let (beyond, limit_v) = best_limit(samples);
+    let (linear, slope) = explained(fitted_v, |k| command[k]);
+    let (sign, level_v) = explained(fitted_v, |k| command[k].signum());
+    let beyond = beyond / explained_part(fitted_v, samples).max(f64::MIN_POSITIVE);
+    if beyond > linear.max(sign).max(CLEARLY) {
+        format!("only beyond |u| = {}", volts(limit_v))
+    } else if linear > CLEARLY && linear >= sign {
+        format!("proportional to the command, {:+.1} %", 100.0 * slope)
+    } else if sign > CLEARLY {
+        format!("with the sign of the command, {}", volts(level_v))
+    } else {
+        format!("varies with the command by {}", volts(spread(fitted_v)))
+    }
+}
+
+/// Part of the residual's square that the function explains.
+fn explained_part(fitted_v: &[f64], samples: &Samples) -> f64 {
+    explained(&samples.residual_v, |k| fitted_v[k]).0
+}
+
+/// The limit beyond which a ramp explains most of the residual's square, and that part; a limit
+/// that most samples are beyond is none.
+fn best_limit(samples: &Samples) -> (f64, f64) {
+    const STEPS: usize = 40;
+    const MOST_BEYOND: f64 = 0.4;
+    let mut sizes: Vec<f64> = samples.command_v.iter().map(|u| u.abs()).collect();
+    sizes.sort_unstable_by(f64::total_cmp);
+    let last = sizes.len() - 1;
+    let from = sizes[((1.0 - MOST_BEYOND) * last as f64) as usize];
+    let most = sizes[last];
+    let part = |limit_v: f64| {
+        let ramp = |k: usize| {
+            let u: f64 = samples.command_v[k];
+            u.signum() * (u.abs() - limit_v).max(0.0)
+        };
+        (explained(&samples.residual_v, ramp).0, limit_v)
+    };
+    (0..STEPS)
+        .map(|step| part(from + (most - from) * step as f64 / STEPS as f64))
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .unwrap_or((0.0, from))
+}

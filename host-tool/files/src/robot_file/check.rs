@@ -1,0 +1,66 @@
+//! What a robot or model file must be beyond its syntax.
+
+use super::RobotFile;
+use crate::error::{FileError, Problem};
+
+impl RobotFile {
+    /// Checks joint numbers and that tables agree with one another.
+    pub(super) fn check(&self) -> Result<(), FileError> {
+        self.check_torque_constants()?;
+        self.check_pendulum()?;
+        self.check_friction()?;
+        self.check_effects()
+    }
+
+    fn check_torque_constants(&self) -> Result<(), FileError> {
+        let found = self.robot.torque_constant_nm_per_v.len();
+        if found == 3 || (found == 1 && self.pendulum.is_some()) {
+            return Ok(());
+        }
+        let what = format!(
+            "torque_constant_Nm_per_V has {found} values, but must have 3, \
+             or 1 with a [pendulum]"
+        );
+        let problem = Problem::Contradiction(what);
+        Err(self.source.problem_in(problem, "robot", None, "torque_constant_Nm_per_V"))
+    }
+
+    fn check_pendulum(&self) -> Result<(), FileError> {
+        match &self.pendulum {
+            Some(pendulum) if !(1..=3).contains(&pendulum.joint) => {
+                let problem = not_a_joint("pendulum", pendulum.joint, "1, 2 or 3");
+                Err(self.source.problem_in(problem, "pendulum", None, "joint"))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn check_friction(&self) -> Result<(), FileError> {
+        let joints: Vec<u8> = self.friction.iter().map(|friction| friction.joint).collect();
+        for (index, &joint) in joints.iter().enumerate() {
+            let problem = if !(1..=3).contains(&joint) {
+                not_a_joint("friction", joint, "1, 2 or 3")
+            } else if joints[..index].contains(&joint) {
+                Problem::Contradiction(format!("joint {joint} has two [[friction]] tables"))
+            } else {
+                continue;
+            };
+            return Err(self.source.problem_in_nth(problem, "friction", index));
+        }
+        Ok(())
+    }
+
+    fn check_effects(&self) -> Result<(), FileError> {
+        match self.effects.iter().position(|effect| effect.joint > 3) {
+            None => Ok(()),
+            Some(index) => {
+                let problem = not_a_joint("effect", self.effects[index].joint, "0, 1, 2 or 3");
+                Err(self.source.problem_in_nth(problem, "effect", index))
+            }
+        }
+    }
+}
+
+fn not_a_joint(table: &str, joint: u8, must: &str) -> Problem {
+    Problem::Contradiction(format!("joint of the {table} is {joint}, but must be {must}"))
+}

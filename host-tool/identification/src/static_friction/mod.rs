@@ -1,0 +1,225 @@
+//! Static friction from constant-velocity runs, eq. (10), section 3.1.
+//!
+//! The paper's way needs legs in which the velocity is steady; where they are is found
+//! from the measured motion ([`steady`]) and drawn. At a few mrad/s, though, the
+//! bristles of eq. (9) travel for a second before friction has its steady value, or
+//! the joint sticks and slips. So the whole log is explained at once: the measured
+//! motion drives the LuGre model, and its friction together with inertia, gravity and
+//! the neighbours' reaction must be the command ([`super::one_joint::grey_box`]).
+//! sigma_0 and sigma_1 come out as well, roughly; the FRF (12) gives them better.
+
+pub mod steady;
+
+use model::Friction;
+use serde::Serialize;
+
+use super::estimate::Estimate;
+use super::one_joint::grey_box::{self, FRICTION, Fit, LINEAR, from_logarithms};
+use super::one_joint::rows::{Rows, Term};
+use super::one_joint::start;
+use recordings::StepError;
+use recordings::campaign::{Known, Trace};
+use steady::SteadyLeg;
+
+/// Tolerances of the searches before and after rows are weighted.
+const ROUGHLY: f64 = 1e-3;
+const FINELY: f64 = 1e-6;
+/// How often rows are weighted anew.
+const REWEIGHTINGS: usize = 2;
+
+/// Static friction of a joint.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StaticFriction {
+    /// Joint, 1 to 3.
+    pub joint: u8,
+    /// Coulomb level alpha_0 [V].
+    #[serde(rename = "alpha0_V")]
+    pub alpha0_v: Estimate,
+    /// Static level above it alpha_1 [V].
+    #[serde(rename = "alpha1_V")]
+    pub alpha1_v: Estimate,
+    /// Breakaway level alpha_0 + alpha_1 [V].
+    #[serde(rename = "breakaway_V")]
+    pub breakaway_v: Estimate,
+    /// Stribeck velocity v_s [rad/s].
+    pub stribeck_velocity_rad_per_s: Estimate,
+    /// Viscous coefficient alpha_2 [V s/rad].
+    #[serde(rename = "alpha2_V_s_per_rad")]
+    pub alpha2_v_s_per_rad: Estimate,
+    /// Stiffness sigma_0 as the reversals show it [V/rad]; a start for the FRF (12).
+    #[serde(rename = "sigma0_V_per_rad")]
+    pub sigma0_v_per_rad: Estimate,
+    /// Damping sigma_1 as the reversals show it [V s/rad]; a start for the FRF (12).
+    #[serde(rename = "sigma1_V_s_per_rad")]
+    pub sigma1_v_s_per_rad: Estimate,
+    /// Inertia about the joint in this posture [kg m^2].
+    pub inertia_kg_m2: Estimate,
+    /// Gravity torque = this * cos + [`Self::gravity_sine_nm`] * sin of the moving arm's
+    /// angle against the level: q2 for joint 2, q2 + q3 for joint 3 [Nm]; `None` for joint 1.
+    #[serde(rename = "gravity_cosine_Nm")]
+    pub gravity_cosine_nm: Option<Estimate>,
+    /// See [`Self::gravity_cosine_nm`] [Nm].
+    #[serde(rename = "gravity_sine_Nm")]
+    pub gravity_sine_nm: Option<Estimate>,
+    /// RMS of the command that the fit leaves unexplained, means over 10 ms [V].
+    #[serde(rename = "residual_rms_V")]
+    pub residual_rms_v: f64,
+    /// The steady parts of the legs, for the figure.
+    pub legs: Vec<SteadyLeg>,
+    /// Whether the search ended at a minimum.
+    pub converged: bool,
+}
+
+impl StaticFriction {
+    /// The friction of the estimated values.
+    pub fn friction(&self) -> Friction<f64> {
+        Friction {
+            alpha0_v: self.alpha0_v.value,
+            alpha1_v: self.alpha1_v.value,
+            stribeck_velocity_rad_per_s: self.stribeck_velocity_rad_per_s.value,
+            alpha2_v_s_per_rad: self.alpha2_v_s_per_rad.value,
+            sigma0_v_per_rad: self.sigma0_v_per_rad.value,
+            sigma1_v_s_per_rad: self.sigma1_v_s_per_rad.value,
+        }
+    }
+
+    /// Points (velocity [rad/s], friction [V]) of the fitted curve (10), evenly spaced in
+    /// the logarithm of the speed, for both directions.
+    pub fn curve(&self) -> Vec<(f64, f64)> {
+        const POINTS: usize = 120;
+        let friction = self.friction();
+        let fastest = self.legs.iter().map(|leg| leg.velocity_rad_per_s.abs()).fold(0.1, f64::max);
+        let slowest = 0.2 * friction.stribeck_velocity_rad_per_s;
+        let ratio = (fastest / slowest).ln() / (POINTS - 1) as f64;
+        let speeds = (0..POINTS).map(|k| slowest * (ratio * k as f64).exp());
+        let forward: Vec<(f64, f64)> = speeds.map(|v| (v, friction.sliding(v))).collect();
+        let backward = forward.iter().rev().map(|&(v, u)| (-v, -u));
+        backward.chain(forward.iter().copied()).collect()
+    }
+}
+
+/// Estimates the static friction of a joint, 1 to 3, from a log in which it moved.
+///
+/// # Errors
+/// The joint is not in the log, never moved, or never slid clearly in both directions.
+pub fn identify(trace: &Trace, joint: u8, known: &Known) -> Result<StaticFriction, StepError> {
+    let (rows, fit) = fit_log(trace, joint, known)?;
+    if fit.parameters.iter().any(|p| !p.is_finite()) {
+        let what = format!("the search did not end on {}; is its command in volts?", trace.file);
+        return Err(StepError::Numerical { step: "static friction", what });
+    }
+    Ok(result(&rows, &fit, joint, known))
+}
+
+/// Points of the grid from which a search may begin.
+const STARTS: usize = 6;
+
+/// Whether the Stribeck curve describes what happens at slow speeds. A search can also end
+/// where it bends the viscous friction of fast ones.
+fn is_stribeck(fit: &Fit) -> bool {
+    const FASTEST_RAD_PER_S: f64 = 0.1;
+    from_logarithms(&fit.parameters.as_slice()[..FRICTION]).stribeck_velocity_rad_per_s
+        < FASTEST_RAD_PER_S
+}
+
+/// A log's rows and the best fit to them.
+///
+/// # Errors
+/// As [`identify`].
+pub fn fit_log(trace: &Trace, joint: u8, known: &Known) -> Result<(Rows, Fit), StepError> {
+    let rows = Rows::of(trace, joint, known)?;
+    let unusable = || StepError::Unusable {
+        file: trace.file.clone(),
+        what: format!(
+            "joint {joint} does not slide above 0.02 rad/s in both directions; record legs both ways"
+        ),
+    };
+    let sliding = start::sliding(&rows).ok_or_else(unusable)?;
+    let free: Vec<usize> = (0..LINEAR + rows.terms.len()).collect();
+    let mut rows = rows;
+    let rough = |start| grey_box::fit(&rows.data, start, &free, ROUGHLY);
+    let mut fits = start::grid(&rows, &sliding).into_iter().take(STARTS).map(rough);
+    let first = fits.next().ok_or_else(unusable)?;
+    let mut best =
+        if is_stribeck(&first) { first } else { fits.find(is_stribeck).unwrap_or(first) };
+    for _ in 0..REWEIGHTINGS {
+        rows.data.weight = grey_box::weights_from(&best, &rows.data.weight);
+        best = grey_box::fit(&rows.data, best.parameters, &free, FINELY);
+    }
+    Ok((rows, with_method_error(best)))
+}
+
+fn result(rows: &Rows, fit: &Fit, joint: u8, known: &Known) -> StaticFriction {
+    let k_t = known.torque_constant(joint);
+    let torque = |term: Term| {
+        let parameter = LINEAR + rows.column(term)?;
+        Some(Estimate::new(k_t * fit.parameters[parameter], k_t * fit.standard_error(parameter)))
+    };
+    let friction = fit.friction();
+    StaticFriction {
+        joint,
+        alpha0_v: logarithmic(fit, 0),
+        alpha1_v: at_low_speed(fit, alpha1(fit)),
+        breakaway_v: at_low_speed(fit, logarithmic(fit, 1)),
+        stribeck_velocity_rad_per_s: at_low_speed(fit, logarithmic(fit, 2)),
+        alpha2_v_s_per_rad: logarithmic(fit, 3),
+        sigma0_v_per_rad: logarithmic(fit, 4),
+        sigma1_v_s_per_rad: logarithmic(fit, 5),
+        inertia_kg_m2: torque(Term::Inertia).unwrap_or_else(|| Estimate::new(f64::NAN, f64::NAN)),
+        gravity_cosine_nm: torque(Term::GravityCosine),
+        gravity_sine_nm: torque(Term::GravitySine),
+        residual_rms_v: fit.rms_v,
+        legs: steady::legs(rows, fit, &friction),
+        converged: fit.converged,
+    }
+}
+
+/// Relative errors (rms) that the method leaves whatever the data: velocity jitter taken as
+/// two values, motion averaged over 2 ms. Measured on simulated robots, where they
+/// stand out because nothing else is wrong; in the order of the friction's logarithms.
+const METHOD_ERROR: [f64; 6] = [3e-4, 6e-3, 2.5e-2, 5e-4, 5e-3, 0.15];
+
+/// The fit's covariance with the method's own errors added.
+fn with_method_error(fit: Fit) -> Fit {
+    let mut fit = fit;
+    for (k, error) in METHOD_ERROR.into_iter().enumerate() {
+        fit.covariance[(k, k)] += error * error;
+    }
+    if fit.standard_error(2) > BARELY_KNOWN {
+        // Reversals alone shape a breakaway level, but of a curve that nobody has seen.
+        fit.covariance[(1, 1)] += UNSEEN_BREAKAWAY * UNSEEN_BREAKAWAY;
+    }
+    fit
+}
+
+/// The value behind a logarithm, with an interval that stays positive.
+fn logarithmic(fit: &Fit, parameter: usize) -> Estimate {
+    let (logarithm, error) = (fit.parameters[parameter], fit.standard_error(parameter));
+    let value = logarithm.exp();
+    let at = |deviation: f64| (logarithm + deviation * error).exp();
+    let normal = Estimate::new(value, value * error);
+    Estimate { interval: [at(-1.96), at(1.96)], ..normal }
+}
+
+/// alpha_1 = breakaway level - Coulomb level.
+fn alpha1(fit: &Fit) -> Estimate {
+    let (coulomb, breakaway) = (fit.parameters[0].exp(), fit.parameters[1].exp());
+    let c = &fit.covariance;
+    let variance = coulomb * coulomb * c[(0, 0)] + breakaway * breakaway * c[(1, 1)]
+        - 2.0 * coulomb * breakaway * c[(0, 1)];
+    Estimate::new(breakaway - coulomb, variance.max(0.0).sqrt())
+}
+
+/// Standard error of ln v_s from which on the log does not tell the Stribeck curve.
+const BARELY_KNOWN: f64 = 0.5;
+/// Relative error of the breakaway level then.
+const UNSEEN_BREAKAWAY: f64 = 0.3;
+
+/// An estimate of the Stribeck curve, with a note where the log holds too little of it.
+fn at_low_speed(fit: &Fit, estimate: Estimate) -> Estimate {
+    if fit.standard_error(2) < BARELY_KNOWN {
+        return estimate;
+    }
+    estimate
+        .with_note("the log has too little sliding at speeds near v_s to tell the Stribeck curve")
+}

@@ -1,0 +1,13 @@
+//! Recorded experiments, ready for use, and whether they can be what they say.
+#![forbid(unsafe_code)]
+
+pub mod campaign;
+mod error;
+pub mod plausibility;
+pub mod tracking;
+mod unbroken;
+
+pub use campaign::{Campaign, JointTrace, Known, Trace};
+pub use error::StepError;
+pub use tracking::Tracking;
+pub use unbroken::unbroken;

@@ -1,0 +1,355 @@
+//! One chart as SVG.
+
+use std::io::Write as _;
+use std::path::Path;
+
+use plotters::coord::Shift;
+use plotters::coord::ranged1d::{AsRangedCoord, ValueFormatter};
+use plotters::prelude::*;
+
+use super::thinning::thin;
+use files::replace::replace_file;
+use files::{FileError, Problem};
+
+/// How an axis is scaled.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Axis {
+    /// In equal steps.
+    #[default]
+    Linear,
+    /// In decades.
+    Logarithmic,
+}
+
+/// How a series is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Stroke {
+    /// A line.
+    #[default]
+    Line,
+    /// A thick pale line, for what lies beneath.
+    Broad,
+    /// A broken line.
+    Dashed,
+    /// Dots.
+    Dots,
+    /// A pale area within a closed outline.
+    Area,
+}
+
+/// A named set of points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    /// What the legend calls it.
+    pub name: String,
+    /// Points (x, y); those not finite are left out.
+    pub points: Vec<(f64, f64)>,
+    /// How it is drawn.
+    pub stroke: Stroke,
+    /// Which colour of the palette.
+    pub colour: usize,
+}
+
+impl Series {
+    /// A line in the palette's colour of that number.
+    pub fn line(name: impl Into<String>, colour: usize, points: Vec<(f64, f64)>) -> Self {
+        Self { name: name.into(), points, stroke: Stroke::Line, colour }
+    }
+
+    /// The same in another stroke.
+    pub fn stroke(self, stroke: Stroke) -> Self {
+        Self { stroke, ..self }
+    }
+}
+
+/// A chart.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Chart {
+    /// Above it: what the eye should see.
+    pub title: String,
+    /// Below it, with unit.
+    pub x_label: String,
+    /// Beside it, with unit.
+    pub y_label: String,
+    /// Scale of x.
+    pub x_axis: Axis,
+    /// Scale of y.
+    pub y_axis: Axis,
+    /// What is drawn, first at the bottom.
+    pub series: Vec<Series>,
+    /// Lowest and highest x, where the data are not to choose.
+    pub x_range: Option<(f64, f64)>,
+    /// Lowest and highest y, where the data are not to choose.
+    pub y_range: Option<(f64, f64)>,
+    /// Width and height [px]; 0 takes the standard 760 x 300.
+    pub size_px: (u32, u32),
+}
+
+/// Colours that the colour-blind tell apart (Okabe and Ito), blue, vermilion, green first.
+const PALETTE: [RGBColor; 7] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(110, 110, 110),
+    RGBColor(204, 121, 167),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+];
+
+const INK: RGBColor = RGBColor(40, 44, 52);
+const GRID: RGBColor = RGBColor(226, 229, 233);
+const POINTS_ACROSS: usize = 900;
+
+/// Height of a name in the legend.
+const LEGEND_ROW_PX: f64 = 20.0;
+/// Height of what is about the names.
+const LEGEND_EDGE_PX: f64 = 16.0;
+/// Height of title and labels together.
+const AROUND_PX: f64 = 80.0;
+
+type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+type DrawResult<'a> =
+    Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
+
+impl Chart {
+    /// An empty chart.
+    pub fn new(
+        title: impl Into<String>,
+        x_label: impl Into<String>,
+        y_label: impl Into<String>,
+    ) -> Self {
+        Self {
+            title: title.into(),
+            x_label: x_label.into(),
+            y_label: y_label.into(),
+            ..Self::default()
+        }
+    }
+
+    /// With one more series.
+    pub fn with(mut self, series: Series) -> Self {
+        self.series.push(series);
+        self
+    }
+
+    /// With these scales.
+    pub fn axes(self, x_axis: Axis, y_axis: Axis) -> Self {
+        Self { x_axis, y_axis, ..self }
+    }
+
+    /// With x from the lowest to the highest.
+    pub fn x_from_to(self, lowest: f64, highest: f64) -> Self {
+        Self { x_range: Some((lowest, highest)), ..self }
+    }
+
+    /// With y from the lowest to the highest, so that charts compare.
+    pub fn y_from_to(self, lowest: f64, highest: f64) -> Self {
+        Self { y_range: Some((lowest, highest)), ..self }
+    }
+
+    /// With this size [px].
+    pub fn sized(self, width: u32, height: u32) -> Self {
+        Self { size_px: (width, height), ..self }
+    }
+
+    /// The chart as an SVG element; a chart without points says so.
+    pub fn to_svg(&self) -> String {
+        let (width, height) = if self.size_px.0 == 0 { (760, 300) } else { self.size_px };
+        let mut svg = String::new();
+        {
+            let canvas = SVGBackend::with_string(&mut svg, (width, height)).into_drawing_area();
+            // Drawing into a string cannot fail.
+            let _ = self.draw(&canvas);
+            let _ = canvas.present();
+        }
+        svg
+    }
+
+    /// Writes the chart as an SVG file, whole or not at all.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn write_svg(&self, path: &Path) -> Result<(), FileError> {
+        let svg = self.to_svg();
+        replace_file(path, |file| file.write_all(svg.as_bytes()).map_err(Problem::Unwritable))
+    }
+
+    fn draw<'a>(&self, canvas: &Canvas<'a>) -> DrawResult<'a> {
+        canvas.fill(&WHITE)?;
+        let Some((x, y)) = self.ranges() else {
+            let style = ("sans-serif", 15).into_font().color(&INK);
+            return canvas.draw(&Text::new(format!("{}: no data", self.title), (20, 20), style));
+        };
+        match (self.x_axis, self.y_axis) {
+            (Axis::Linear, Axis::Linear) => self.draw_on(canvas, x.0..x.1, y.0..y.1),
+            (Axis::Logarithmic, Axis::Linear) => {
+                self.draw_on(canvas, (x.0..x.1).log_scale(), y.0..y.1)
+            }
+            (Axis::Linear, Axis::Logarithmic) => {
+                self.draw_on(canvas, x.0..x.1, (y.0..y.1).log_scale())
+            }
+            (Axis::Logarithmic, Axis::Logarithmic) => {
+                self.draw_on(canvas, (x.0..x.1).log_scale(), (y.0..y.1).log_scale())
+            }
+        }
+    }
+
+    fn draw_on<'a, X, Y>(&self, canvas: &Canvas<'a>, x: X, y: Y) -> DrawResult<'a>
+    where
+        X: AsRangedCoord<Value = f64>,
+        Y: AsRangedCoord<Value = f64>,
+        X::CoordDescType: ValueFormatter<f64>,
+        Y::CoordDescType: ValueFormatter<f64>,
+    {
+        let mut chart = ChartBuilder::on(canvas)
+            .caption(&self.title, ("sans-serif", self.title_px()).into_font().color(&INK))
+            .margin(10)
+            .x_label_area_size(38)
+            .y_label_area_size(62)
+            .build_cartesian_2d(x, y)?;
+        chart
+            .configure_mesh()
+            .x_desc(&self.x_label)
+            .y_desc(&self.y_label)
+            .axis_style(GRID)
+            .bold_line_style(GRID)
+            .light_line_style(TRANSPARENT)
+            .label_style(("sans-serif", 12).into_font().color(&INK))
+            .x_label_formatter(&|value| short(*value))
+            .y_label_formatter(&|value| short(*value))
+            .draw()?;
+        for series in &self.series {
+            let all = self.drawable(series);
+            let points =
+                if series.stroke == Stroke::Area { all } else { thin(&all, POINTS_ACROSS) };
+            let colour = PALETTE[series.colour % PALETTE.len()];
+            let drawn = match series.stroke {
+                Stroke::Line => {
+                    chart.draw_series(LineSeries::new(points, colour.stroke_width(1)))?
+                }
+                Stroke::Broad => {
+                    let pale = colour.mix(0.35).stroke_width(4);
+                    chart.draw_series(LineSeries::new(points, pale))?
+                }
+                Stroke::Dashed => {
+                    let style = colour.stroke_width(2);
+                    chart.draw_series(DashedLineSeries::new(points, 6, 4, style))?
+                }
+                Stroke::Area => {
+                    let pale = colour.mix(0.18).filled();
+                    chart.draw_series(std::iter::once(Polygon::new(points, pale)))?
+                }
+                Stroke::Dots => {
+                    chart.draw_series(points.iter().map(|&p| Circle::new(p, 2, colour.filled())))?
+                }
+            };
+            if !series.name.is_empty() {
+                drawn.label(&series.name).legend(move |(x, y)| {
+                    PathElement::new([(x, y), (x + 16, y)], colour.stroke_width(3))
+                });
+            }
+        }
+        if self.series.iter().any(|series| !series.name.is_empty()) {
+            chart
+                .configure_series_labels()
+                .background_style(WHITE.mix(0.85))
+                .border_style(GRID)
+                .label_font(("sans-serif", 12).into_font().color(&INK))
+                .position(SeriesLabelPosition::UpperRight)
+                .draw()?;
+        }
+        Ok(())
+    }
+
+    /// Letters so small that the title fits.
+    fn title_px(&self) -> f64 {
+        const LARGEST: f64 = 17.0;
+        const SMALLEST: f64 = 11.0;
+        let width = if self.size_px.0 == 0 { 760.0 } else { f64::from(self.size_px.0) };
+        (1.95 * width / self.title.chars().count().max(1) as f64).clamp(SMALLEST, LARGEST)
+    }
+
+    /// The points that the scales can show.
+    fn drawable(&self, series: &Series) -> Vec<(f64, f64)> {
+        let fits =
+            |axis: Axis, value: f64| value.is_finite() && (axis == Axis::Linear || value > 0.0);
+        let shown = |p: &&(f64, f64)| fits(self.x_axis, p.0) && fits(self.y_axis, p.1);
+        series.points.iter().filter(shown).copied().collect()
+    }
+
+    /// The ranges of x and y over all series.
+    #[allow(clippy::type_complexity)]
+    fn ranges(&self) -> Option<((f64, f64), (f64, f64))> {
+        let points: Vec<_> = self.series.iter().flat_map(|s| self.drawable(s)).collect();
+        if points.is_empty() {
+            return None;
+        }
+        let x = bounds(points.iter().map(|p| p.0));
+        let y = bounds(points.iter().map(|p| p.1));
+        let (low, high) = padded(y, self.y_axis, 0.06);
+        // Room for the legend above the data.
+        let named = self.series.iter().filter(|series| !series.name.is_empty()).count() as f64;
+        let height = if self.size_px.1 == 0 { 300.0 } else { f64::from(self.size_px.1) };
+        let legend_px = if named > 0.0 { LEGEND_ROW_PX * named + LEGEND_EDGE_PX } else { 0.0 };
+        let part = (legend_px / (height - AROUND_PX).max(100.0)).min(0.5);
+        let room = part / (1.0 - part);
+        let high = match self.y_axis {
+            Axis::Linear => high + room * (high - low),
+            Axis::Logarithmic => high * (high / low).powf(room),
+        };
+        let x = self.x_range.unwrap_or_else(|| padded(x, self.x_axis, 0.0));
+        Some((x, self.y_range.unwrap_or((low, high))))
+    }
+}
+
+fn bounds(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
+}
+
+fn padded((low, high): (f64, f64), axis: Axis, share: f64) -> (f64, f64) {
+    match axis {
+        Axis::Logarithmic if low < high => (low, high * (1.0 + share)),
+        Axis::Logarithmic => (low * 0.5, high * 2.0),
+        Axis::Linear => {
+            let span = if high > low { high - low } else { low.abs().max(1e-9) };
+            let pad = if high > low { share * span } else { 0.5 * span };
+            (low - pad, high + pad)
+        }
+    }
+}
+
+/// A number for an axis: no more digits than the eye wants.
+pub(super) fn short(value: f64) -> String {
+    let size = value.abs();
+    if size < 1e-12 {
+        "0".into()
+    } else if !(1e-3..1e5).contains(&size) {
+        format!("{value:.0e}")
+    } else {
+        let text = format!("{value:.4}");
+        text.trim_end_matches('0').trim_end_matches('.').into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_scale_draws() {
+        let points: Vec<_> = (1..50).map(|k| (f64::from(k), f64::from(k * k))).collect();
+        for x in [Axis::Linear, Axis::Logarithmic] {
+            for y in [Axis::Linear, Axis::Logarithmic] {
+                let chart = Chart::new("t", "x", "y").axes(x, y);
+                let svg = chart.with(Series::line("a", 0, points.clone())).to_svg();
+                assert!(svg.starts_with("<svg") && svg.contains("polyline"), "{svg}");
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_to_draw_is_said() {
+        let nothing = Series::line("a", 0, vec![(f64::NAN, 1.0)]);
+        assert!(Chart::new("Empty", "", "").with(nothing).to_svg().contains("no data"));
+    }
+}

@@ -1,0 +1,22 @@
+//! Pages with pictures, each a single file.
+
+#![forbid(unsafe_code)]
+
+pub mod bar_table;
+pub mod chart;
+pub mod diagnosis_page;
+pub mod heat_map;
+pub mod identification_page;
+pub mod identification_summary;
+pub mod one_joint_page;
+pub mod page;
+pub mod step_page;
+mod svg;
+mod thinning;
+pub mod tracking_page;
+pub mod validation_page;
+
+pub use bar_table::{BarRow, BarTable};
+pub use chart::{Axis, Chart, Series, Stroke};
+pub use heat_map::HeatMap;
+pub use page::Page;

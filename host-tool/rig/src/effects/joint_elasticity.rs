@@ -1,0 +1,49 @@
+//! A joint that gives way.
+
+use super::{Definition, Effect, Parameter, Search, Size, Touches, Typical};
+use crate::effects::Transmission;
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "joint_elasticity",
+    words: "motor and link are joined by a spring",
+    equation: "k (theta - q) + d (theta' - q'), encoder and friction at the motor theta",
+    whole_robot: false,
+    parameters: &[
+        Parameter::new("stiffness_Nm_per_rad", 1.0, 1e6),
+        Parameter::new("damping_Nm_s_per_rad", 0.0, 1e3),
+        Parameter::new("motor_inertia_kg_m2", 1e-5, 10.0),
+    ],
+    couples_joints: true,
+    touches: Touches::BODY,
+    search: Search::From(starts),
+    size: Size::shrinks(|typical| typical.spring(2.0, 0.2)[0]),
+    experiment: "`rrr run driven-noise`, which reaches the resonance",
+    build: |joint, values| {
+        let transmission = Transmission {
+            gap_rad: 0.0,
+            stiffness_nm_per_rad: values[0],
+            damping_nm_s_per_rad: values[1],
+            motor_inertia_kg_m2: values[2],
+        };
+        Box::new(JointElasticity { joint: usize::from(joint) - 1, transmission })
+    },
+};
+
+/// Resonances with the motor held, as the logs may show them, lightly damped.
+fn starts(typical: &Typical) -> Vec<Vec<f64>> {
+    const MOTOR_PART: f64 = 0.17;
+    let spring = |resonance_hz| typical.spring(resonance_hz, MOTOR_PART).to_vec();
+    [7.0, 12.0, 20.0, 35.0].map(spring).to_vec()
+}
+
+#[derive(Clone, Debug)]
+struct JointElasticity {
+    joint: usize,
+    transmission: Transmission,
+}
+
+impl Effect for JointElasticity {
+    fn transmission(&self) -> Option<(usize, Transmission)> {
+        Some((self.joint, self.transmission))
+    }
+}

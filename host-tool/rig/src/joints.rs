@@ -1,0 +1,50 @@
+//! Which joints a rig has: the others are in open loop without a voltage.
+
+use firmware::reference::{Injection, Motion};
+use firmware::{Mode, ParameterBlock};
+
+use crate::plan::HANGING_RAD;
+
+/// The joints, 1 to 3, that are there. A block all of whose joints are in open loop without a
+/// voltage is one for a rig that has them all.
+pub fn present(block: &ParameterBlock) -> Vec<u8> {
+    let is_moved = |joint: &u8| {
+        let index = usize::from(*joint) - 1;
+        let injection = block.reference.injection[index];
+        block.mode[index] != Mode::OpenLoop || injection != Injection::None
+    };
+    let moved: Vec<u8> = (1..=3).filter(is_moved).collect();
+    if moved.is_empty() { vec![1, 2, 3] } else { moved }
+}
+
+/// The block for a rig that has these joints alone: the others hang, without a voltage.
+pub fn with_joints(mut block: ParameterBlock, joints: &[u8]) -> ParameterBlock {
+    for (joint, index) in (1..).zip(0..3) {
+        if !joints.contains(&joint) {
+            block.mode[index] = Mode::OpenLoop;
+            block.reference.injection[index] = Injection::None;
+            block.reference.motion[index] = Motion::Hold { angle_rad: HANGING_RAD[index] };
+        }
+    }
+    block
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Rig, plan};
+    use model::reference_robot::reference_robot;
+
+    #[test]
+    fn joints_that_are_taken_away_are_not_there() {
+        let rig = Rig::new(reference_robot());
+        for plan in
+            [plan::task(1.0), plan::driven_noise(1.0, 1), plan::presliding_noise(&rig, 3, 1)]
+        {
+            assert_eq!(present(&plan.block(&rig)), [1, 2, 3], "{}", plan.name);
+            assert_eq!(present(&with_joints(plan.block(&rig), &[3])), [3], "{}", plan.name);
+        }
+        let none = plan::hold(1.0).with_mode(Mode::OpenLoop).block(&rig);
+        assert_eq!(present(&none), [1, 2, 3]);
+    }
+}

@@ -1,0 +1,15 @@
+//! The rig: effects that its model lacks, what its board makes up for of them, the experiments
+//! that it can play, and the parameter block that goes onto the board.
+#![forbid(unsafe_code)]
+
+pub mod compensation;
+pub mod designed_excitation;
+pub mod effects;
+pub mod joints;
+pub mod plan;
+pub mod recipe;
+mod rig;
+
+pub use plan::Plan;
+pub use recipe::Recipe;
+pub use rig::Rig;
