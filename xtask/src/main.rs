@@ -44,6 +44,7 @@ The project's chores: cargo xtask <task>
 
 Environment:
   CARGO_TARGET_DIR          where to build, instead of target/
+  RRR_REQUIRE_DATA          1: tests fail without the collected data instead of being skipped
   RRR_FIRMWARE_TOOLCHAIN    `debian`: use Debian's compiler even where rustup has the target";
 
 fn main() -> ExitCode {
