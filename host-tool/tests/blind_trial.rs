@@ -57,10 +57,10 @@ fn kinds_and_effects_are_drawn_as_asked_for() {
 }
 
 #[test]
-fn what_is_drawn_matters() {
+fn what_is_drawn_is_detectable() {
     for case in drawn(&settings(3, Some(Kind::Single), &[])) {
         let visibility = case.visibility.unwrap();
-        assert!(visibility.matters(), "{}: {visibility:?}", case.causes[0].words());
+        assert!(visibility.is_detectable(), "{}: {visibility:?}", case.causes[0].words());
     }
 }
 

@@ -4,12 +4,12 @@
 
 use std::path::Path;
 
-use blind_trial::Dice;
+use blind_trial::Rng;
 use blind_trial::robots::given_model;
-use diagnosis::fit::fit_held;
-use diagnosis::preparation::prepared;
-use diagnosis::stretch::Stretch;
-use diagnosis::subject::Subject;
+use diagnosis::fit::fit::fit_held;
+use diagnosis::fit::preparation::prepared;
+use diagnosis::logs::stretch::Stretch;
+use diagnosis::logs::subject::Subject;
 use diagnosis::{Diagnosis, Verdict, diagnose};
 use files::{EffectTable, Log, RobotFile};
 use firmware::Mode;
@@ -34,7 +34,7 @@ struct Case {
 
 impl Case {
     fn new(effects: &[&str]) -> Self {
-        let given = given_model(&reference_robot(), &mut Dice::new(1, 2));
+        let given = given_model(&reference_robot(), &mut Rng::new(1, 2));
         Self { effects: tables(effects), given }
     }
 

@@ -1,11 +1,11 @@
 //! What is fuzzed: a function of bytes each, which must neither panic nor hang.
 //!
 //! cargo-fuzz calls them with bytes that cover more and more of the code (`fuzz/`); the plain
-//! runner of this crate damages good inputs by dice, on any compiler.
+//! runner of this crate damages good inputs by rng, on any compiler.
 #![forbid(unsafe_code)]
 
-pub mod dice;
 pub mod mutate;
+pub mod rng;
 pub mod seeds;
 pub mod targets;
 

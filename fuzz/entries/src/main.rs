@@ -10,8 +10,8 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use fuzz_entries::dice::Dice;
 use fuzz_entries::mutate::mutated;
+use fuzz_entries::rng::Rng;
 use fuzz_entries::{TARGETS, Target};
 
 /// What is asked for on the command line.
@@ -73,13 +73,13 @@ fn parse(arguments: &[String]) -> Option<Wish> {
 /// Whether the target took all inputs.
 fn fuzz(target: &Target, runs: u64, seed: u64) -> bool {
     let seeds = (target.seeds)();
-    let mut dice = Dice::new(seed);
+    let mut rng = Rng::new(seed);
     let begin = Instant::now();
     for run in 0..runs {
         let input = if run < seeds.len() as u64 {
             seeds[run as usize].clone()
         } else {
-            mutated(&seeds, &mut dice)
+            mutated(&seeds, &mut rng)
         };
         if catch_unwind(|| (target.run)(&input)).is_err() {
             report(target, run, &input);

@@ -1,6 +1,6 @@
 //! Damage to good inputs.
 
-use crate::dice::Dice;
+use crate::rng::Rng;
 
 /// Numbers that programs stumble over.
 const EDGES: [u8; 8] = [0, 1, 0x7F, 0x80, 0xFE, 0xFF, b'-', b'\n'];
@@ -22,36 +22,36 @@ const WORDS: [&[u8]; 12] = [
 ];
 
 /// A seed, changed in one to eight places, and now and then joined with another.
-pub fn mutated(seeds: &[Vec<u8>], dice: &mut Dice) -> Vec<u8> {
-    let mut bytes = pick(seeds, dice).to_vec();
-    for _ in 0..=dice.below(8) {
-        change(&mut bytes, seeds, dice);
+pub fn mutated(seeds: &[Vec<u8>], rng: &mut Rng) -> Vec<u8> {
+    let mut bytes = pick(seeds, rng).to_vec();
+    for _ in 0..=rng.below(8) {
+        change(&mut bytes, seeds, rng);
     }
     bytes
 }
 
-fn pick<'a>(seeds: &'a [Vec<u8>], dice: &mut Dice) -> &'a [u8] {
-    seeds.get(dice.below(seeds.len())).map_or(&[], Vec::as_slice)
+fn pick<'a>(seeds: &'a [Vec<u8>], rng: &mut Rng) -> &'a [u8] {
+    seeds.get(rng.below(seeds.len())).map_or(&[], Vec::as_slice)
 }
 
-fn change(bytes: &mut Vec<u8>, seeds: &[Vec<u8>], dice: &mut Dice) {
-    let at = dice.below(bytes.len() + 1);
-    let until = (at + 1 + dice.below(16)).min(bytes.len());
-    match dice.below(9) {
-        0 => flip(bytes, at, 1 << dice.below(8)),
-        1 => set(bytes, at, dice.bits() as u8),
-        2 => set(bytes, at, EDGES[dice.below(EDGES.len())]),
+fn change(bytes: &mut Vec<u8>, seeds: &[Vec<u8>], rng: &mut Rng) {
+    let at = rng.below(bytes.len() + 1);
+    let until = (at + 1 + rng.below(16)).min(bytes.len());
+    match rng.below(9) {
+        0 => flip(bytes, at, 1 << rng.below(8)),
+        1 => set(bytes, at, rng.bits() as u8),
+        2 => set(bytes, at, EDGES[rng.below(EDGES.len())]),
         3 => bytes.truncate(at),
         4 => drop(bytes.drain(at.min(until)..until)),
-        5 => insert(bytes, at, &dice.bits().to_le_bytes()[..1 + dice.below(8)]),
-        6 => insert(bytes, at, WORDS[dice.below(WORDS.len())]),
+        5 => insert(bytes, at, &rng.bits().to_le_bytes()[..1 + rng.below(8)]),
+        6 => insert(bytes, at, WORDS[rng.below(WORDS.len())]),
         7 => {
             let copy = bytes[at.min(until)..until].to_vec();
-            insert(bytes, dice.below(at + 1), &copy);
+            insert(bytes, rng.below(at + 1), &copy);
         }
         _ => {
-            let other = pick(seeds, dice);
-            let from = dice.below(other.len() + 1);
+            let other = pick(seeds, rng);
+            let from = rng.below(other.len() + 1);
             bytes.truncate(at);
             bytes.extend_from_slice(&other[from..]);
         }

@@ -1,7 +1,7 @@
 //! A short run of every target, on any compiler; `cargo xtask fuzz` makes long ones.
 
-use fuzz_entries::dice::Dice;
 use fuzz_entries::mutate::mutated;
+use fuzz_entries::rng::Rng;
 use fuzz_entries::targets::command_handler;
 use fuzz_entries::{TARGETS, Target};
 
@@ -20,9 +20,9 @@ fn run(target: &Target) {
     let seeds = (target.seeds)();
     assert!(seeds.iter().all(|seed| !seed.is_empty()), "{}", target.name);
     seeds.iter().for_each(|seed| (target.run)(seed));
-    let mut dice = Dice::new(2);
+    let mut rng = Rng::new(2);
     for _ in 0..RUNS {
-        (target.run)(&mutated(&seeds, &mut dice));
+        (target.run)(&mutated(&seeds, &mut rng));
     }
 }
 
@@ -37,9 +37,9 @@ fn every_conversation_that_damage_begins_from_reaches_a_run() {
 #[test]
 fn many_damaged_conversations_reach_a_run() {
     let seeds = fuzz_entries::seeds::conversations();
-    let mut dice = Dice::new(3);
+    let mut rng = Rng::new(3);
     let reached =
-        (0..2000).filter(|_| command_handler::reaches_a_run(&mutated(&seeds, &mut dice))).count();
+        (0..2000).filter(|_| command_handler::reaches_a_run(&mutated(&seeds, &mut rng))).count();
     println!("{reached} of 2000");
     assert!(reached > 200, "{reached} of 2000");
 }

@@ -2,11 +2,11 @@
 
 use rayon::prelude::*;
 
-use super::Dice;
+use super::Rng;
 use super::case::{Case, Kind};
 use super::cause::TrueCause;
+use super::detectability::{Residuals, Visibility, is_stable, peak_command_v};
 use super::error::TrialError;
-use super::matters::{Residuals, Visibility, is_stable, peak_command_v};
 use super::plans::Motions;
 use super::pool::{Choice, Pool};
 use super::robots::{Workshop, given_model};
@@ -61,7 +61,7 @@ pub fn draw(
 /// A case in the making.
 struct Draw<'a> {
     pool: &'a Pool,
-    dice: Dice,
+    rng: Rng,
     /// The case without its causes.
     bare: Case,
     without: Residuals,
@@ -75,15 +75,15 @@ impl<'a> Draw<'a> {
         workshop: &Workshop,
         number: u32,
     ) -> Result<Self, TrialError> {
-        let mut dice = Dice::new(settings.seed, number);
-        let kind = pool.kind(&mut dice);
+        let mut rng = Rng::new(settings.seed, number);
+        let kind = pool.kind(&mut rng);
         for _ in 0..MOTION_TRIES {
-            let bare = bare_case(settings, workshop, number, kind, &mut dice);
+            let bare = bare_case(settings, workshop, number, kind, &mut rng);
             let recorded = bare.record()?;
             if is_stable(&bare, &recorded) {
                 let without = Residuals::of(&bare, &recorded)?;
                 let peak_command_v = peak_command_v(&recorded);
-                return Ok(Self { pool, dice, bare, without, peak_command_v });
+                return Ok(Self { pool, rng, bare, without, peak_command_v });
             }
         }
         Err(nothing(number, MOTION_TRIES, "robot and motions"))
@@ -100,7 +100,7 @@ impl<'a> Draw<'a> {
         Ok(Case { causes, visibility: Some(visibility), ..self.bare })
     }
 
-    /// Two causes, each of which matters alone, and stable together.
+    /// Two causes, each of them detectable alone, and stable together.
     fn pair(&mut self) -> Result<Vec<TrueCause>, TrialError> {
         for _ in 0..CAUSE_TRIES {
             let first = self.cause(None)?;
@@ -113,13 +113,13 @@ impl<'a> Draw<'a> {
         Err(nothing(self.bare.number, CAUSE_TRIES, "pairs"))
     }
 
-    /// A cause that matters; another one than that given.
+    /// A detectable cause; another one than that given.
     fn cause(&mut self, other: Option<&TrueCause>) -> Result<TrueCause, TrialError> {
         for _ in 0..CAUSE_TRIES {
-            let (effect, joint) = self.pool.choice(self.bare.kind, other, &mut self.dice);
+            let (effect, joint) = self.pool.choice(self.bare.kind, other, &mut self.rng);
             for _ in 0..SIZE_TRIES {
                 let cause = self.sized(&effect, joint);
-                if self.visibility(&cause)?.is_some_and(|visibility| visibility.matters()) {
+                if self.visibility(&cause)?.is_some_and(|visibility| visibility.is_detectable()) {
                     return Ok(cause);
                 }
             }
@@ -131,11 +131,11 @@ impl<'a> Draw<'a> {
         let site = Site { robot: &self.bare.robot, peak_command_v: self.peak_command_v };
         match choice {
             Choice::Catalogue(definition) => {
-                let values = site.values(definition, joint, &mut self.dice);
+                let values = site.values(definition, joint, &mut self.rng);
                 TrueCause::of_catalogue(definition, joint, values)
             }
             Choice::Foreign(definition) => {
-                let values = (definition.draw)(usize::from(joint) - 1, &mut self.dice);
+                let values = (definition.draw)(usize::from(joint) - 1, &mut self.rng);
                 TrueCause::of_foreign(definition, joint, values)
             }
         }
@@ -157,21 +157,21 @@ fn bare_case(
     workshop: &Workshop,
     number: u32,
     kind: Kind,
-    dice: &mut Dice,
+    rng: &mut Rng,
 ) -> Case {
-    let robot = workshop.true_robot(dice);
-    let drawn_noise_v = dice.log_uniform(NOISE_V.0, NOISE_V.1);
+    let robot = workshop.true_robot(rng);
+    let drawn_noise_v = rng.log_uniform(NOISE_V.0, NOISE_V.1);
     Case {
         number,
         kind,
-        given: given_model(&robot, dice),
+        given: given_model(&robot, rng),
         robot,
         causes: Vec::new(),
         visibility: None,
-        motions: Motions::draw(dice),
+        motions: Motions::draw(rng),
         duration_scale: settings.duration_scale,
         noise_v: settings.noise_v.unwrap_or(drawn_noise_v),
-        seed: dice.seed(),
+        seed: rng.seed(),
     }
 }
 

@@ -21,7 +21,7 @@ pub enum TrialError {
     #[error(transparent)]
     Step(#[from] StepError),
     /// No draw of a case was fit for use.
-    #[error("case {case}: {tries} draws of {what} gave nothing that matters and stays stable")]
+    #[error("case {case}: {tries} draws of {what} gave nothing that is detectable and stable")]
     NothingMatters {
         /// The case.
         case: u32,

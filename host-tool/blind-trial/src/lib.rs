@@ -2,7 +2,7 @@
 //!
 //! | module | what it holds |
 //! | --- | --- |
-//! | [`draw`] | draws [`Case`]s: [`robots`], [`plans`], causes with [`sizes`] that [`matters`] |
+//! | [`draw`] | draws [`Case`]s: [`robots`], [`plans`], causes with [`sizes`] that [`detectability`] |
 //! | [`foreign`] | effects that the catalogue does not have |
 //! | [`logs`] | the directory of a case, all that the diagnosis sees |
 //! | [`seal`] | the truth, whose hash is told before and whose text after |
@@ -14,16 +14,16 @@
 
 pub mod case;
 pub mod cause;
-mod dice;
+pub mod detectability;
 pub mod draw;
 pub mod error;
 pub mod foreign;
 pub mod logs;
-pub mod matters;
 pub mod outcome;
 pub mod plans;
 mod pool;
 pub mod results;
+mod rng;
 pub mod robots;
 pub mod score;
 pub mod seal;
@@ -32,10 +32,10 @@ pub mod table;
 
 pub use case::{Case, Kind};
 pub use cause::TrueCause;
-pub use dice::Dice;
 pub use draw::{DrawSettings, draw};
 pub use error::TrialError;
 pub use outcome::{Answer, Outcome, RunSettings, diagnose_case};
 pub use results::Results;
+pub use rng::Rng;
 pub use score::Score;
 pub use seal::Seal;

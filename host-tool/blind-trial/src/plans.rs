@@ -2,7 +2,7 @@
 
 use firmware::reference::{FourierSeries, Motion};
 
-use super::Dice;
+use super::Rng;
 use files::{Experiment, Role};
 use rig::Plan;
 use rig::plan::{driven_noise, excitation, peak_velocity, slow, task};
@@ -29,18 +29,18 @@ const DESIGNED: f64 = 0.4;
 
 impl Motions {
     /// Four different motions.
-    pub fn draw(dice: &mut Dice) -> Self {
+    pub fn draw(rng: &mut Rng) -> Self {
         let mut used = vec![1];
         let mut another = || loop {
-            let variant = 2 + (dice.unit() * (VARIANTS - 1.0)) as u32;
+            let variant = 2 + (rng.unit() * (VARIANTS - 1.0)) as u32;
             if !used.contains(&variant) {
                 used.push(variant);
                 return variant;
             }
         };
         let [first, slow, driven_noise, held_out] = [(); 4].map(|()| another());
-        let excitation = if dice.unit() < DESIGNED { 1 } else { first };
-        let noise_seed = 1 + (dice.unit() * 1e6) as u32;
+        let excitation = if rng.unit() < DESIGNED { 1 } else { first };
+        let noise_seed = 1 + (rng.unit() * 1e6) as u32;
         Self { excitation, slow, driven_noise, held_out, noise_seed }
     }
 
@@ -99,7 +99,7 @@ mod tests {
 
     #[test]
     fn motions_differ_and_are_as_fast_as_the_recipes_own() {
-        let motions = Motions::draw(&mut Dice::new(3, 1));
+        let motions = Motions::draw(&mut Rng::new(3, 1));
         let plans = motions.plans(1.0);
         let names: Vec<&str> = plans.iter().map(|plan| plan.name.as_str()).collect();
         assert_eq!(names, ["excitation", "slow", "driven-noise", "task", "excitation-2"]);
@@ -117,7 +117,7 @@ mod tests {
 
     #[test]
     fn shorter_logs_are_asked_for_by_a_factor() {
-        let plans = Motions::draw(&mut Dice::new(3, 1)).plans(0.5);
+        let plans = Motions::draw(&mut Rng::new(3, 1)).plans(0.5);
         let seconds: Vec<f32> = plans.iter().map(|plan| plan.reference.duration_s).collect();
         assert_eq!(seconds, [10.0, 10.0, 6.0, 5.0, 5.0]);
     }

@@ -4,7 +4,7 @@ use super::case::Kind;
 use super::cause::TrueCause;
 use super::draw::DrawSettings;
 use super::error::TrialError;
-use super::{Dice, foreign};
+use super::{Rng, foreign};
 use rig::effects::{CATALOGUE, Definition};
 
 /// The effects to choose from.
@@ -64,9 +64,9 @@ impl Pool {
     }
 
     /// A kind, as often as it is to be.
-    pub(super) fn kind(&self, dice: &mut Dice) -> Kind {
+    pub(super) fn kind(&self, rng: &mut Rng) -> Kind {
         let whole: f64 = self.kinds.iter().map(|(_, share)| share).sum();
-        let mut mark = dice.unit() * whole;
+        let mut mark = rng.unit() * whole;
         for (kind, share) in &self.kinds {
             mark -= share;
             if mark <= 0.0 {
@@ -82,11 +82,11 @@ impl Pool {
         &self,
         kind: Kind,
         other: Option<&TrueCause>,
-        dice: &mut Dice,
+        rng: &mut Rng,
     ) -> (Choice, u8) {
-        let joint = dice.joint();
+        let joint = rng.joint();
         if kind == Kind::Foreign {
-            let definition: &'static _ = *dice.pick(&self.foreign);
+            let definition: &'static _ = *rng.pick(&self.foreign);
             return (Choice::Foreign(definition), joint);
         }
         let different = |d: &&&'static Definition| other.is_none_or(|o| may_join(d, joint, o));
@@ -94,7 +94,7 @@ impl Pool {
         if choices.is_empty() {
             choices = CATALOGUE.iter().filter(different).copied().collect();
         }
-        let definition = *dice.pick(&choices);
+        let definition = *rng.pick(&choices);
         (Choice::Catalogue(definition), if definition.whole_robot { 0 } else { joint })
     }
 }

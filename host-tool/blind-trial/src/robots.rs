@@ -5,7 +5,7 @@ use model::reference_robot::reference_robot;
 use model::{BaseParameters, Friction, Robot};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
-use super::Dice;
+use super::Rng;
 use identification::physical::{Physical, nearest};
 
 /// How far a true robot's physical quantities are from the reference robot's.
@@ -36,23 +36,23 @@ impl Workshop {
     /// to 15 % off, so that rigid links have its base parameters.
     ///
     /// Like the reference robot it has its third link's centre in line and no third rotor.
-    pub fn true_robot(&self, dice: &mut Dice) -> Robot<f64> {
+    pub fn true_robot(&self, rng: &mut Rng) -> Robot<f64> {
         let mut robot = reference_robot::<f64>();
         for friction in &mut robot.friction {
-            *friction = scaled_friction(friction, || off(dice));
+            *friction = scaled_friction(friction, || off(rng));
         }
         let drawn = (0..ATTEMPTS).find_map(|_| {
-            let base = self.base(dice);
+            let base = self.base(rng);
             Robot { base, ..robot }.checked().ok()
         });
         drawn.unwrap_or(robot)
     }
 
-    fn base(&self, dice: &mut Dice) -> BaseParameters<f64> {
+    fn base(&self, rng: &mut Rng) -> BaseParameters<f64> {
         let reference = reference_robot::<f64>();
         let Some(physical) = &self.links else { return reference.base };
-        let links = physical.links.map(|link| scaled_link(&link, || off(dice)));
-        let rotors = physical.rotor_inertia_kg_m2.map(|inertia| inertia * off(dice));
+        let links = physical.links.map(|link| scaled_link(&link, || off(rng)));
+        let rotors = physical.rotor_inertia_kg_m2.map(|inertia| inertia * off(rng));
         let base = base_parameters(&links, &rotors, &reference.geometry);
         BaseParameters { my3r: 0.0, ia3: 0.0, ..base }
     }
@@ -64,8 +64,8 @@ impl Default for Workshop {
     }
 }
 
-fn off(dice: &mut Dice) -> f64 {
-    dice.uniform(1.0 - ROBOT_SPREAD, 1.0 + ROBOT_SPREAD)
+fn off(rng: &mut Rng) -> f64 {
+    rng.uniform(1.0 - ROBOT_SPREAD, 1.0 + ROBOT_SPREAD)
 }
 
 /// A link of another mass and other extents along its axes: what is physical stays so.
@@ -99,14 +99,14 @@ fn scaled_friction(friction: &Friction<f64>, mut factor: impl FnMut() -> f64) ->
 }
 
 /// What identification made of a robot: each parameter 2 % off, normally distributed.
-pub fn given_model(truth: &Robot<f64>, dice: &mut Dice) -> Robot<f64> {
-    let attempt = |dice: &mut Dice| {
-        let mut factor = || 1.0 + MODEL_ERROR * dice.normal_within(MODEL_ERROR_LIMIT);
+pub fn given_model(truth: &Robot<f64>, rng: &mut Rng) -> Robot<f64> {
+    let attempt = |rng: &mut Rng| {
+        let mut factor = || 1.0 + MODEL_ERROR * rng.normal_within(MODEL_ERROR_LIMIT);
         let base = BaseParameters::from_array(truth.base.to_array().map(|p| p * factor()));
         let friction = truth.friction.map(|friction| scaled_friction(&friction, &mut factor));
         Robot { base, friction, ..*truth }.checked().ok()
     };
-    (0..ATTEMPTS).find_map(|_| attempt(dice)).unwrap_or(*truth)
+    (0..ATTEMPTS).find_map(|_| attempt(rng)).unwrap_or(*truth)
 }
 
 #[cfg(test)]
@@ -118,7 +118,7 @@ mod tests {
         let workshop = Workshop::new();
         assert!(workshop.links.as_ref().is_some_and(|links| links.distance < 0.2));
         let robots: Vec<_> =
-            (0..20).map(|case| workshop.true_robot(&mut Dice::new(1, case))).collect();
+            (0..20).map(|case| workshop.true_robot(&mut Rng::new(1, case))).collect();
         let reference = reference_robot::<f64>();
         for robot in &robots {
             assert!(robot.checked().is_ok());
@@ -130,8 +130,8 @@ mod tests {
 
     #[test]
     fn given_models_are_a_few_per_cent_off() {
-        let truth = Workshop::new().true_robot(&mut Dice::new(1, 1));
-        let given = given_model(&truth, &mut Dice::new(1, 2));
+        let truth = Workshop::new().true_robot(&mut Rng::new(1, 1));
+        let given = given_model(&truth, &mut Rng::new(1, 2));
         for (given, truth) in given.base.to_array().into_iter().zip(truth.base.to_array()) {
             assert!((given - truth).abs() <= 0.05 * truth.abs() + 1e-15, "{given} {truth}");
         }

@@ -9,8 +9,8 @@ use sha2::{Digest, Sha256};
 
 use super::case::{Case, Kind};
 use super::cause::TrueCause;
+use super::detectability::Visibility;
 use super::error::TrialError;
-use super::matters::Visibility;
 use super::plans::Motions;
 use super::results::write;
 use files::Problem;

@@ -1,56 +1,44 @@
 //! Where a real robot differs from its model, what causes it, and how much of the gap goes
 //! away when the cause is added.
+//!
+//! | module | what it holds, in the order in which data flow |
+//! | --- | --- |
+//! | [`logs`] | the rig and its logs: which of them can be used, and their unbroken stretches |
+//! | [`rows`] | filtered, whitened rows, and the noise in them |
+//! | [`trial`] | what a hypothesis, a model with effects, leaves of the command |
+//! | [`fit`] | a hypothesis linearised, fitted, and judged against the noise |
+//! | [`search`] | every effect on every joint, one after the other |
+//! | [`verdict`] | what the search amounts to |
+//! | [`places`] | where the gap lies, without any hypothesis |
+//! | [`report`] | the report, in figures and words |
 
 #![forbid(unsafe_code)]
 
-mod assembly;
-pub mod candidate;
-mod detectable;
-mod doubt;
-mod encoder_step;
-pub mod even_clock;
-pub mod evidence;
 pub mod fit;
-pub mod harmonics;
-mod judgement;
-pub mod linearisation;
-mod link_motion;
-mod log_checks;
-mod logs;
-mod misfit;
-mod motion_gap;
-pub mod noise;
-mod parts;
+pub mod logs;
 pub mod places;
-pub mod preparation;
 pub mod quantity;
-mod reading;
-pub mod rest;
+pub mod report;
 mod result;
-pub mod row_filter;
+pub mod rows;
 pub mod search;
-pub mod selection;
-pub mod sentence;
-mod shake;
-mod shrinkage;
-mod slopes;
-pub mod stretch;
-pub mod subject;
 #[cfg(any(test, feature = "synthetic"))]
 pub mod synthetic;
-pub mod unknowns;
-pub mod voltage;
+pub mod trial;
+pub mod verdict;
 
+pub use logs::subject::SubjectError;
 pub use places::places;
+pub use report::sentence::sentence;
 pub use result::*;
-pub use sentence::sentence;
-pub use subject::SubjectError;
 
-use assembly::Assembly;
-use logs::Usable;
-use subject::Subject;
-
+use fit::preparation;
+use logs::encoder_step;
+use logs::subject::Subject;
+use logs::usable::Usable;
 use recordings::{Campaign, StepError};
+use report::assembly::Assembly;
+use search::selection;
 
 /// Why there is no diagnosis.
 #[derive(Debug, thiserror::Error)]

@@ -175,7 +175,6 @@ mod tests {
     use super::*;
     use files::{Experiment, Role};
     use recordings::campaign::JointTrace;
-    use recordings::unbroken;
 
     /// Joints that swing at 1 Hz, sampled at given times.
     fn swinging(time_s: Vec<f64>) -> Trace {

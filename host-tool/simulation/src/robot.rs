@@ -7,7 +7,7 @@ use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
 
 use rig::effects::Transmission;
-use rig::effects::{Effect, Moment};
+use rig::effects::{Effect, JointState};
 
 /// How the robot is simulated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -147,10 +147,10 @@ impl SimulatedRobot {
     /// Lets effects that remember commands feel those of one sample period, the robot at rest.
     pub fn feel(&mut self, command_v: &Vector3<f64>) {
         for _ in 0..self.substeps {
-            let moment = self.moment(&[0.0; 3]);
+            let joint_state = self.joint_state(&[0.0; 3]);
             let mut driving_v = *command_v;
             for effect in &mut self.effects {
-                effect.change_command(&moment, &mut driving_v);
+                effect.change_command(&joint_state, &mut driving_v);
             }
         }
     }
@@ -211,13 +211,13 @@ impl SimulatedRobot {
         let mut scale = [FrictionScale::unchanged(); 3];
         let mut driving_v = *voltage_v;
         if !self.effects.is_empty() {
-            let moment = self.moment(qd);
+            let joint_state = self.joint_state(qd);
             for effect in &mut self.effects {
-                effect.change_command(&moment, &mut driving_v);
-                effect.change_friction(&moment, &mut scale);
+                effect.change_command(&joint_state, &mut driving_v);
+                effect.change_friction(&joint_state, &mut scale);
             }
             for effect in &self.effects {
-                effect.add_voltage(&moment, &mut driving_v);
+                effect.add_voltage(&joint_state, &mut driving_v);
             }
         }
         let net_v = [0, 1, 2].map(|i| {
@@ -226,21 +226,21 @@ impl SimulatedRobot {
         });
         let mut torque_nm = self.robot.voltage_to_torque(&net_v);
         if !self.effects.is_empty() {
-            let moment = self.moment(qd);
+            let joint_state = self.joint_state(qd);
             for effect in &self.effects {
-                effect.add_torque(&moment, &self.robot, &mut torque_nm);
+                effect.add_torque(&joint_state, &self.robot, &mut torque_nm);
             }
         }
         torque_nm
     }
 
-    fn moment(&self, qd_rad_per_s: &Vector3<f64>) -> Moment {
+    fn joint_state(&self, qd_rad_per_s: &Vector3<f64>) -> JointState {
         let q_rad = self.motor.q_rad;
         let posture = Posture::new(q_rad[1], q_rad[2]);
         let Robot { base, geometry, .. } = &self.robot;
         let coriolis = posture.coriolis(base, geometry, qd_rad_per_s);
         let gravity = posture.gravity(base, geometry);
-        Moment {
+        JointState {
             time_s: self.time_s,
             q_rad,
             qd_rad_per_s: *qd_rad_per_s,

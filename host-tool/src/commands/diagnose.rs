@@ -7,7 +7,8 @@ use clap::Args;
 
 use super::{Failure, create_directory};
 use crate::progress::Steps;
-use diagnosis::{self, Cause, Diagnosis, DiagnosisError, SubjectError, sentence};
+use diagnosis::sentence;
+use diagnosis::{self, Cause, Diagnosis, DiagnosisError, SubjectError};
 use files::replace::replace_file;
 use files::{Dataset, Problem, RobotFile};
 use recordings::Campaign;

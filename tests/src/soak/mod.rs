@@ -5,9 +5,9 @@
 //! in some the board is reset. What must hold is asserted as it goes.
 
 mod arm;
-mod dice;
 mod draw;
 mod noisy_line;
+mod rng;
 mod session;
 mod tally;
 

@@ -2,13 +2,13 @@
 
 use std::collections::VecDeque;
 
-use super::dice::Dice;
+use super::rng::Rng;
 
 /// One way of the line.
 #[derive(Debug)]
 pub struct NoisyLine {
     bytes: VecDeque<u8>,
-    dice: Dice,
+    rng: Rng,
     bytes_per_error: u32,
     /// Bytes that went in.
     pub carried: u64,
@@ -19,23 +19,23 @@ pub struct NoisyLine {
 impl NoisyLine {
     /// A line that breaks one byte in so many.
     pub fn new(bytes_per_error: u32, seed: u64) -> Self {
-        let dice = Dice::new(seed);
-        Self { bytes: VecDeque::new(), dice, bytes_per_error, carried: 0, broken: 0 }
+        let rng = Rng::new(seed);
+        Self { bytes: VecDeque::new(), rng, bytes_per_error, carried: 0, broken: 0 }
     }
 
     /// Puts a byte in.
     pub fn push(&mut self, byte: u8) {
         self.carried += 1;
-        if self.dice.below(self.bytes_per_error) > 0 {
+        if self.rng.below(self.bytes_per_error) > 0 {
             self.bytes.push_back(byte);
             return;
         }
         self.broken += 1;
-        match self.dice.below(4) {
+        match self.rng.below(4) {
             0 => {}
             1 => self.bytes.extend([byte, byte]),
-            2 => self.bytes.push_back(self.dice.word() as u8),
-            _ => self.bytes.push_back(byte ^ 1 << self.dice.below(8)),
+            2 => self.bytes.push_back(self.rng.word() as u8),
+            _ => self.bytes.push_back(byte ^ 1 << self.rng.below(8)),
         }
     }
 

@@ -15,9 +15,9 @@ use rig::Rig;
 
 use super::Settings;
 use super::arm::Arm;
-use super::dice::Dice;
 use super::draw;
 use super::noisy_line::NoisyLine;
+use super::rng::Rng;
 use super::tally::Tally;
 
 type Flash = RamFlash<Vec<u8>>;
@@ -60,7 +60,7 @@ impl Told {
 pub struct Soak {
     settings: Settings,
     rig: Rig,
-    dice: Dice,
+    rng: Rng,
     arm: Arm,
     station: Station<Store<Flash>>,
     to_board: NoisyLine,
@@ -90,7 +90,7 @@ impl Soak {
         Self {
             settings: *settings,
             rig: Rig::new(model::reference_robot::reference_robot()),
-            dice: Dice::new(settings.seed),
+            rng: Rng::new(settings.seed),
             arm: Arm::hanging(settings.seed),
             station: booted(RamFlash::new(bytes)).0,
             to_board: line(1),
@@ -129,7 +129,7 @@ impl Soak {
         self.greet();
         self.rest();
         let mode = Mode::ALL[index as usize % 5];
-        let block = draw::block(&self.rig, &mut self.dice, mode, self.arm.seen_rad());
+        let block = draw::block(&self.rig, &mut self.rng, mode, self.arm.seen_rad());
         self.upload(&block, index.is_multiple_of(2));
         self.ask(Command::Stream { on: true }).expect("telemetry can be asked for");
         self.run(&block, index, end);

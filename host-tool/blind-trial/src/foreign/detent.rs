@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use model::vector::Vector3;
 
 use super::Definition;
-use rig::effects::{Effect, Moment};
+use rig::effects::{Effect, JointState};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "detent",
@@ -32,8 +32,8 @@ struct Detent {
 }
 
 impl Effect for Detent {
-    fn add_voltage(&self, moment: &Moment, voltage_v: &mut Vector3<f64>) {
-        let past_rad = (moment.q_rad[self.joint] - self.angle_rad + PI).rem_euclid(TAU) - PI;
+    fn add_voltage(&self, state: &JointState, voltage_v: &mut Vector3<f64>) {
+        let past_rad = (state.q_rad[self.joint] - self.angle_rad + PI).rem_euclid(TAU) - PI;
         let x = past_rad / self.width_rad;
         voltage_v[self.joint] += self.amplitude_v * x * (0.5 - 0.5 * x * x).exp();
     }

@@ -3,7 +3,7 @@
 use model::vector::Vector3;
 
 use super::Definition;
-use rig::effects::{Effect, Moment};
+use rig::effects::{Effect, JointState};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "fading_torque",
@@ -24,8 +24,8 @@ struct FadingTorque {
 }
 
 impl Effect for FadingTorque {
-    fn change_command(&mut self, moment: &Moment, command_v: &mut Vector3<f64>) {
-        let warmed = -(-moment.time_s / self.time_constant_s).exp_m1();
+    fn change_command(&mut self, state: &JointState, command_v: &mut Vector3<f64>) {
+        let warmed = -(-state.time_s / self.time_constant_s).exp_m1();
         command_v[self.joint] *= 1.0 - self.relative_loss * warmed;
     }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use model::vector::Vector3;
 
 use super::Definition;
-use rig::effects::{Effect, Moment};
+use rig::effects::{Effect, JointState};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "hardening_spring",
@@ -34,8 +34,8 @@ struct HardeningSpring {
 }
 
 impl Effect for HardeningSpring {
-    fn add_voltage(&self, moment: &Moment, voltage_v: &mut Vector3<f64>) {
-        let away_rad = moment.q_rad[self.joint] - self.rest_rad;
+    fn add_voltage(&self, state: &JointState, voltage_v: &mut Vector3<f64>) {
+        let away_rad = state.q_rad[self.joint] - self.rest_rad;
         let pressed_rad = (away_rad.abs() - self.play_rad).max(0.0);
         let size_v = (self.stiffness_v_per_rad3 * pressed_rad.powi(3)).min(HIGHEST_V);
         voltage_v[self.joint] -= size_v.copysign(away_rad);

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use model::vector::Vector3;
 
 use super::Definition;
-use rig::effects::{Effect, Moment};
+use rig::effects::{Effect, JointState};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "hysteresis_spring",
@@ -42,8 +42,8 @@ impl Effect for HysteresisSpring {
     }
 
     /// The exact solution for a velocity that is constant over the step.
-    fn change_command(&mut self, moment: &Moment, command_v: &mut Vector3<f64>) {
-        let velocity = moment.qd_rad_per_s[self.joint];
+    fn change_command(&mut self, state: &JointState, command_v: &mut Vector3<f64>) {
+        let velocity = state.qd_rad_per_s[self.joint];
         let end_rad = self.slip_rad.copysign(velocity);
         let share = -(-velocity.abs() * self.step_s / self.slip_rad).exp_m1();
         self.stretch_rad += share * (end_rad - self.stretch_rad);

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use model::vector::Vector3;
 
 use super::Definition;
-use rig::effects::{Effect, Moment};
+use rig::effects::{Effect, JointState};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "mains_hum",
@@ -28,8 +28,8 @@ struct MainsHum {
 }
 
 impl Effect for MainsHum {
-    fn add_voltage(&self, moment: &Moment, voltage_v: &mut Vector3<f64>) {
-        let angle = TAU * self.frequency_hz * moment.time_s + self.phase_rad;
+    fn add_voltage(&self, state: &JointState, voltage_v: &mut Vector3<f64>) {
+        let angle = TAU * self.frequency_hz * state.time_s + self.phase_rad;
         voltage_v[self.joint] += self.amplitude_v * angle.sin();
     }
 }

@@ -11,7 +11,7 @@ mod slew_rate;
 mod uneven_gain;
 mod wandering_torque;
 
-use super::Dice;
+use super::Rng;
 use rig::effects::Effect;
 
 /// All of them.
@@ -39,7 +39,7 @@ pub struct Definition {
     /// Its parameters, with units.
     pub parameters: &'static [&'static str],
     /// Values for them, for a joint (0 to 2).
-    pub draw: fn(joint: usize, dice: &mut Dice) -> Vec<f64>,
+    pub draw: fn(joint: usize, rng: &mut Rng) -> Vec<f64>,
     /// The effect with these values on a joint (0 to 2).
     pub build: fn(joint: usize, values: &[f64]) -> Box<dyn Effect>,
 }
@@ -61,7 +61,7 @@ mod tests {
             for name in definition.resembles {
                 assert!(effects::Definition::by_name(name).is_some(), "{name}");
             }
-            let values = (definition.draw)(2, &mut Dice::new(1, 1));
+            let values = (definition.draw)(2, &mut Rng::new(1, 1));
             assert_eq!(values.len(), definition.parameters.len(), "{}", definition.name);
         }
     }

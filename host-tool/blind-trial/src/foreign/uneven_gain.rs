@@ -3,7 +3,7 @@
 use model::vector::Vector3;
 
 use super::Definition;
-use rig::effects::{Effect, Moment};
+use rig::effects::{Effect, JointState};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "uneven_gain",
@@ -21,7 +21,7 @@ struct UnevenGain {
 }
 
 impl Effect for UnevenGain {
-    fn change_command(&mut self, _: &Moment, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
         command_v[self.joint] += self.relative_difference * command_v[self.joint].abs();
     }
 }

@@ -24,7 +24,7 @@ pub struct Belief {
 
 /// Mean and covariance of (q, qd, f).
 #[derive(Clone, Copy, Debug, Default)]
-struct Moment {
+struct JointState {
     x: [f64; 3],
     p: Matrix3<f64>,
 }
@@ -78,17 +78,17 @@ impl Smoother<'_> {
         out
     }
 
-    fn first(&self) -> Moment {
+    fn first(&self) -> JointState {
         const VELOCITY_RAD_PER_S: f64 = 0.01;
         const FRICTION_V: f64 = 1.0;
         let mut p = [[0.0; 3]; 3];
         p[0][0] = self.belief.measurement_rad2;
         p[1][1] = VELOCITY_RAD_PER_S * VELOCITY_RAD_PER_S;
         p[2][2] = FRICTION_V * FRICTION_V;
-        Moment { x: [self.q_rad[0], 0.0, self.command_v[0]], p }
+        JointState { x: [self.q_rad[0], 0.0, self.command_v[0]], p }
     }
 
-    fn forward(&self) -> Vec<Moment> {
+    fn forward(&self) -> Vec<JointState> {
         let mut now = self.first();
         let mut filtered = Vec::with_capacity(self.time_s.len());
         filtered.push(now);
@@ -105,10 +105,10 @@ impl Smoother<'_> {
 
     /// The means given all samples: x + P F' P-^-1 (x smoothed - x predicted), from the
     /// end to the beginning.
-    fn backward(&self, filtered: &[Moment]) -> Vec<[f64; 3]> {
+    fn backward(&self, filtered: &[JointState]) -> Vec<[f64; 3]> {
         let mut states: Vec<[f64; 3]> = filtered.iter().map(|moment| moment.x).collect();
         for k in (0..states.len() - 1).rev() {
-            let Moment { x, p } = filtered[k];
+            let JointState { x, p } = filtered[k];
             let predicted = self.advance(&x, k);
             let difference = [0, 1, 2].map(|i| states[k + 1][i] - predicted[i]);
             let f = self.transition(k);

@@ -12,7 +12,8 @@ mod waterfall;
 pub use figure::figure;
 
 use super::{Chart, Page};
-use diagnosis::{Diagnosis, Verdict, sentence};
+use diagnosis::sentence;
+use diagnosis::{Diagnosis, Verdict};
 use stages::Stages;
 use tables::{CAUSES, cause_rows};
 

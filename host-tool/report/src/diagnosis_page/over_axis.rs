@@ -6,7 +6,7 @@ use super::stages::Stages;
 use crate::{Chart, Series, Stroke};
 use diagnosis::places::orders::best_carrier;
 use diagnosis::places::{Carrier, Samples};
-use diagnosis::sentence::axis_words;
+use diagnosis::report::sentence::axis_words;
 use diagnosis::{Axis, Diagnosis, Place};
 
 pub(super) const HALF: (u32, u32) = (535, 290);

@@ -2,7 +2,7 @@
 
 use crate::Page;
 use diagnosis::quantity::{quantity, split_unit};
-use diagnosis::sentence::{axis_words, effect_words, joint_numbers, parameter_words};
+use diagnosis::report::sentence::{axis_words, effect_words, joint_numbers, parameter_words};
 use diagnosis::{Cause, Detectable, Diagnosis, Rival};
 
 /// The header of [`cause_rows`].

@@ -2,7 +2,7 @@
 
 use crate::{BarRow, BarTable};
 use diagnosis::Diagnosis;
-use diagnosis::sentence::joint_numbers;
+use diagnosis::report::sentence::joint_numbers;
 
 /// What the picture shows.
 pub(super) const CAPTION: &str =

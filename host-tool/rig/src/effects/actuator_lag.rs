@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
+use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "actuator_lag",
@@ -45,7 +45,7 @@ impl Effect for ActuatorLag {
     }
 
     /// The exact solution for a command that is constant over the step, averaged.
-    fn change_command(&mut self, _: &Moment, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
         let way_v = command_v[self.joint] - self.current_v;
         command_v[self.joint] = self.current_v + self.mean * way_v;
         self.current_v += self.share * way_v;

@@ -3,7 +3,7 @@
 use model::effects::favour_a_direction;
 use model::friction::FrictionScale;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
+use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "asymmetric_friction",
@@ -31,8 +31,8 @@ struct AsymmetricFriction {
 }
 
 impl Effect for AsymmetricFriction {
-    fn change_friction(&self, moment: &Moment, scale: &mut [FrictionScale<f64>; 3]) {
-        let velocity = moment.qd_rad_per_s[self.joint];
+    fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>; 3]) {
+        let velocity = state.qd_rad_per_s[self.joint];
         favour_a_direction(&mut scale[self.joint], self.relative_asymmetry, velocity);
     }
 }

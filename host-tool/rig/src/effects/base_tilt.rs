@@ -4,7 +4,7 @@ use model::effects::Tilt;
 use model::vector::Vector3;
 use model::{Posture, Robot};
 
-use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
+use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "base_tilt",
@@ -35,8 +35,8 @@ struct BaseTilt {
 
 impl Effect for BaseTilt {
     /// What gravity does beyond what it does to a level base.
-    fn add_torque(&self, moment: &Moment, robot: &Robot<f64>, torque_nm: &mut Vector3<f64>) {
-        let [q1, q2, q3] = moment.q_rad;
+    fn add_torque(&self, state: &JointState, robot: &Robot<f64>, torque_nm: &mut Vector3<f64>) {
+        let [q1, q2, q3] = state.q_rad;
         let Robot { base, geometry, .. } = robot;
         let leaning = self.tilt.torque(q1.sin_cos(), &Posture::new(q2, q3), base, geometry);
         for joint in 0..3 {

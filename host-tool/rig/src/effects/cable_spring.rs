@@ -3,7 +3,7 @@
 use model::effects::cable_spring_v;
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
+use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "cable_spring",
@@ -36,8 +36,8 @@ struct CableSpring {
 }
 
 impl Effect for CableSpring {
-    fn add_voltage(&self, moment: &Moment, voltage_v: &mut Vector3<f64>) {
-        let q_rad = moment.q_rad[self.joint];
+    fn add_voltage(&self, state: &JointState, voltage_v: &mut Vector3<f64>) {
+        let q_rad = state.q_rad[self.joint];
         voltage_v[self.joint] += cable_spring_v(self.stiffness_v_per_rad, q_rad, self.rest_rad);
     }
 }

@@ -3,7 +3,7 @@
 use model::effects::{TurnWave, cogging_v};
 use model::vector::Vector3;
 
-use super::{Carrier, Definition, Effect, Moment, Parameter, Search, Size, Touches};
+use super::{Carrier, Definition, Effect, JointState, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "cogging",
@@ -37,8 +37,8 @@ struct Cogging {
 }
 
 impl Effect for Cogging {
-    fn add_voltage(&self, moment: &Moment, voltage_v: &mut Vector3<f64>) {
-        let sine = self.wave.sine(moment.q_rad[self.joint]);
+    fn add_voltage(&self, state: &JointState, voltage_v: &mut Vector3<f64>) {
+        let sine = self.wave.sine(state.q_rad[self.joint]);
         voltage_v[self.joint] += cogging_v(self.amplitude_v, sine);
     }
 }

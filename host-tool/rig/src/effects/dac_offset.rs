@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
+use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "dac_offset",
@@ -27,7 +27,7 @@ struct DacOffset {
 }
 
 impl Effect for DacOffset {
-    fn change_command(&mut self, _: &Moment, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
         command_v[self.joint] += self.offset_v;
     }
 }

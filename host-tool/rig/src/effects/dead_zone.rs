@@ -3,7 +3,7 @@
 use model::effects::dead_zone;
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
+use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "dead_zone",
@@ -28,7 +28,7 @@ struct DeadZone {
 }
 
 impl Effect for DeadZone {
-    fn change_command(&mut self, _: &Moment, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
         command_v[self.joint] = dead_zone(command_v[self.joint], self.half_width_v);
     }
 }

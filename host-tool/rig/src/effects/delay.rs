@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
+use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "delay",
@@ -45,7 +45,7 @@ impl Effect for Delay {
     }
 
     /// The mean over the step of the delayed command, which changes once within it.
-    fn change_command(&mut self, _: &Moment, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
         self.waiting_v.push_back(command_v[self.joint]);
         let older_v = self.waiting_v.pop_front().unwrap_or_default();
         let newer_v = self.waiting_v.front().copied().unwrap_or_default();

@@ -2,7 +2,7 @@
 
 use model::friction::FrictionScale;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
+use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "friction_drift",
@@ -35,8 +35,8 @@ struct FrictionDrift {
 }
 
 impl Effect for FrictionDrift {
-    fn change_friction(&self, moment: &Moment, scale: &mut [FrictionScale<f64>; 3]) {
-        let warmed = -(-moment.time_s / self.time_constant_s).exp_m1();
+    fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>; 3]) {
+        let warmed = -(-state.time_s / self.time_constant_s).exp_m1();
         let factor = 1.0 + self.relative_change * warmed;
         scale[self.joint].level *= factor;
         scale[self.joint].viscous *= factor;

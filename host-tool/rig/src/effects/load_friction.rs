@@ -2,7 +2,7 @@
 
 use model::friction::FrictionScale;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
+use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "load_friction",
@@ -31,7 +31,7 @@ impl Effect for LoadFriction {
         true
     }
 
-    fn change_friction(&self, moment: &Moment, scale: &mut [FrictionScale<f64>; 3]) {
-        scale[self.joint].added_v += self.coefficient_v_per_nm * moment.load_nm[self.joint].abs();
+    fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>; 3]) {
+        scale[self.joint].added_v += self.coefficient_v_per_nm * state.load_nm[self.joint].abs();
     }
 }

@@ -118,7 +118,7 @@ impl Parameter {
 
 /// The robot at one instant, as effects see it.
 #[derive(Clone, Copy, Debug)]
-pub struct Moment {
+pub struct JointState {
     /// Time since the log began [s].
     pub time_s: f64,
     /// Joints as their encoders see them [rad].
@@ -140,21 +140,21 @@ pub trait Effect: Debug + Send {
     fn set_step(&mut self, _step_s: f64) {}
 
     /// Changes the voltages on their way from the converter to the motors.
-    fn change_command(&mut self, _moment: &Moment, _command_v: &mut Vector3<f64>) {}
+    fn change_command(&mut self, _state: &JointState, _command_v: &mut Vector3<f64>) {}
 
-    /// Whether it asks for the moment's load.
+    /// Whether it asks for the load at that instant.
     fn feels_load(&self) -> bool {
         false
     }
 
     /// Changes the level and the viscous part of friction.
-    fn change_friction(&self, _moment: &Moment, _scale: &mut [FrictionScale<f64>; 3]) {}
+    fn change_friction(&self, _state: &JointState, _scale: &mut [FrictionScale<f64>; 3]) {}
 
     /// Adds voltages to what the motors make of the command.
-    fn add_voltage(&self, _moment: &Moment, _voltage_v: &mut Vector3<f64>) {}
+    fn add_voltage(&self, _state: &JointState, _voltage_v: &mut Vector3<f64>) {}
 
     /// Adds torques from outside [Nm].
-    fn add_torque(&self, _moment: &Moment, _robot: &Robot<f64>, _torque_nm: &mut Vector3<f64>) {}
+    fn add_torque(&self, _state: &JointState, _robot: &Robot<f64>, _torque_nm: &mut Vector3<f64>) {}
 
     /// Changes the angles that the encoders read.
     fn change_reading(&self, _q_rad: &mut Vector3<f64>) {}

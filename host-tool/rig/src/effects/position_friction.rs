@@ -3,7 +3,7 @@
 use model::effects::{TurnWave, vary_friction};
 use model::friction::FrictionScale;
 
-use super::{Carrier, Definition, Effect, Moment, Parameter, Search, Size, Touches};
+use super::{Carrier, Definition, Effect, JointState, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "position_friction",
@@ -37,8 +37,8 @@ struct PositionFriction {
 }
 
 impl Effect for PositionFriction {
-    fn change_friction(&self, moment: &Moment, scale: &mut [FrictionScale<f64>; 3]) {
-        let sine = self.wave.sine(moment.q_rad[self.joint]);
+    fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>; 3]) {
+        let sine = self.wave.sine(state.q_rad[self.joint]);
         vary_friction(&mut scale[self.joint], self.relative_amplitude, sine);
     }
 }

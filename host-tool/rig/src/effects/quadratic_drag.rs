@@ -3,7 +3,7 @@
 use model::effects::quadratic_drag_v;
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
+use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "quadratic_drag",
@@ -33,8 +33,8 @@ struct QuadraticDrag {
 }
 
 impl Effect for QuadraticDrag {
-    fn add_voltage(&self, moment: &Moment, voltage_v: &mut Vector3<f64>) {
-        let speed = moment.qd_rad_per_s[self.joint];
+    fn add_voltage(&self, state: &JointState, voltage_v: &mut Vector3<f64>) {
+        let speed = state.qd_rad_per_s[self.joint];
         voltage_v[self.joint] += quadratic_drag_v(self.coefficient_v_s2_per_rad2, speed);
     }
 }

@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
+use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "saturation",
@@ -31,7 +31,7 @@ struct Saturation {
 }
 
 impl Effect for Saturation {
-    fn change_command(&mut self, _: &Moment, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
         command_v[self.joint] = command_v[self.joint].clamp(-self.limit_v, self.limit_v);
     }
 }

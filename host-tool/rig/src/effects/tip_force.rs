@@ -3,7 +3,7 @@
 use model::vector::Vector3;
 use model::{Posture, Robot};
 
-use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
+use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
 
 const COMPONENT: Parameter = Parameter::new("force_N", -200.0, 200.0);
 
@@ -27,8 +27,8 @@ struct TipForce {
 }
 
 impl Effect for TipForce {
-    fn add_torque(&self, moment: &Moment, robot: &Robot<f64>, torque_nm: &mut Vector3<f64>) {
-        let [q1, q2, q3] = moment.q_rad;
+    fn add_torque(&self, state: &JointState, robot: &Robot<f64>, torque_nm: &mut Vector3<f64>) {
+        let [q1, q2, q3] = state.q_rad;
         let posture = Posture::new(q2, q3);
         let pushed = posture.tip_force_torque(q1.sin_cos(), &robot.geometry, &self.force_n);
         for joint in 0..3 {

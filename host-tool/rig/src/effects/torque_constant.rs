@@ -3,7 +3,7 @@
 use model::effects::torque_constant_factor;
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Moment, Parameter, Search, Size, Touches};
+use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "torque_constant",
@@ -28,7 +28,7 @@ struct TorqueConstant {
 }
 
 impl Effect for TorqueConstant {
-    fn change_command(&mut self, _: &Moment, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
         command_v[self.joint] *= torque_constant_factor(self.relative_error);
     }
 }

@@ -3,7 +3,7 @@
 use model::effects::{TurnWave, ripple_factor};
 use model::vector::Vector3;
 
-use super::{Carrier, Definition, Effect, Moment, Parameter, Search, Size, Touches};
+use super::{Carrier, Definition, Effect, JointState, Parameter, Search, Size, Touches};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "torque_ripple",
@@ -37,8 +37,8 @@ struct TorqueRipple {
 }
 
 impl Effect for TorqueRipple {
-    fn change_command(&mut self, moment: &Moment, command_v: &mut Vector3<f64>) {
-        let sine = self.wave.sine(moment.q_rad[self.joint]);
+    fn change_command(&mut self, state: &JointState, command_v: &mut Vector3<f64>) {
+        let sine = self.wave.sine(state.q_rad[self.joint]);
         command_v[self.joint] *= ripple_factor(self.relative_amplitude, sine);
     }
 }

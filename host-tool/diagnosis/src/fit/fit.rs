@@ -1,0 +1,121 @@
+//! Retuning a model to the train logs, Gauss-Newton with what is known beforehand.
+
+use super::linearisation::{Linearisation, objective};
+use super::unknowns::{Expected, Unknown, expected, kept_physical};
+use crate::logs::subject::Subject;
+use crate::rows::evidence::Evidence;
+use crate::trial::voltage::{EffectInstance, Hypothesis};
+
+/// Most steps of a fit.
+pub const MOST_STEPS: usize = 6;
+/// A step that takes less than this off the objective ends a fit.
+const SMALL_STEP: f64 = 2e-4;
+
+/// Retunes a model with everything open in it; `None` where the numbers do not work out.
+pub fn fit(
+    evidence: &Evidence,
+    subject: &Subject,
+    start: Hypothesis,
+    most_steps: usize,
+) -> Option<Linearisation> {
+    let open = open_in(evidence, subject, &start.effects);
+    let mut best = Linearisation::of(evidence, start, open.clone())?;
+    for _ in 0..most_steps {
+        let Some((next, objective)) = improved(evidence, subject, &best, &open) else { break };
+        let gain = best.objective - objective;
+        best = Linearisation::of(evidence, next, open.clone())?;
+        if gain < SMALL_STEP * best.objective {
+            break;
+        }
+    }
+    Some(best)
+}
+
+/// Deviations from what is known that a model's own doubt covers.
+const DOUBT: f64 = 3.0;
+
+/// The fit with base parameters, Coulomb and viscous friction and lags no further than
+/// three deviations from what is known of them.
+pub fn fit_held(
+    evidence: &Evidence,
+    subject: &Subject,
+    start: Hypothesis,
+) -> Option<Linearisation> {
+    let mut open = open_in(evidence, subject, &start.effects);
+    let mut hypothesis = start;
+    for _ in 0..HELD_ROUNDS {
+        hold(&mut open, &mut hypothesis);
+        let linear = Linearisation::of(evidence, hypothesis.clone(), open.clone())?;
+        let better = improved(evidence, subject, &linear, &open);
+        hypothesis = better.map_or(linear.hypothesis, |(hypothesis, _)| hypothesis);
+    }
+    hold(&mut open, &mut hypothesis);
+    Linearisation::of(evidence, hypothesis, open)
+}
+
+/// Rounds in which parameters at their bounds are fixed there and the others retuned.
+const HELD_ROUNDS: usize = 3;
+
+/// Fixes at its bound what lies beyond.
+fn hold(open: &mut [Expected], hypothesis: &mut Hypothesis) {
+    const FIXED: f64 = 1e-3;
+    for expected in open {
+        let miss = (expected.unknown.get(hypothesis) - expected.mean) / expected.deviation;
+        let may_be_held = !matches!(
+            expected.unknown,
+            Unknown::Effect { .. } | Unknown::Friction { parameter: 1 | 2 | 4 | 5, .. }
+        );
+        if may_be_held && miss.abs() > DOUBT {
+            expected.mean += DOUBT * expected.deviation * miss.signum();
+            expected.deviation *= FIXED;
+            expected.unknown.set(hypothesis, expected.mean);
+        }
+    }
+}
+
+/// A better hypothesis along the step with its objective, or none.
+fn improved(
+    evidence: &Evidence,
+    subject: &Subject,
+    best: &Linearisation,
+    open: &[Expected],
+) -> Option<(Hypothesis, f64)> {
+    let step = best.step();
+    [1.0, 0.5, 0.2, 0.05].into_iter().find_map(|part| {
+        let mut hypothesis = best.moved(&step, part);
+        kept_physical(&mut hypothesis, &subject.robot.friction);
+        for effect in &mut hypothesis.effects {
+            effect.normalise();
+        }
+        let objective = objective_of(evidence, &hypothesis, open);
+        (objective < best.objective).then_some((hypothesis, objective))
+    })
+}
+
+fn objective_of(evidence: &Evidence, hypothesis: &Hypothesis, open: &[Expected]) -> f64 {
+    let residual = evidence.residual(hypothesis, &evidence.joints);
+    let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
+    objective(&residual, &train, hypothesis, open)
+}
+
+/// Everything open in a model with these effects.
+pub fn open_in(
+    evidence: &Evidence,
+    subject: &Subject,
+    effects: &[EffectInstance],
+) -> Vec<Expected> {
+    let period_s = evidence.stretches[0].period_s;
+    let mut open = expected(subject, period_s);
+    for (index, effect) in effects.iter().enumerate().skip(subject.known_effects.len()) {
+        for (value, parameter) in effect.definition.parameters.iter().enumerate() {
+            if parameter.name == "harmonic" {
+                continue;
+            }
+            let unknown = Unknown::Effect { index, value };
+            // So wide that it only keeps what the logs do not tell where it is.
+            let deviation = 0.5 * (parameter.highest - parameter.lowest);
+            open.push(Expected { unknown, mean: effect.values[value], deviation });
+        }
+    }
+    open
+}

@@ -1,0 +1,8 @@
+//! A hypothesis linearised, fitted, and judged against the noise.
+
+pub mod fit;
+pub mod linearisation;
+pub mod preparation;
+pub mod residual_stats;
+pub mod slopes;
+pub mod unknowns;

@@ -1,0 +1,117 @@
+//! From a campaign to a refitted model on rows that are white.
+
+use model::{Posture, Robot};
+
+use super::fit::{MOST_STEPS, fit};
+use super::linearisation::Linearisation;
+use crate::logs::stretch::Stretch;
+use crate::logs::subject::Subject;
+use crate::rows::evidence::Evidence;
+use crate::rows::noise::{Noise, NoiseByRate, of_encoder};
+use crate::search::selection::Selection;
+use crate::trial::voltage::{EffectInstance, Hypothesis, Trial};
+use recordings::StepError;
+
+/// Steps of the first fit, which only serves to see the noise.
+const FIRST_STEPS: usize = 2;
+
+/// The rows, and the model retuned to those of train logs.
+///
+/// # Errors
+/// The logs are too short to see their noise, or do not determine the model.
+pub fn prepared(
+    subject: &Subject,
+    stretches: Vec<Stretch>,
+) -> Result<(Evidence, Linearisation), StepError> {
+    let given = as_given(subject);
+    let evidence = with_noise(subject, stretches, &given)?;
+    let rough = fit(&evidence, subject, given, FIRST_STEPS).ok_or_else(undetermined)?;
+    let evidence = with_noise(subject, evidence.stretches, &rough.hypothesis)?;
+    let linear = fit(&evidence, subject, rough.hypothesis, MOST_STEPS).ok_or_else(undetermined)?;
+    Ok((evidence, linear))
+}
+
+fn undetermined() -> StepError {
+    let what = "the logs do not determine the model's parameters; record motion of every joint";
+    StepError::Numerical { step: "diagnosis", what: what.into() }
+}
+
+/// Stretches as rows, weighted by the noise in what a model leaves of them.
+fn with_noise(
+    subject: &Subject,
+    stretches: Vec<Stretch>,
+    hypothesis: &Hypothesis,
+) -> Result<Evidence, StepError> {
+    let noise = noise(&stretches, hypothesis, subject.known.encoder_step_rad);
+    for (&joint, number) in subject.joints.iter().zip(&subject.numbers) {
+        if !noise.knows(joint) {
+            let what = format!(
+                "the logs are too short, or too slowly sampled, to see the noise of joint \
+                 {number}; record 5 s or more at 60 Hz or more"
+            );
+            return Err(StepError::Numerical { step: "diagnosis", what });
+        }
+    }
+    Ok(Evidence::new(stretches, subject.joints.clone(), &noise))
+}
+
+/// Noise in what the last model of a selection leaves: a gap that is always there passes for
+/// noise until its cause is found.
+pub fn noise_left(subject: &Subject, evidence: &Evidence, selection: &Selection) -> NoiseByRate {
+    let hypothesis = selection.steps.last().map(|step| step.linear.hypothesis.clone());
+    let hypothesis = hypothesis.unwrap_or_else(|| as_given(subject));
+    noise(&evidence.stretches, &hypothesis, subject.known.encoder_step_rad)
+}
+
+/// The model as given.
+pub fn as_given(subject: &Subject) -> Hypothesis {
+    let effects = subject.known_effects.iter().map(|(definition, joint, values)| EffectInstance {
+        definition,
+        joint: *joint,
+        values: values.clone(),
+    });
+    Hypothesis { robot: subject.robot, lag_s: [0.0; 3], effects: effects.collect() }
+}
+
+/// Sample periods that differ by less are one rate.
+const SAME_RATE: f64 = 0.05;
+
+/// Noise of each joint in what a model leaves of logs without driven noise, or of all logs
+/// where there are no others; rate by rate.
+fn noise(stretches: &[Stretch], hypothesis: &Hypothesis, step_rad: f64) -> NoiseByRate {
+    let calm: Vec<&Stretch> = stretches.iter().filter(|s| !s.broadband).collect();
+    let used = if calm.is_empty() { stretches.iter().collect() } else { calm };
+    let mut noise = NoiseByRate::default();
+    let mut rates_s: Vec<f64> = Vec::new();
+    for stretch in &used {
+        let period_s = stretch.period_s;
+        if rates_s.iter().any(|rate_s| is_same_rate(*rate_s, period_s)) {
+            continue;
+        }
+        rates_s.push(period_s);
+        let alike = used.iter().filter(|other| is_same_rate(other.period_s, period_s));
+        let trials: Vec<Trial> = alike.map(|stretch| Trial::of(stretch, hypothesis)).collect();
+        let of_joint = |joint: usize| {
+            let left: Vec<Vec<f64>> = trials.iter().map(|trial| trial.residual(joint)).collect();
+            let left: Vec<&[f64]> = left.iter().map(|rows| &rows[..]).collect();
+            Noise::of(&left, period_s)
+        };
+        let of_steps = |joint: usize| {
+            of_encoder(step_rad, period_s) * lightest(stretch, hypothesis, joint).powi(2)
+        };
+        noise.push(period_s, [0, 1, 2].map(of_joint), [0, 1, 2].map(of_steps));
+    }
+    noise
+}
+
+/// The smallest inertia that a joint (0 to 2) has in a stretch [V s^2/rad].
+fn lightest(stretch: &Stretch, hypothesis: &Hypothesis, joint: usize) -> f64 {
+    let Robot { base, geometry, torque_constant_nm_per_v, .. } = &hypothesis.robot;
+    let inertia = |posture: &Posture<f64>| posture.mass_matrix(base, geometry)[joint][joint];
+    let smallest = stretch.postures.iter().map(inertia).fold(f64::INFINITY, f64::min);
+    smallest / torque_constant_nm_per_v[joint]
+}
+
+fn is_same_rate(a_s: f64, b_s: f64) -> bool {
+    (a_s / b_s - 1.0).abs() < SAME_RATE
+}

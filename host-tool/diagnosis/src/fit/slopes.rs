@@ -1,0 +1,250 @@
+//! The rows of a model, and their slopes in all that is open: what a linearisation is made of.
+
+use model::base::COUNT;
+use nalgebra::DMatrix;
+use rayon::prelude::*;
+
+use super::unknowns::{Expected, Unknown};
+use crate::rows::evidence::{Columns, Evidence, Rows};
+use crate::trial::parts::{Parts, same, touched};
+use crate::trial::voltage::{EffectInstance, Hypothesis, Trial, at_samples};
+
+/// Slopes of one joint's rows.
+#[derive(Clone)]
+pub struct JointSlopes {
+    /// Which joint.
+    pub joint: usize,
+    /// Places of the columns among what is open.
+    pub places: Vec<usize>,
+    /// Rows by columns.
+    pub matrix: DMatrix<f64>,
+}
+
+/// Appends the change of joints' rows in a stretch once a model becomes `hypothesis`, which
+/// differs in an effect beside others.
+pub fn changed(
+    evidence: &Evidence,
+    s: usize,
+    parts: &[Parts; 3],
+    hypothesis: &Hypothesis,
+    (effect, others): (&EffectInstance, &[EffectInstance]),
+    joints: &[usize],
+    rows: &mut Rows,
+) {
+    let touches = touched(effect, others);
+    let trial = Trial::beside(&evidence.stretches[s], hypothesis, same(parts, effect));
+    for &joint in joints {
+        let change = parts[joint].change_to(&trial, joint, touches);
+        rows[joint].extend(evidence.weighted(s, joint, &change));
+    }
+}
+
+/// A column of rows of one joint, with its place among what is open.
+type Column = (usize, Vec<f64>);
+
+/// A joint's equation in a stretch, its rows, and their slopes that need no whole model.
+type Piece = (Parts, Vec<f64>, Vec<Column>);
+
+/// The parts of the equation, the rows, and the slopes of every joint.
+pub fn slopes(
+    evidence: &Evidence,
+    hypothesis: &Hypothesis,
+    expected: &[Expected],
+) -> (Vec<[Parts; 3]>, Rows, Vec<JointSlopes>) {
+    let pieces: Vec<[Piece; 3]> = (0..evidence.stretches.len())
+        .into_par_iter()
+        .map(|s| stretch_slopes(evidence, s, hypothesis, expected))
+        .collect();
+    let mut parts = Vec::new();
+    let mut residual: Rows = Default::default();
+    let mut columns: [Vec<Column>; 3] = Default::default();
+    for piece in pieces {
+        let mut joint = 0;
+        parts.push(piece.map(|(parts, rows, of_stretch)| {
+            residual[joint].extend(rows);
+            append(&mut columns[joint], of_stretch);
+            joint += 1;
+            parts
+        }));
+    }
+    for (place, rows) in effect_slopes(evidence, &parts, hypothesis, expected) {
+        for (joint, rows) in rows.into_iter().enumerate().filter(|(_, rows)| !rows.is_empty()) {
+            columns[joint].push((place, rows));
+        }
+    }
+    let of_joint = |&joint: &usize| JointSlopes::of(joint, &columns[joint], residual[joint].len());
+    let joints = evidence.joints.iter().map(of_joint).collect();
+    (parts, residual, joints)
+}
+
+/// Puts the rows of a stretch behind those of the stretches before.
+fn append(columns: &mut Vec<Column>, of_stretch: Vec<Column>) {
+    if columns.is_empty() {
+        *columns = of_stretch;
+        return;
+    }
+    columns.iter_mut().zip(of_stretch).for_each(|(column, (_, rows))| column.1.extend(rows));
+}
+
+impl JointSlopes {
+    fn of(joint: usize, columns: &[Column], count: usize) -> Self {
+        let flat = columns.iter().flat_map(|(_, rows)| rows.iter().copied());
+        let matrix = DMatrix::from_iterator(count, columns.len(), flat);
+        Self { joint, places: columns.iter().map(|(place, _)| *place).collect(), matrix }
+    }
+}
+
+/// What the joints of the rig have in a stretch.
+fn stretch_slopes(
+    evidence: &Evidence,
+    s: usize,
+    hypothesis: &Hypothesis,
+    expected: &[Expected],
+) -> [Piece; 3] {
+    let trial = Trial::of(&evidence.stretches[s], hypothesis);
+    [0, 1, 2].map(|joint| {
+        if !evidence.joints.contains(&joint) {
+            return Piece::default();
+        }
+        let parts = Parts::of(&trial, joint);
+        let rows = evidence.weighted(s, joint, &trial.left(joint, &parts.net));
+        let columns = own_slopes(evidence, s, joint, (&trial, &parts), hypothesis, expected);
+        (parts, rows, columns)
+    })
+}
+
+/// Slopes of a joint's rows in a stretch that need no whole model.
+fn own_slopes(
+    evidence: &Evidence,
+    s: usize,
+    joint: usize,
+    (trial, parts): (&Trial, &Parts),
+    hypothesis: &Hypothesis,
+    expected: &[Expected],
+) -> Vec<Column> {
+    let rows = |signal: &[f64]| evidence.weighted(s, joint, signal);
+    let make = || base_columns(evidence, s, joint, trial);
+    let own: Columns;
+    let base = match trial.moves_as_measured() {
+        true => evidence.regressor(s, joint, make),
+        false => {
+            own = make();
+            &own
+        }
+    };
+    let mut columns = Vec::new();
+    for (place, e) in expected.iter().enumerate() {
+        match e.unknown {
+            Unknown::Base(k) if !base[k].is_empty() => columns.push((place, base[k].clone())),
+            Unknown::Friction { joint: of, parameter } if of == joint => {
+                let (moved, step) = friction_moved(hypothesis, joint, parameter);
+                let slope: Vec<f64> = trial
+                    .friction(joint, &moved)
+                    .iter()
+                    .zip(&parts.friction)
+                    .map(|(after, before)| (before - after) / step)
+                    .collect();
+                columns.push((place, rows(&at_samples(&slope))));
+            }
+            Unknown::Lag(of) if of == joint => {
+                let slope: Vec<f64> = trial.command_slope(joint).iter().map(|u| -u).collect();
+                columns.push((place, rows(&slope)));
+            }
+            _ => {}
+        }
+    }
+    columns
+}
+
+/// Rows of the regressor, what is needed counted as negative.
+fn base_columns(evidence: &Evidence, s: usize, joint: usize, trial: &Trial) -> Columns {
+    let regressor = trial.regressor_row(joint);
+    let column = |k: usize| match base_counts(joint, k) {
+        true => {
+            let raw: Vec<f64> = regressor.iter().map(|r| -r[k]).collect();
+            evidence.weighted(s, joint, &raw)
+        }
+        false => Vec::new(),
+    };
+    (0..COUNT).map(column).collect()
+}
+
+/// Whether a base parameter is in a joint's row at all: joint 3 does not feel link 1 and 2,
+/// joint 2 not link 1 (eq. (5)).
+fn base_counts(joint: usize, k: usize) -> bool {
+    const FIRST_OF_LINK_2: usize = 1;
+    const FIRST_OF_LINK_3: usize = 8;
+    match joint {
+        0 => k < COUNT,
+        1 => k >= FIRST_OF_LINK_2,
+        _ => k >= FIRST_OF_LINK_3,
+    }
+}
+
+fn friction_moved(
+    hypothesis: &Hypothesis,
+    joint: usize,
+    parameter: usize,
+) -> (model::Robot<f64>, f64) {
+    let unknown = Unknown::Friction { joint, parameter };
+    let value = unknown.get(hypothesis);
+    let step = (2e-3 * value.abs()).max(1e-5 * hypothesis.robot.friction[joint].alpha0_v);
+    let mut moved = hypothesis.clone();
+    unknown.set(&mut moved, value + step);
+    (moved.robot, step)
+}
+
+/// Slopes of all rows along the open parameters of effects.
+fn effect_slopes(
+    evidence: &Evidence,
+    parts: &[[Parts; 3]],
+    hypothesis: &Hypothesis,
+    expected: &[Expected],
+) -> Vec<(usize, Rows)> {
+    let slope = |place: usize| match expected[place].unknown {
+        Unknown::Effect { index, value } => {
+            Some((place, effect_slope(evidence, parts, hypothesis, index, value)))
+        }
+        _ => None,
+    };
+    (0..expected.len()).into_par_iter().filter_map(slope).collect()
+}
+
+/// Slope of all rows along a value of an effect.
+fn effect_slope(
+    evidence: &Evidence,
+    parts: &[[Parts; 3]],
+    hypothesis: &Hypothesis,
+    index: usize,
+    value: usize,
+) -> Rows {
+    let effect = &hypothesis.effects[index];
+    let step = step_of(effect, value);
+    let mut moved = hypothesis.clone();
+    moved.effects[index].values[value] += step;
+    let mut others = hypothesis.effects.clone();
+    others.remove(index);
+    let joints = match effect.definition.couples_joints {
+        true => evidence.joints.clone(),
+        false => vec![usize::from(effect.joint) - 1],
+    };
+    let mut slope: Rows = Default::default();
+    for (s, parts) in parts.iter().enumerate() {
+        changed(evidence, s, parts, &moved, (effect, &others), &joints, &mut slope);
+    }
+    slope.iter_mut().flatten().for_each(|row| *row /= step);
+    slope
+}
+
+/// Step for a difference along a parameter of an effect, away from its nearer bound. A link
+/// that bounces in its play makes rows rough: only wide steps show where they lead.
+pub fn step_of(effect: &EffectInstance, value: usize) -> f64 {
+    let parameters = effect.definition.parameters;
+    let (parameter, value) = (&parameters[value], effect.values[value]);
+    let part = if effect.has_backlash() { 0.15 } else { 5e-3 };
+    let size = match parameter.name {
+        "phase_rad" => 1e-3,
+        _ => (part * value.abs()).max(1e-6 * (parameter.highest - parameter.lowest)),
+    };
+    if value + size > parameter.highest { -size } else { size }
+}

@@ -1,0 +1,181 @@
+//! What a model under trial leaves open, and what is known of it beforehand.
+
+use model::base::COUNT;
+use model::{BaseParameters, Friction};
+
+use crate::logs::subject::Subject;
+use crate::trial::voltage::Hypothesis;
+use identification::base_parameters::friction::{FRICTION_COUNT, from_array, to_array};
+
+/// One open parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unknown {
+    /// A base parameter.
+    Base(usize),
+    /// A friction parameter of a joint.
+    Friction {
+        /// Joint, 0 to 2.
+        joint: usize,
+        /// Which of the six.
+        parameter: usize,
+    },
+    /// The lag of a joint's command.
+    Lag(usize),
+    /// A parameter of an effect.
+    Effect {
+        /// Which effect.
+        index: usize,
+        /// Which of its values.
+        value: usize,
+    },
+}
+
+/// A parameter with its expectation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Expected {
+    /// The parameter.
+    pub unknown: Unknown,
+    /// Expected value.
+    pub mean: f64,
+    /// Standard deviation of the truth about it.
+    pub deviation: f64,
+}
+
+/// What identification leaves open of each parameter: two to three per cent, and of small
+/// ones a part of the largest of their kind.
+const RELATIVE: f64 = 0.025;
+const OF_LARGEST: f64 = 0.004;
+/// Doubt about the instants of commands, in periods.
+const LAG_PERIODS: f64 = 0.05;
+
+/// Everything that retuning may change.
+pub fn expected(subject: &Subject, period_s: f64) -> Vec<Expected> {
+    let base = subject.robot.base.to_array();
+    let scales = base_scales(&subject.robot.base);
+    let mut all: Vec<Expected> = subject
+        .free_base()
+        .into_iter()
+        .map(|k| Expected {
+            unknown: Unknown::Base(k),
+            mean: base[k],
+            deviation: RELATIVE * base[k].abs() + OF_LARGEST * scales[k],
+        })
+        .collect();
+    for &joint in &subject.joints {
+        let values = to_array(&subject.robot.friction[joint]);
+        all.extend((0..FRICTION_COUNT).map(|parameter| Expected {
+            unknown: Unknown::Friction { joint, parameter },
+            mean: values[parameter],
+            deviation: friction_deviation(&values, parameter, subject.bristles_known),
+        }));
+        all.push(Expected {
+            unknown: Unknown::Lag(joint),
+            mean: 0.0,
+            deviation: LAG_PERIODS * period_s,
+        });
+    }
+    all
+}
+
+fn friction_deviation(
+    values: &[f64; FRICTION_COUNT],
+    parameter: usize,
+    bristles_known: bool,
+) -> f64 {
+    const COULOMB: usize = 0;
+    const STRIBECK_LEVEL: usize = 1;
+    const STRIBECK_VELOCITY: usize = 2;
+    const VISCOUS: usize = 3;
+    const STIFFNESS: usize = 4;
+    const DAMPING: usize = 5;
+    let own = 0.005 * values[parameter].abs();
+    let least = match parameter {
+        STRIBECK_LEVEL => 0.02 * values[COULOMB],
+        // Identification gives zero where it is small, which leaves doubt.
+        VISCOUS => own.max(0.002 * values[COULOMB]),
+        STIFFNESS if !bristles_known => values[STIFFNESS],
+        DAMPING if !bristles_known => 0.02 * values[STIFFNESS],
+        DAMPING => own.max(1e-5 * values[STIFFNESS]),
+        STRIBECK_VELOCITY => own.max(1e-6),
+        _ => own,
+    };
+    RELATIVE * values[parameter].abs() + least
+}
+
+/// The largest parameter of each one's kind: inertias and first moments, link by link.
+fn base_scales(base: &BaseParameters<f64>) -> [f64; COUNT] {
+    let (first, second) = (base.zz1r.abs().min(1e3), base.zz2r.abs().min(1e3));
+    let third = (base.zz3r + base.ia3).abs();
+    let moment2 = base.mx2r.hypot(base.my2r);
+    let moment3 = match base.mx3r.hypot(base.my3r) {
+        // A balanced link may yet be off balance by a trifle, as if 1 m from its inertia.
+        0.0 => third,
+        moment => moment,
+    };
+    BaseParameters {
+        zz1r: first,
+        xx2r: second,
+        xy2r: second,
+        xz2r: second,
+        yz2r: second,
+        zz2r: second,
+        mx2r: moment2,
+        my2r: moment2,
+        xx3r: third,
+        xy3r: third,
+        xz3r: third,
+        yz3r: third,
+        zz3r: third,
+        mx3r: moment3,
+        my3r: moment3,
+        ia3: third,
+    }
+    .to_array()
+}
+
+impl Unknown {
+    /// Its value at a hypothesis.
+    pub fn get(self, hypothesis: &Hypothesis) -> f64 {
+        match self {
+            Self::Base(k) => hypothesis.robot.base.to_array()[k],
+            Self::Friction { joint, parameter } => {
+                to_array(&hypothesis.robot.friction[joint])[parameter]
+            }
+            Self::Lag(joint) => hypothesis.lag_s[joint],
+            Self::Effect { index, value } => hypothesis.effects[index].values[value],
+        }
+    }
+
+    /// Sets its value at a hypothesis.
+    pub fn set(self, hypothesis: &mut Hypothesis, to: f64) {
+        match self {
+            Self::Base(k) => {
+                let mut base = hypothesis.robot.base.to_array();
+                base[k] = to;
+                hypothesis.robot.base = BaseParameters::from_array(base);
+            }
+            Self::Friction { joint, parameter } => {
+                let friction = &mut hypothesis.robot.friction[joint];
+                let mut values = to_array(friction);
+                values[parameter] = to;
+                *friction = from_array(values);
+            }
+            Self::Lag(joint) => hypothesis.lag_s[joint] = to,
+            Self::Effect { index, value } => hypothesis.effects[index].values[value] = to,
+        }
+    }
+}
+
+/// Friction parameters kept where friction is friction.
+pub fn kept_physical(hypothesis: &mut Hypothesis, from: &[Friction<f64>; 3]) {
+    for (friction, given) in hypothesis.robot.friction.iter_mut().zip(from) {
+        let f = friction;
+        f.alpha0_v = f.alpha0_v.max(0.02 * given.alpha0_v);
+        f.alpha1_v = f.alpha1_v.max(-0.95 * f.alpha0_v);
+        f.alpha2_v_s_per_rad = f.alpha2_v_s_per_rad.max(0.0);
+        f.sigma1_v_s_per_rad = f.sigma1_v_s_per_rad.max(0.0);
+        let least_v = 0.2 * given.stribeck_velocity_rad_per_s;
+        f.stribeck_velocity_rad_per_s = f.stribeck_velocity_rad_per_s.max(least_v);
+        f.sigma0_v_per_rad = f.sigma0_v_per_rad.max(0.1 * given.sigma0_v_per_rad);
+    }
+}

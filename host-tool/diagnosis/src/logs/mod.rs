@@ -1,0 +1,8 @@
+//! The rig and its logs.
+
+pub mod checks;
+pub mod encoder_step;
+pub mod even_clock;
+pub mod stretch;
+pub mod subject;
+pub mod usable;

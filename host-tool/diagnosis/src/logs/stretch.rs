@@ -1,0 +1,247 @@
+//! Unbroken motion with its commands, prepared once for all models that are tried.
+//!
+//! A command acts over the interval from its sample to the next. So everything that the
+//! motor feels belongs to intervals, and accelerations belong to samples: the second
+//! difference of sampled positions is exactly the mean of the accelerations in the two
+//! intervals about it, whatever the frequency.
+
+use model::Posture;
+
+use std::ops::Range;
+
+use super::even_clock::EvenClock;
+use super::subject::Subject;
+use files::Role;
+use recordings::{Trace, unbroken};
+use signal::{LowPass, derivative};
+
+/// Angles of the three joints and their derivatives.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Kinematics {
+    /// Angles as measured [rad].
+    pub raw_rad: [Vec<f64>; 3],
+    /// Angles, smoothed [rad].
+    pub q_rad: [Vec<f64>; 3],
+    /// Velocities [rad/s].
+    pub qd_rad_per_s: [Vec<f64>; 3],
+    /// Accelerations [rad/s^2].
+    pub qdd_rad_per_s2: [Vec<f64>; 3],
+}
+
+impl Kinematics {
+    /// Angles, velocities, accelerations at an instant.
+    #[inline]
+    pub fn state(&self, k: usize) -> ([f64; 3], [f64; 3], [f64; 3]) {
+        let at = |signal: &[Vec<f64>; 3]| [signal[0][k], signal[1][k], signal[2][k]];
+        (at(&self.q_rad), at(&self.qd_rad_per_s), at(&self.qdd_rad_per_s2))
+    }
+}
+
+/// An unbroken stretch of a log.
+#[derive(Clone, Debug)]
+pub struct Stretch {
+    /// Index of the log in the data set.
+    pub log: usize,
+    /// What the log is for.
+    pub role: Role,
+    /// Time of the first sample since the log began [s].
+    pub start_s: f64,
+    /// Time from sample to sample [s].
+    pub period_s: f64,
+    /// Motion at the samples.
+    pub motion: Kinematics,
+    /// Command over the interval that begins at each sample [V].
+    pub command_v: [Vec<f64>; 3],
+    /// Sines and cosines of the measured motion.
+    pub postures: Vec<Posture<f64>>,
+    /// Whether the commands drive the joints at high frequencies.
+    pub broadband: bool,
+    /// First sample of each joint from which the bend of its friction is known.
+    pub settled: [usize; 3],
+}
+
+/// Shortest stretch that is used [s].
+const SHORTEST_S: f64 = 1.5;
+/// Gaps of fewer periods are filled, longer ones end a stretch.
+const LONGEST_GAP_PERIODS: f64 = 10.0;
+/// Under driven noise one missing sample ends a stretch: nobody knows what was put out then.
+const LONGEST_BROADBAND_GAP_PERIODS: f64 = 1.6;
+/// Highest cut-off of positions where they enter products and friction [Hz]. What encoder
+/// steps add to the velocity blurs friction around reversals; what a filter takes away is
+/// missed where noise drives the joints.
+const CALM_CUTOFF_HZ: f64 = 90.0;
+const BROADBAND_CUTOFF_HZ: f64 = 200.0;
+
+/// What is faster is hardly seen from sample to sample, in parts of the sampling rate.
+const FAST: f64 = 0.2;
+
+impl Stretch {
+    /// The stretches of a log that holds all joints of the rig.
+    pub fn of(trace: &Trace, log: usize, subject: &Subject) -> Vec<Self> {
+        let whole = |longest: f64| {
+            let is_long = |range: &Range<usize>| {
+                trace.time_s[range.end - 1] - trace.time_s[range.start] >= SHORTEST_S
+            };
+            unbroken(&trace.time_s, longest * trace.period_s)
+                .into_iter()
+                .filter(is_long)
+                .map(|range| Self::of_range(trace, log, subject, range))
+                .collect::<Vec<Self>>()
+        };
+        let stretches = whole(LONGEST_GAP_PERIODS);
+        match stretches.iter().any(|stretch| stretch.broadband) {
+            true => whole(LONGEST_BROADBAND_GAP_PERIODS),
+            false => stretches,
+        }
+    }
+
+    /// Root mean square of a command (joint 0 to 2) above a fifth of the sampling rate [V].
+    pub fn fast_command_v(&self, joint: usize) -> f64 {
+        let command_v = &self.command_v[joint];
+        let slow = LowPass::new(FAST / self.period_s, self.period_s).zero_phase(command_v);
+        let fast: Vec<f64> = command_v.iter().zip(&slow).map(|(u, s)| u - s).collect();
+        signal::rms(&fast)
+    }
+
+    /// Its duration [s].
+    pub fn duration_s(&self) -> f64 {
+        self.len() as f64 * self.period_s
+    }
+
+    fn of_range(trace: &Trace, log: usize, subject: &Subject, range: Range<usize>) -> Self {
+        let time_s = &trace.time_s[range.clone()];
+        let clock = EvenClock::over(time_s, trace.period_s);
+        let period_s = clock.period_s();
+        let mut stretch = Self {
+            log,
+            role: trace.role,
+            start_s: time_s[0] - trace.time_s[0],
+            period_s,
+            motion: Kinematics::default(),
+            command_v: Default::default(),
+            postures: Vec::new(),
+            broadband: false,
+            settled: [0; 3],
+        };
+        let mut angles: [Vec<f64>; 3] = Default::default();
+        for (&joint, &number) in subject.joints.iter().zip(&subject.numbers) {
+            let Some(columns) = trace.joint(number) else { continue };
+            let q = clock.smooth(&columns.q_rad[range.clone()]);
+            let command = clock.held_mean(&columns.command_v[range.clone()]);
+            stretch.broadband |= is_broadband(&command, period_s);
+            stretch.settled[joint] = settled(&q, subject, joint);
+            angles[joint] = q;
+            stretch.command_v[joint] = command;
+        }
+        let highest_hz = if stretch.broadband { BROADBAND_CUTOFF_HZ } else { CALM_CUTOFF_HZ };
+        for &joint in subject.joints.iter().filter(|&&joint| !angles[joint].is_empty()) {
+            let step_rad = subject.known.encoder_step_rad;
+            let cutoff_hz = motion_cutoff_hz(&angles[joint], period_s, step_rad, highest_hz);
+            stretch.motion.set(joint, &angles[joint], period_s, cutoff_hz);
+        }
+        stretch.fill_absent();
+        stretch.postures = stretch.motion.postures();
+        stretch
+    }
+
+    /// Joints that the rig does not have hang still.
+    fn fill_absent(&mut self) {
+        let count = self.command_v.iter().map(Vec::len).max().unwrap_or(0);
+        for joint in 0..3 {
+            if self.command_v[joint].is_empty() {
+                self.command_v[joint] = vec![0.0; count];
+                self.motion.raw_rad[joint] = vec![Subject::resting_rad(joint); count];
+                self.motion.q_rad[joint] = vec![Subject::resting_rad(joint); count];
+                self.motion.qd_rad_per_s[joint] = vec![0.0; count];
+                self.motion.qdd_rad_per_s2[joint] = vec![0.0; count];
+            }
+        }
+    }
+
+    /// A part of the stretch.
+    pub fn part(&self, range: Range<usize>) -> Self {
+        let of = |signals: &[Vec<f64>; 3]| [0, 1, 2].map(|i| signals[i][range.clone()].to_vec());
+        Self {
+            start_s: self.start_s + range.start as f64 * self.period_s,
+            motion: Kinematics {
+                raw_rad: of(&self.motion.raw_rad),
+                q_rad: of(&self.motion.q_rad),
+                qd_rad_per_s: of(&self.motion.qd_rad_per_s),
+                qdd_rad_per_s2: of(&self.motion.qdd_rad_per_s2),
+            },
+            command_v: of(&self.command_v),
+            postures: self.postures[range.clone()].to_vec(),
+            settled: self.settled.map(|first| first.saturating_sub(range.start)),
+            ..*self
+        }
+    }
+
+    /// How many samples there are.
+    pub fn len(&self) -> usize {
+        self.command_v[0].len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+impl Kinematics {
+    /// Sines and cosines at every sample.
+    pub fn postures(&self) -> Vec<Posture<f64>> {
+        self.q_rad[1].iter().zip(&self.q_rad[2]).map(|(&q2, &q3)| Posture::new(q2, q3)).collect()
+    }
+
+    fn set(&mut self, joint: usize, q_rad: &[f64], period_s: f64, cutoff_hz: f64) {
+        let smooth = LowPass::new(cutoff_hz, period_s).zero_phase(q_rad);
+        self.qd_rad_per_s[joint] = derivative::first(&smooth, period_s);
+        self.qdd_rad_per_s2[joint] = second_difference(q_rad, period_s);
+        self.q_rad[joint] = smooth;
+        self.raw_rad[joint] = q_rad.to_vec();
+    }
+}
+
+/// Cut-off that keeps what the encoder's steps add to the velocity to a hundredth of it.
+fn motion_cutoff_hz(q_rad: &[f64], period_s: f64, step_rad: f64, highest_hz: f64) -> f64 {
+    const SHARE: f64 = 0.01;
+    const LOWEST_HZ: f64 = 8.0;
+    let highest_hz = highest_hz.min(FAST / period_s);
+    let speed = signal::rms(&derivative::first(q_rad, period_s));
+    let noise_rad = step_rad / 12f64.sqrt();
+    // Noise of the velocity up to f: 2 pi noise sqrt(2 period / 3) f^(3/2).
+    let unit = std::f64::consts::TAU * noise_rad * (2.0 * period_s / 3.0).sqrt();
+    (SHARE * speed / unit).powf(2.0 / 3.0).clamp(LOWEST_HZ.min(highest_hz), highest_hz)
+}
+
+fn second_difference(q_rad: &[f64], period_s: f64) -> Vec<f64> {
+    let last = q_rad.len().saturating_sub(1);
+    let at = |k: usize| {
+        let k = k.clamp(1, last.max(2) - 1);
+        (q_rad[k + 1] + q_rad[k - 1] - 2.0 * q_rad[k]) / (period_s * period_s)
+    };
+    (0..q_rad.len()).map(at).collect()
+}
+
+/// Whether a twentieth of a command lies above 50 Hz.
+fn is_broadband(command_v: &[f64], period_s: f64) -> bool {
+    const ABOVE_HZ: f64 = 50.0;
+    const SHARE: f64 = 0.05;
+    if period_s * ABOVE_HZ > 0.2 {
+        return false;
+    }
+    let slow = LowPass::new(ABOVE_HZ, period_s).zero_phase(command_v);
+    let fast: Vec<f64> = command_v.iter().zip(&slow).map(|(u, s)| u - s).collect();
+    let rms = signal::rms;
+    rms(&fast) > SHARE * rms(command_v)
+}
+
+/// The first sample when a joint has come so far that its friction no longer remembers
+/// how it was bent: five times the largest bend. A joint that never does counts from 1 s.
+fn settled(q_rad: &[f64], subject: &Subject, joint: usize) -> usize {
+    let friction = &subject.robot.friction[joint];
+    let level_v = friction.alpha0_v + friction.alpha1_v.max(0.0);
+    let path_rad = 5.0 * level_v / friction.sigma0_v_per_rad;
+    let gone = |q: &f64| (q - q_rad[0]).abs() > path_rad;
+    q_rad.iter().position(gone).unwrap_or(0)
+}

@@ -1,0 +1,186 @@
+//! Which logs a diagnosis can use, and what must be said of them.
+
+use super::stretch::Stretch;
+use super::subject::Subject;
+use crate::logs::checks::{cannot_be_judged, others_move};
+use files::Role;
+use recordings::campaign::JointTrace;
+use recordings::plausibility::examine;
+use recordings::{Campaign, StepError, Trace};
+
+/// The stretches that can be used, and remarks on the logs.
+#[derive(Debug)]
+pub struct Usable {
+    /// Stretches of train logs and of those held out.
+    pub stretches: Vec<Stretch>,
+    /// What a reader must know.
+    pub remarks: Vec<String>,
+}
+
+/// Part of a log that is held out where no log is.
+const HELD_OUT: f64 = 0.3;
+/// A log must be so long that a part of it can be held out [s].
+const SHORTEST_TO_PART_S: f64 = 6.0;
+
+impl Usable {
+    /// The logs of a campaign that hold all joints of the rig and can be what they say.
+    ///
+    /// # Errors
+    /// There is none, or none that says enough.
+    pub fn of(campaign: &Campaign, subject: &Subject) -> Result<Self, StepError> {
+        let mut usable = Self { stretches: Vec::new(), remarks: Vec::new() };
+        let mut refusal = None;
+        for (index, trace) in campaign.traces.iter().enumerate() {
+            match usable.stretches_of(trace, index, subject) {
+                Ok(stretches) => usable.stretches.extend(stretches),
+                Err(error) => {
+                    usable.remarks.push(format!("left out: {error}"));
+                    refusal = refusal.or(Some(error));
+                }
+            }
+        }
+        if usable.stretches.is_empty() {
+            return Err(refusal.unwrap_or_else(|| no_log(campaign)));
+        }
+        usable.hold_some_out()?;
+        Ok(usable)
+    }
+
+    fn stretches_of(
+        &mut self,
+        trace: &Trace,
+        index: usize,
+        subject: &Subject,
+    ) -> Result<Vec<Stretch>, StepError> {
+        let unusable = |what: String| StepError::Unusable { file: trace.file.clone(), what };
+        if let Some(number) = subject.numbers.iter().find(|&&n| trace.joint(n).is_none()) {
+            let rig = subject.numbers.len();
+            return Err(unusable(format!(
+                "q{number} and u{number} are not in the log, but the model has {}; give the \
+                 model of this rig, or a log of all its joints",
+                if rig == 1 { format!("joint {number}") } else { format!("{rig} joints") }
+            )));
+        }
+        let mut trace = trace.clone();
+        if let Some(why) = others_move(&trace, subject) {
+            return Err(unusable(why));
+        }
+        trace.joints.retain(|joint| subject.numbers.contains(&joint.number));
+        for joint in &mut trace.joints {
+            self.remarks.extend(unwrap(&trace.file, joint));
+        }
+        let remarks = examine(&trace, &subject.known)?;
+        if let Some(why) = cannot_be_judged(&trace, subject) {
+            return Err(unusable(why));
+        }
+        self.remarks.extend(remarks);
+        let stretches = Stretch::of(&trace, index, subject);
+        if stretches.is_empty() {
+            return Err(unusable(
+                "no second and a half without a gap that matters, which under driven noise is \
+                 any; record it again"
+                    .into(),
+            ));
+        }
+        self.remarks.extend(lost(&trace, &stretches));
+        Ok(stretches)
+    }
+
+    /// Parts every stretch where there are only train logs or none.
+    fn hold_some_out(&mut self) -> Result<(), StepError> {
+        let roles: Vec<Role> = self.stretches.iter().map(|stretch| stretch.role).collect();
+        let missing = match (roles.contains(&Role::Train), roles.contains(&Role::Holdout)) {
+            (true, true) => return Ok(()),
+            (true, false) => "is held out",
+            _ => "is for training",
+        };
+        let parted: Vec<Stretch> =
+            std::mem::take(&mut self.stretches).into_iter().flat_map(parted).collect();
+        if !parted.iter().any(|stretch| stretch.role == Role::Holdout) {
+            return Err(StepError::Numerical {
+                step: "diagnosis",
+                what: format!(
+                    "no log {missing}, and none is long enough to be parted; record one of \
+                     {SHORTEST_TO_PART_S} s or more"
+                ),
+            });
+        }
+        self.stretches = parted;
+        self.remarks.push(format!(
+            "no log {missing}, so the last {:.0} % of each log are held out; a log of another \
+             motion would say more",
+            100.0 * HELD_OUT
+        ));
+        Ok(())
+    }
+}
+
+fn no_log(campaign: &Campaign) -> StepError {
+    let what = match campaign.traces.len() {
+        0 => "the data set lists no log",
+        _ => "no log can be used",
+    };
+    StepError::Numerical { step: "diagnosis", what: format!("{what}; list one in dataset.toml") }
+}
+
+/// What is said where gaps cost a good part of a log.
+fn lost(trace: &Trace, stretches: &[Stretch]) -> Option<String> {
+    const WORTH_TELLING: f64 = 0.9;
+    let whole_s = trace.time_s.last()? - trace.time_s.first()?;
+    let used_s: f64 = stretches.iter().map(Stretch::duration_s).sum();
+    (used_s < WORTH_TELLING * whole_s).then(|| {
+        format!("{}: gaps leave {used_s:.1} s of {whole_s:.1} s that can be used", trace.file)
+    })
+}
+
+/// A stretch as one to train on and one held out, where it is long enough.
+fn parted(stretch: Stretch) -> Vec<Stretch> {
+    if stretch.duration_s() < SHORTEST_TO_PART_S {
+        return vec![Stretch { role: Role::Train, ..stretch }];
+    }
+    let cut = ((1.0 - HELD_OUT) * stretch.len() as f64) as usize;
+    let train = Stretch { role: Role::Train, ..stretch.part(0..cut) };
+    let holdout = Stretch { role: Role::Holdout, ..stretch.part(cut..stretch.len()) };
+    vec![train, holdout]
+}
+
+/// Takes out the jumps of an encoder that wraps after a turn.
+fn unwrap(file: &str, joint: &mut JointTrace) -> Option<String> {
+    use std::f64::consts::{PI, TAU};
+    let (mut turns, mut wraps) = (0.0, 0);
+    for k in 1..joint.q_rad.len() {
+        let step = joint.q_rad[k] + turns - joint.q_rad[k - 1];
+        if step.abs() > PI && (step.abs() / TAU).fract() - 0.5 != 0.0 {
+            let jump = (step / TAU).round() * TAU;
+            if (step - jump).abs() < 0.5 {
+                turns -= jump;
+                wraps += 1;
+            }
+        }
+        joint.q_rad[k] += turns;
+    }
+    (wraps > 0).then(|| {
+        format!("{file}: q{} wraps {wraps} times; it was taken as turning on", joint.number)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_encoder_that_wraps_turns_on() {
+        let turning: Vec<f64> = (0..400).map(|k| 0.05 * f64::from(k)).collect();
+        let mut joint = JointTrace {
+            number: 2,
+            q_rad: turning.iter().map(|q| q.rem_euclid(std::f64::consts::TAU)).collect(),
+            command_v: Vec::new(),
+            reference_rad: None,
+        };
+        assert!(unwrap("log.csv", &mut joint).unwrap().contains("wraps 3 times"));
+        let error =
+            turning.iter().zip(&joint.q_rad).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(error < 1e-9, "{error}");
+        assert_eq!(unwrap("log.csv", &mut joint), None);
+    }
+}

@@ -1,0 +1,303 @@
+//! From the selection to the report.
+
+use std::collections::BTreeMap;
+
+use super::motion_gap::drift_rms_rad;
+use crate::fit::fit::{fit, fit_held};
+use crate::fit::linearisation::Linearisation;
+use crate::fit::preparation::as_given;
+use crate::fit::residual_stats::PRIOR_PENALTY;
+use crate::fit::residual_stats::ResidualStats;
+use crate::logs::subject::Subject;
+use crate::report::sentence;
+use crate::rows::evidence::{Evidence, Rows};
+use crate::rows::noise::NoiseByRate;
+use crate::search::selection::{Rivalry, Selection};
+use crate::trial::voltage::{EffectInstance, Hypothesis, Trial, at_samples};
+use crate::verdict::judgement::{confidence, verdict};
+use crate::verdict::shrinkage::{Shrinkage, held_out_floor_v, held_out_rms_v, noise_floor_v};
+use crate::verdict::{detectable, misfit};
+use crate::*;
+use files::{EffectTable, RobotFile};
+use recordings::Trace;
+
+/// All that the report is made of.
+pub struct Assembly<'a> {
+    /// What is diagnosed.
+    pub subject: &'a Subject,
+    /// The rows.
+    pub evidence: &'a Evidence,
+    /// The models, step by step.
+    pub selection: &'a Selection,
+    /// The logs.
+    pub traces: &'a [Trace],
+    /// Noise in what the last model leaves.
+    pub noise: NoiseByRate,
+}
+
+/// Steps of a fit without one of the causes.
+const STEPS: usize = 4;
+
+impl Assembly<'_> {
+    /// The whole diagnosis.
+    pub fn diagnosis(&self, file: &RobotFile, mut remarks: Vec<String>) -> Diagnosis {
+        let verdict = verdict(self.selection);
+        let named = verdict == Verdict::Effect;
+        let steps = &self.selection.steps;
+        let given = self.evidence.residual(&as_given(self.subject), &self.evidence.joints);
+        let refitted = self.within_doubt(&steps[0].linear);
+        let last = if named { &steps[steps.len() - 1].linear } else { &refitted };
+        let logs = self.logs(&given, &refitted.residual, &last.residual);
+        let (detectable, untestable) =
+            detectable::detectable(&steps[0].linear, self.evidence, self.subject);
+        let (causes, alternatives) =
+            if named { self.causes(&refitted, last) } else { Default::default() };
+        remarks.extend(misfit::remark(self.subject, self.evidence, &steps[0].linear, verdict));
+        let report = Report {
+            format: 1,
+            verdict,
+            causes,
+            alternatives,
+            places: places(&logs),
+            gap: self.gap(&given, &refitted, last),
+            untestable,
+            detectable,
+            remarks,
+        };
+        let waterfall = self.waterfall(&given, &refitted, named);
+        let model = self.amended(file, &last.hypothesis);
+        Diagnosis { report, logs, waterfall, rivals: self.rivals(named), model }
+    }
+
+    /// The refitted model, its parameters no further than three deviations from what is
+    /// known of them: what a model's own doubt can explain, and no more.
+    fn within_doubt(&self, free: &Linearisation) -> Linearisation {
+        let rest = ResidualStats::of(self.evidence, free);
+        let held = (rest.prior_penalty > PRIOR_PENALTY)
+            .then(|| fit_held(self.evidence, self.subject, free.hypothesis.clone()))
+            .flatten();
+        held.unwrap_or_else(|| free.clone())
+    }
+
+    fn gap(&self, given: &Rows, refitted: &Linearisation, last: &Linearisation) -> Gap {
+        Gap {
+            as_given_v: held_out_rms_v(self.evidence, given),
+            refitted_v: held_out_rms_v(self.evidence, &refitted.residual),
+            with_effects_v: held_out_rms_v(self.evidence, &last.residual),
+            noise_floor_v: held_out_floor_v(self.evidence, &self.noise),
+            refitted_rad: drift_rms_rad(self.evidence, &refitted.hypothesis),
+            with_effects_rad: drift_rms_rad(self.evidence, &last.hypothesis),
+        }
+    }
+
+    fn waterfall(&self, given: &Rows, refitted: &Linearisation, named: bool) -> Vec<Level> {
+        let level = |name: &str, rows: &Rows| Level {
+            name: name.into(),
+            rms_v: held_out_rms_v(self.evidence, rows),
+        };
+        let mut levels = vec![level("as given", given), level("refitted", &refitted.residual)];
+        for step in self.selection.steps.iter().skip(1).filter(|_| named) {
+            let Some(effect) = step.linear.hypothesis.effects.last() else { continue };
+            let name = format!(
+                "with {}, {}",
+                sentence::effect_words(effect.definition.name),
+                sentence::joint_words(self.subject.outer_joint(effect.joint))
+            );
+            levels.push(level(&name, &self.within_doubt(&step.linear).residual));
+        }
+        let rms_v = held_out_floor_v(self.evidence, &self.noise);
+        levels.push(Level { name: "noise".into(), rms_v });
+        levels
+    }
+
+    fn causes(
+        &self,
+        refitted: &Linearisation,
+        last: &Linearisation,
+    ) -> (Vec<Cause>, Vec<Alternative>) {
+        let known = self.subject.known_effects.len();
+        let added = last.hypothesis.effects.len() - known;
+        let mut causes = Vec::new();
+        let mut alternatives = Vec::new();
+        for index in 0..added {
+            let effect = &last.hypothesis.effects[known + index];
+            let without = (added > 1).then(|| self.without(last, known + index)).flatten();
+            let before = without.as_ref().unwrap_or(refitted);
+            let joints = match effect.joint {
+                0 => self.evidence.joints.clone(),
+                joint => vec![usize::from(joint) - 1],
+            };
+            let shrinkage = Shrinkage::of(self.evidence, &joints, &before.residual, &last.residual);
+            let (sure, others) = confidence(self.selection, index, self.subject);
+            alternatives.extend(others);
+            causes.push(Cause {
+                effect: effect.definition.name.into(),
+                joint: self.subject.outer_joint(effect.joint),
+                parameters: parameters(effect),
+                confidence: sure,
+                shrinkage: shrinkage.value,
+                shrinkage_interval: shrinkage.interval,
+            });
+        }
+        let named = |other: &Alternative| {
+            causes.iter().any(|c| c.effect == other.effect && c.joint == other.joint)
+        };
+        alternatives.retain(|other| !named(other));
+        (causes, alternatives)
+    }
+
+    /// The model without one of its causes, within its doubt.
+    fn without(&self, last: &Linearisation, index: usize) -> Option<Linearisation> {
+        let mut hypothesis = last.hypothesis.clone();
+        hypothesis.effects.remove(index);
+        let free = fit(self.evidence, self.subject, hypothesis, STEPS)?;
+        Some(self.within_doubt(&free))
+    }
+
+    fn rivals(&self, named: bool) -> Vec<Rival> {
+        let steps = &self.selection.steps;
+        let rival = |rivalry: &Rivalry| {
+            let before = &steps[rivalry.round.min(steps.len() - 1)].rest;
+            let explained = match before.excess > 0.0 {
+                true => 1.0 - rivalry.rest.excess / before.excess,
+                false => 1.0 - rivalry.rest.prior_penalty / before.prior_penalty.max(1.0),
+            };
+            Rival {
+                effect: rivalry.candidate.effect.definition.name.into(),
+                joint: self.subject.outer_joint(rivalry.candidate.effect.joint),
+                parameters: parameters(&rivalry.candidate.effect),
+                explained: explained.clamp(0.0, 1.0),
+                why: self.why_lost(rivalry, named),
+            }
+        };
+        let mut rivals: Vec<Rival> = self.selection.rivals.iter().map(rival).collect();
+        if !named {
+            rivals.extend(self.taken_in_vain());
+        }
+        rivals.sort_by(|a, b| b.explained.total_cmp(&a.explained));
+        rivals
+    }
+
+    fn why_lost(&self, rivalry: &Rivalry, named: bool) -> String {
+        let steps = &self.selection.steps;
+        let left = format!("leaves up to {:.1} times the noise", rivalry.rest.worst());
+        let Some(step) = steps.get(rivalry.round + 1).filter(|_| named) else { return left };
+        let Some(taken) = step.linear.hypothesis.effects.last() else { return left };
+        let ratio = (rivalry.rest.rows / step.rest.rows).sqrt();
+        format!(
+            "{left}, in all {ratio:.1} times what {} leaves",
+            sentence::effect_words(taken.definition.name)
+        )
+    }
+
+    /// Effects that were taken, but did not explain enough to be named.
+    fn taken_in_vain(&self) -> Vec<Rival> {
+        let first = &self.selection.steps[0].rest;
+        let rival = |step: &selection::Step| {
+            let effect = step.linear.hypothesis.effects.last()?;
+            Some(Rival {
+                effect: effect.definition.name.into(),
+                joint: self.subject.outer_joint(effect.joint),
+                parameters: parameters(effect),
+                explained: (1.0 - step.rest.excess / first.excess.max(1.0)).clamp(0.0, 1.0),
+                why: format!(
+                    "even with it, up to {:.1} times the noise are left",
+                    step.rest.worst()
+                ),
+            })
+        };
+        self.selection.steps.iter().skip(1).filter_map(rival).collect()
+    }
+
+    fn logs(&self, given: &Rows, refitted: &Rows, last: &Rows) -> Vec<LogResiduals> {
+        let hypothesis = &self.selection.steps[0].linear.hypothesis;
+        let of_stretch = |s: usize| {
+            let stretch = &self.evidence.stretches[s];
+            let trial = Trial::of(stretch, hypothesis);
+            let filter = self.evidence.filter(self.evidence.joints[0], s);
+            let instants: Vec<usize> = filter.instants(stretch.len()).collect();
+            let joint = |(&joint, &number): (&usize, &u8)| {
+                let range = self.evidence.ranges(joint)[s].clone();
+                let floor_v = self.evidence.floor_v(joint, s);
+                let volts = |rows: &Rows| -> Vec<f64> {
+                    rows[joint][range.clone()].iter().map(|row| floor_v * row).collect()
+                };
+                let at = |signal: &[f64]| instants.iter().map(|&k| signal[k]).collect();
+                let command = at_samples(&stretch.command_v[joint]);
+                JointResiduals {
+                    joint: number,
+                    position_rad: at(&stretch.motion.q_rad[joint]),
+                    velocity_rad_per_s: at(&stretch.motion.qd_rad_per_s[joint]),
+                    acceleration_rad_per_s2: at(
+                        &filter.smooth(&stretch.motion.qdd_rad_per_s2[joint])
+                    ),
+                    load_nm: at(&trial.load_nm(joint)),
+                    command_v: filter.rows(&command),
+                    given_v: volts(given),
+                    refitted_v: volts(refitted),
+                    with_effects_v: volts(last),
+                    noise_floor_v: noise_floor_v(self.evidence, &self.noise, joint, s),
+                }
+            };
+            let joints = self.evidence.joints.iter().zip(&self.subject.numbers);
+            LogResiduals {
+                file: self.traces[stretch.log].file.clone(),
+                role: stretch.role,
+                time_s: instants
+                    .iter()
+                    .map(|&k| stretch.start_s + k as f64 * stretch.period_s)
+                    .collect(),
+                joints: joints.map(joint).collect(),
+            }
+        };
+        (0..self.evidence.stretches.len()).map(of_stretch).collect()
+    }
+
+    /// The model file with refitted parameters and the effects.
+    fn amended(&self, file: &RobotFile, hypothesis: &Hypothesis) -> RobotFile {
+        let mut amended = self.subject.retuned_file(file, &hypothesis.robot);
+        amended.effects = hypothesis
+            .effects
+            .iter()
+            .map(|effect| EffectTable {
+                effect: effect.definition.name.into(),
+                joint: self.subject.outer_joint(effect.joint),
+                parameters: parameters(effect)
+                    .into_iter()
+                    .map(|(name, value)| (name, as_toml(value)))
+                    .collect(),
+                ..EffectTable::default()
+            })
+            .collect();
+        amended
+    }
+}
+
+/// An effect's parameters by name, components of a vector together.
+fn parameters(effect: &EffectInstance) -> BTreeMap<String, Value> {
+    let mut all = BTreeMap::<String, Value>::new();
+    for (parameter, &value) in effect.definition.parameters.iter().zip(&effect.values) {
+        if parameter.optional && value == 0.0 {
+            continue;
+        }
+        let entry = match all.remove(parameter.name) {
+            None => Value::Number(value),
+            Some(Value::Number(first)) => Value::Vector(vec![first, value]),
+            Some(Value::Vector(mut values)) => {
+                values.push(value);
+                Value::Vector(values)
+            }
+        };
+        all.insert(parameter.name.into(), entry);
+    }
+    all
+}
+
+fn as_toml(value: Value) -> toml::Value {
+    match value {
+        Value::Number(number) => toml::Value::Float(number),
+        Value::Vector(values) => {
+            toml::Value::Array(values.into_iter().map(toml::Value::Float).collect())
+        }
+    }
+}

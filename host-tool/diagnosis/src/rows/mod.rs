@@ -1,0 +1,5 @@
+//! Filtered, whitened rows, and the noise in them.
+
+pub mod evidence;
+pub mod noise;
+pub mod row_filter;

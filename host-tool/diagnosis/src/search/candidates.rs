@@ -1,0 +1,171 @@
+//! Every effect on every joint, tried in a model.
+
+use rayon::prelude::*;
+
+use super::candidate::Candidate;
+use super::harmonics;
+use crate::fit::linearisation::{Linearisation, Which};
+use crate::logs::subject::Subject;
+use crate::rows::evidence::Evidence;
+use crate::trial::voltage::{EffectInstance, Trial};
+use rig::effects::{CATALOGUE, Definition, Search, Typical};
+use signal::rms;
+
+/// Harmonics that are followed up of those that look best.
+const HARMONICS: usize = 3;
+/// Most steps of a search.
+const MOST_STEPS: usize = 8;
+/// The same for springs, whose values are far from linear.
+const SPRING_STEPS: usize = 14;
+/// A link with play that is kept on its track hides up to two fifths of the squares of
+/// whatever is missed, so play must leave less than this part of them.
+const LEFT_BY_BACKLASH: f64 = 0.6;
+/// Starts of one effect that are searched from.
+const BEST_STARTS: usize = 2;
+/// Effects that promise less than this part of the best one's promise are not searched.
+const WORTH_IT: f64 = 0.08;
+/// Nor are those that promise less than this part of what is left.
+const WORTH_A_LOOK: f64 = 0.001;
+
+/// The best of every effect on every joint that is worth a search, the best first.
+pub fn candidates(
+    linear: &Linearisation,
+    evidence: &Evidence,
+    subject: &Subject,
+) -> Vec<Candidate> {
+    let starts: Vec<Vec<Start>> = places_open(subject, &linear.hypothesis.effects)
+        .par_iter()
+        .map(|&(definition, joint)| starts(linear, evidence, subject, definition, joint))
+        .collect();
+    let promised = starts.iter().flatten().map(|start| start.gain).fold(0.0, f64::max);
+    let least = (WORTH_IT * promised).max(WORTH_A_LOOK * linear.score().train);
+    let mut found: Vec<Candidate> = starts
+        .into_par_iter()
+        .filter_map(|starts| searched(linear, evidence, starts, least))
+        .collect();
+    found.sort_by(|a, b| a.score.total().total_cmp(&b.score.total()));
+    found
+}
+
+/// Where a search may begin, and what it promises.
+#[derive(Clone, Debug)]
+pub(crate) struct Start {
+    /// The effect with its starting values.
+    pub effect: EffectInstance,
+    /// What the change of rows would gain if it were scaled as suits best.
+    pub gain: f64,
+}
+
+/// Effects and the joints that they can act on.
+pub(crate) fn places(subject: &Subject) -> Vec<(&'static Definition, u8)> {
+    let joints: Vec<u8> = subject.joints.iter().map(|&joint| joint as u8 + 1).collect();
+    let of = |definition: &'static Definition| -> Vec<(&'static Definition, u8)> {
+        match definition.whole_robot {
+            true => vec![(definition, 0)],
+            false => joints.iter().map(|&joint| (definition, joint)).collect(),
+        }
+    };
+    CATALOGUE.into_iter().flat_map(of).collect()
+}
+
+/// Those that a model with effects leaves: a second spring on a joint would only be the first
+/// one searched for again.
+pub(crate) fn places_open(
+    subject: &Subject,
+    effects: &[EffectInstance],
+) -> Vec<(&'static Definition, u8)> {
+    let mut places = places(subject);
+    places.retain(|&(definition, joint)| {
+        let same = |e: &EffectInstance| e.definition.name == definition.name && e.joint == joint;
+        let alone = matches!(definition.search, Search::From(_));
+        !(alone && effects.iter().any(same))
+    });
+    places
+}
+
+/// The most promising starts of an effect, the best first.
+pub(crate) fn starts(
+    linear: &Linearisation,
+    evidence: &Evidence,
+    subject: &Subject,
+    definition: &'static Definition,
+    joint: u8,
+) -> Vec<Start> {
+    let values = match definition.search {
+        Search::From(starts) => starts(&typical(linear, evidence, subject, joint)),
+        Search::Harmonics(carrier) => {
+            let joint = usize::from(joint) - 1;
+            harmonics::best(linear, evidence, joint, carrier, HARMONICS)
+                .into_iter()
+                .map(|h| vec![h.amplitude, h.order as f64, h.phase_rad])
+                .collect()
+        }
+    };
+    let mut starts: Vec<Start> = values
+        .into_iter()
+        .map(|values| EffectInstance { definition, joint, values })
+        .map(|effect| Start { gain: promise(linear, evidence, &effect), effect })
+        .collect();
+    starts.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+    starts.truncate(BEST_STARTS);
+    starts
+}
+
+/// What the change of rows by an effect would gain if it were scaled as suits best.
+pub(crate) fn promise(linear: &Linearisation, evidence: &Evidence, effect: &EffectInstance) -> f64 {
+    let change = linear.change_by(evidence, effect, Which::OWN);
+    let (gradient, curvature) = linear.along(&Default::default(), &[change]);
+    gradient[0] * gradient[0] / curvature[(0, 0)].max(1e-12)
+}
+
+/// The best that an effect's starts lead to; none where they promise too little.
+fn searched(
+    linear: &Linearisation,
+    evidence: &Evidence,
+    starts: Vec<Start>,
+    least: f64,
+) -> Option<Candidate> {
+    starts
+        .into_iter()
+        .filter(|start| start.gain > least)
+        .map(|start| {
+            let begun = Candidate::of(linear, evidence, start.effect, Which::TRAIN).0;
+            let steps = if begun.effect.is_spring() { SPRING_STEPS } else { MOST_STEPS };
+            begun.refined(linear, evidence, steps, Which::TRAIN)
+        })
+        .min_by(|a, b| a.score.train.total_cmp(&b.score.train))
+        .filter(|best| {
+            let most = if best.effect.has_backlash() { LEFT_BY_BACKLASH } else { f64::INFINITY };
+            best.score.train < most * linear.score().train
+        })
+        .map(|best| Candidate::of(linear, evidence, best.effect, Which::ALL).0)
+}
+
+/// What is typical of a joint (1 to 3, or 0 for the whole robot) in these logs.
+pub(crate) fn typical(
+    linear: &Linearisation,
+    evidence: &Evidence,
+    subject: &Subject,
+    joint: u8,
+) -> Typical {
+    let joint = usize::from(joint.max(1)) - 1;
+    let robot = &linear.hypothesis.robot;
+    let all = |signal: fn(&crate::logs::stretch::Stretch, usize) -> &[f64]| {
+        evidence.stretches.iter().flat_map(move |stretch| signal(stretch, joint)).copied()
+    };
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(1e-9, f64::max);
+    let angles: Vec<f64> = all(|s, j| &s.motion.q_rad[j]).collect();
+    let load: Vec<f64> = evidence
+        .stretches
+        .iter()
+        .flat_map(|stretch| Trial::of(stretch, &linear.hypothesis).load_nm(joint))
+        .collect();
+    Typical {
+        command_v: largest(&mut all(|s, j| &s.command_v[j])),
+        friction_v: robot.friction[joint].alpha0_v,
+        load_nm: rms(&load).max(1e-6),
+        speed_rad_per_s: largest(&mut all(|s, j| &s.motion.qd_rad_per_s[j])),
+        position_rad: angles.iter().sum::<f64>() / angles.len().max(1) as f64,
+        inertia_kg_m2: subject.inertia_kg_m2(joint),
+    }
+}

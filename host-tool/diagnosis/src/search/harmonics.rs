@@ -1,0 +1,137 @@
+//! Which harmonics of the angle an effect may have.
+//!
+//! Every harmonic is tried with sine and cosine, everything open retuned. To be quick, the
+//! filter is taken as its gain at the momentary frequency of the harmonic, row by row.
+
+use model::{FrictionState, Robot};
+use rayon::prelude::*;
+
+use crate::fit::linearisation::Linearisation;
+use crate::rows::evidence::{Evidence, Rows};
+use rig::effects::Carrier;
+
+/// Highest harmonic per turn that is tried.
+pub const HIGHEST: usize = 100;
+
+/// A harmonic with the amplitude and the phase that suit it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Harmonic {
+    /// Per turn.
+    pub order: usize,
+    /// Amplitude in units of the carrier.
+    pub amplitude: f64,
+    /// Phase of its sine [rad].
+    pub phase_rad: f64,
+    /// What it takes off the train score.
+    pub gain: f64,
+}
+
+/// The harmonics of a joint's angle that gain most with this carrier, the best first.
+pub fn best(
+    linear: &Linearisation,
+    evidence: &Evidence,
+    joint: usize,
+    carrier: Carrier,
+    most: usize,
+) -> Vec<Harmonic> {
+    let rows = JointRows::of(evidence, linear, joint, carrier);
+    let mut found: Vec<Harmonic> = (1..=HIGHEST)
+        .into_par_iter()
+        .filter_map(|order| rows.harmonic(linear, joint, order))
+        .collect();
+    found.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+    found.truncate(most);
+    found
+}
+
+/// A joint's rows as the search needs them.
+struct JointRows {
+    q_rad: Vec<f64>,
+    speed_rad_per_s: Vec<f64>,
+    /// The carrier, filtered and in units of noise.
+    carrier: Vec<f64>,
+    /// Gain of the row filter by order times speed, in steps of one Hz, by stretch.
+    gains: Vec<Vec<f64>>,
+    ranges: Vec<std::ops::Range<usize>>,
+    train: usize,
+}
+
+impl JointRows {
+    fn of(evidence: &Evidence, linear: &Linearisation, joint: usize, carrier: Carrier) -> Self {
+        let mut rows = Self {
+            q_rad: Vec::new(),
+            speed_rad_per_s: Vec::new(),
+            carrier: Vec::new(),
+            gains: Vec::new(),
+            ranges: evidence.ranges(joint),
+            train: linear.train_rows(joint),
+        };
+        for (s, stretch) in evidence.stretches.iter().enumerate() {
+            let filter = evidence.filter(joint, s);
+            for k in filter.instants(stretch.len()) {
+                rows.q_rad.push(stretch.motion.q_rad[joint][k]);
+                rows.speed_rad_per_s.push(stretch.motion.qd_rad_per_s[joint][k].abs());
+            }
+            let signal = match carrier {
+                Carrier::Unity => vec![1.0; stretch.len()],
+                Carrier::Command => stretch.command_v[joint].clone(),
+                Carrier::Friction => friction_level(
+                    &linear.hypothesis.robot,
+                    joint,
+                    &stretch.motion.qd_rad_per_s[joint],
+                    stretch.period_s,
+                ),
+            };
+            rows.carrier.extend(evidence.weighted(s, joint, &signal));
+            let nyquist_hz = (0.5 / stretch.period_s) as usize;
+            rows.gains.push((0..=nyquist_hz).map(|f| filter.gain(f as f64)).collect());
+        }
+        rows
+    }
+
+    fn harmonic(&self, linear: &Linearisation, joint: usize, order: usize) -> Option<Harmonic> {
+        let (sine, cosine) = self.columns(order);
+        let as_rows = |column: Vec<f64>| {
+            let mut rows: Rows = Default::default();
+            rows[joint] = column;
+            rows
+        };
+        let slopes = [as_rows(sine), as_rows(cosine)];
+        let (gradient, curvature) = linear.along(&Rows::default(), &slopes);
+        let trace = curvature.trace();
+        let solution = -curvature.clone().lu().solve(&gradient)?;
+        let useful = curvature.determinant() > 1e-6 * trace * trace && trace > 1.0;
+        useful.then(|| Harmonic {
+            order,
+            amplitude: solution.norm(),
+            phase_rad: solution[1].atan2(solution[0]),
+            gain: -solution.dot(&gradient),
+        })
+    }
+
+    /// Rows of the carrier times sine and cosine of the harmonic.
+    fn columns(&self, order: usize) -> (Vec<f64>, Vec<f64>) {
+        let mut sine = vec![0.0; self.q_rad.len()];
+        let mut cosine = sine.clone();
+        for (range, gains) in self.ranges.iter().zip(&self.gains) {
+            if range.start >= self.train {
+                break;
+            }
+            for k in range.clone() {
+                let frequency_hz = order as f64 * self.speed_rad_per_s[k] / std::f64::consts::TAU;
+                let gain = gains.get(frequency_hz as usize).copied().unwrap_or(0.0);
+                let (s, c) = (order as f64 * self.q_rad[k]).sin_cos();
+                sine[k] = self.carrier[k] * gain * s;
+                cosine[k] = self.carrier[k] * gain * c;
+            }
+        }
+        (sine, cosine)
+    }
+}
+
+/// Friction without its viscous part, as it adds to the net voltage.
+fn friction_level(robot: &Robot<f64>, joint: usize, v: &[f64], period_s: f64) -> Vec<f64> {
+    let friction = model::Friction { alpha2_v_s_per_rad: 0.0, ..robot.friction[joint] };
+    let mut bend = FrictionState::default();
+    v.iter().map(|&v| -bend.step(&friction, v, period_s)).collect()
+}

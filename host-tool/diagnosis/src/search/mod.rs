@@ -1,0 +1,7 @@
+//! Every effect on every joint, one after the other.
+
+pub mod candidate;
+pub mod candidates;
+pub mod harmonics;
+pub mod restart;
+pub mod selection;

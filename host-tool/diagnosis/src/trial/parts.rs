@@ -1,0 +1,74 @@
+//! What a model's equation consists of along a stretch, and how it changes with an effect.
+
+use super::link_motion::Felt;
+use super::voltage::{EffectInstance, Same, Trial, at_samples};
+use rig::effects::Touches;
+
+/// The equation of a joint over a stretch, on the log's clock [V].
+#[derive(Clone, Default)]
+pub struct Parts {
+    /// What drives the joint, by intervals.
+    pub drive: Vec<f64>,
+    /// Friction, by intervals.
+    pub friction: Vec<f64>,
+    /// Drive less friction, by intervals.
+    pub net: Vec<f64>,
+    /// What the rigid body needs, by samples.
+    pub needed: Vec<f64>,
+    /// What the joint feels of the rest of the arm, by samples.
+    felt: Vec<Felt>,
+}
+
+impl Parts {
+    /// Those of a model under trial.
+    pub fn of(trial: &Trial, joint: usize) -> Self {
+        let drive = trial.drive(joint);
+        let friction = trial.friction(joint, trial.robot());
+        let net = drive.iter().zip(&friction).map(|(drive, friction)| drive - friction).collect();
+        let (needed, felt) = (trial.needed(joint).to_vec(), trial.felt(joint));
+        Self { drive, friction, net, needed, felt }
+    }
+
+    /// Change of the residual at the samples when a trial takes these parts' place.
+    pub fn change_to(&self, trial: &Trial, joint: usize, touches: Touches) -> Vec<f64> {
+        let mut net = vec![0.0; self.drive.len()];
+        let mut add = |after: Vec<f64>, before: &[f64], sign: f64| {
+            let both = after.iter().zip(before);
+            net.iter_mut().zip(both).for_each(|(net, (a, b))| *net += sign * (a - b));
+        };
+        if touches.drive {
+            add(trial.drive(joint), &self.drive, 1.0);
+        }
+        if touches.friction {
+            add(trial.friction(joint, trial.robot()), &self.friction, -1.0);
+        }
+        let mut change = at_samples(&net);
+        if touches.body {
+            let both = trial.needed(joint).iter().zip(&self.needed);
+            change.iter_mut().zip(both).for_each(|(change, (a, b))| *change -= a - b);
+        }
+        change
+    }
+}
+
+/// What these parts share with those of a model that differs in `effect`: nothing unless
+/// that is a spring.
+pub fn same<'a>(parts: &'a [Parts; 3], effect: &EffectInstance) -> Option<Same<'a>> {
+    effect.is_spring().then(|| Same {
+        felt: [0, 1, 2].map(|joint| &parts[joint].felt[..]),
+        net_v: [0, 1, 2].map(|joint| &parts[joint].net[..]),
+    })
+}
+
+/// What an effect changes in the equation of a model that has others too.
+pub fn touched(effect: &EffectInstance, others: &[EffectInstance]) -> Touches {
+    let mut touches = effect.definition.touches;
+    let moves_others = touches.body && !effect.is_spring() && !others.is_empty();
+    // What is in the model already may feel a body or a motion that changes.
+    touches.drive |= moves_others;
+    touches.friction |= moves_others;
+    // A link with play is kept on its track by what drives its motor.
+    let meets = |other: &EffectInstance| effect.joint == 0 || effect.joint == other.joint;
+    touches.body |= others.iter().any(|other| other.has_backlash() && meets(other));
+    touches
+}

@@ -1,0 +1,136 @@
+//! The smallest size of each effect that these logs would have shown, and what they cannot
+//! show.
+
+use rayon::prelude::*;
+
+use crate::fit::linearisation::{Linearisation, Which};
+use crate::fit::residual_stats::OWN_RATIO;
+use crate::logs::subject::Subject;
+use crate::rows::evidence::{Evidence, Rows};
+use crate::search::candidates::{places, starts, typical};
+use crate::trial::voltage::EffectInstance;
+use crate::{Detectable, Untestable};
+use rig::effects::Definition;
+
+/// What the logs would have shown of an effect on a joint.
+struct Sight {
+    definition: &'static Definition,
+    joint: u8,
+    effect: EffectInstance,
+    /// Squares of the rows that a start of the effect changes, everything open retuned.
+    squares: f64,
+    change: Rows,
+}
+
+/// Pairs of effects that are alike where logs lack what tells them apart.
+const ALIKE: [(&str, &str); 7] = [
+    ("actuator_lag", "delay"),
+    ("dac_offset", "asymmetric_friction"),
+    ("dac_offset", "cable_spring"),
+    ("position_friction", "load_friction"),
+    ("torque_ripple", "cogging"),
+    ("quadratic_drag", "friction_drift"),
+    ("dead_zone", "torque_constant"),
+];
+/// Squared correlation from which two effects are not told apart.
+const SAME: f64 = 0.995;
+
+/// Smallest sizes, and what cannot be tested, for the model as it stands.
+pub fn detectable(
+    linear: &Linearisation,
+    evidence: &Evidence,
+    subject: &Subject,
+) -> (Vec<Detectable>, Vec<Untestable>) {
+    let sights: Vec<Sight> = places(subject)
+        .par_iter()
+        .filter_map(|&(definition, joint)| sight(linear, evidence, subject, definition, joint))
+        .collect();
+    let wanted = wanted_squares(evidence);
+    let mut seen = Vec::new();
+    let mut unseen = Vec::new();
+    for sight in &sights {
+        let outer = subject.outer_joint(sight.joint);
+        let size = smallest(sight, wanted);
+        let useless =
+            (sight.definition.size.useless)(&typical(linear, evidence, subject, sight.joint));
+        let useful = size.is_finite() && (size < useless) == sight.definition.size.grows;
+        if useful {
+            seen.push(Detectable {
+                effect: sight.definition.name.into(),
+                joint: outer,
+                parameter: sight.definition.parameters[0].name.into(),
+                size,
+            });
+        } else {
+            unseen.push(Untestable {
+                effect: sight.definition.name.into(),
+                joint: outer,
+                why: format!(
+                    "no log would show it below {:.2e} in {}; {} would",
+                    size, sight.definition.parameters[0].name, sight.definition.experiment
+                ),
+            });
+        }
+    }
+    unseen.extend(alike(linear, subject, &sights));
+    (seen, unseen)
+}
+
+/// Squares that lift a log's rest above what the method itself may leave.
+fn wanted_squares(evidence: &Evidence) -> f64 {
+    let joint = evidence.joints[0];
+    let mut counts: Vec<usize> =
+        (0..evidence.train_stretches()).map(|s| evidence.row_count(joint, s)).collect();
+    counts.sort_unstable();
+    let middle = counts.get(counts.len() / 2).copied().unwrap_or(1);
+    (OWN_RATIO * OWN_RATIO - 1.0) * middle as f64
+}
+
+fn sight(
+    linear: &Linearisation,
+    evidence: &Evidence,
+    subject: &Subject,
+    definition: &'static Definition,
+    joint: u8,
+) -> Option<Sight> {
+    let effect = starts(linear, evidence, subject, definition, joint).into_iter().next()?.effect;
+    let change = linear.change_by(evidence, &effect, Which::OWN);
+    let (_, curvature) = linear.along(&Rows::default(), std::slice::from_ref(&change));
+    Some(Sight { definition, joint, effect, squares: curvature[(0, 0)], change })
+}
+
+/// The first parameter at which the effect would change so many squares.
+fn smallest(sight: &Sight, wanted: f64) -> f64 {
+    let factor = (wanted / sight.squares.max(1e-300)).sqrt();
+    let value = sight.effect.values[0].abs();
+    match sight.definition.name {
+        // A limit shows where commands reach it at all.
+        "saturation" => value,
+        _ if sight.definition.size.grows => value * factor,
+        _ => value / factor,
+    }
+}
+
+fn alike(linear: &Linearisation, subject: &Subject, sights: &[Sight]) -> Vec<Untestable> {
+    let mut found = Vec::new();
+    for (a, b) in ALIKE {
+        for first in sights.iter().filter(|sight| sight.definition.name == a) {
+            let on = |s: &&Sight| s.definition.name == b && s.joint == first.joint;
+            let Some(second) = sights.iter().find(on) else { continue };
+            let both = [first.change.clone(), second.change.clone()];
+            let (_, c) = linear.along(&Rows::default(), &both);
+            let same = c[(0, 1)] * c[(0, 1)] / (c[(0, 0)] * c[(1, 1)]).max(1e-300);
+            if same > SAME {
+                found.push(Untestable {
+                    effect: b.into(),
+                    joint: subject.outer_joint(first.joint),
+                    why: format!(
+                        "these logs do not tell it from {a}; {} would",
+                        second.definition.experiment
+                    ),
+                });
+            }
+        }
+    }
+    found
+}
