@@ -4,8 +4,6 @@
 use files::{JointLog, Log, Position, RobotFile};
 use model::reference_robot::reference_robot;
 
-pub use test_support::data;
-
 #[cfg(unix)]
 pub mod at_board;
 
