@@ -2,13 +2,14 @@
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::process::Command;
 
 use anyhow::Result;
 use test_support::{IMAGE_VARIABLE, SKIPPED_VARIABLE};
 
 use crate::board::Board;
 use crate::check_elf;
-use crate::command::{cargo, run as run_command, say};
+use crate::command::{cargo, run as run_command, run_beside, say};
 use crate::emulator;
 use crate::firmware;
 use crate::image::Image;
@@ -19,17 +20,26 @@ use crate::workspace;
 pub fn run() -> Result<()> {
     let toolchain = FirmwareToolchain::find_or_make()?;
     emulator::ensure()?;
-    let image = build_and_check(&toolchain, Board::Qemu)?;
-    build_and_check(&toolchain, Board::Nucleo)?;
+    say("building the tests and the images");
+    let image = run_beside(tests().arg("--no-run"), || {
+        let image = build_and_check(&toolchain, Board::Qemu)?;
+        build_and_check(&toolchain, Board::Nucleo).and(Ok(image))
+    })?;
     run_tests(&image)
+}
+
+/// The tests of all packages.
+fn tests() -> Command {
+    let mut test = cargo("test");
+    test.args(["--quiet", "--release", "--workspace"]);
+    test
 }
 
 fn run_tests(image: &Image) -> Result<()> {
     say("running the tests of all packages");
     let list = workspace::target_dir().join("skipped-tests.txt");
     fs::write(&list, "")?;
-    let mut test = cargo("test");
-    test.args(["--quiet", "--release", "--workspace"]);
+    let mut test = tests();
     test.env(IMAGE_VARIABLE, image.path()).env(SKIPPED_VARIABLE, &list);
     run_command(&mut test)?;
     say(summary(&fs::read_to_string(list)?));
