@@ -157,7 +157,7 @@ fn bad_lists_are_refused_with_their_line() {
 #[test]
 fn collected_data_sets_are_read() {
     let sets = ["rig-1", "dfki-pendulum", "labelled/labelled-1"];
-    for path in sets.into_iter().filter_map(common::data) {
+    for path in sets.into_iter().filter_map(test_support::data) {
         let dataset = Dataset::read(&path).unwrap();
         let recordings = dataset.recordings().unwrap();
         assert_eq!(recordings.len(), dataset.entries.len());

@@ -6,15 +6,8 @@ use diagnosis::{Cause, Diagnosis, Value, Verdict, diagnose};
 use files::{Dataset, RobotFile};
 use recordings::Campaign;
 
-/// The labelled data, where it is there.
 fn labelled(number: u32) -> Option<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data/labelled");
-    let directory = root.join(format!("labelled-{number}"));
-    if !directory.exists() {
-        eprintln!("skipped: {} is not there", directory.display());
-        return None;
-    }
-    Some(directory)
+    test_support::data(&format!("labelled/labelled-{number}"))
 }
 
 fn diagnosis(directory: &Path) -> Diagnosis {

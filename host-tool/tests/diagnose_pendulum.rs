@@ -30,7 +30,7 @@ alpha2_V_s_per_rad = 0.009
 
 /// A part of one of the logs, as train log.
 fn part(name: &str, from_s: f64, to_s: f64) -> Option<Trace> {
-    let directory = common::data("dfki-pendulum")?;
+    let directory = test_support::data("dfki-pendulum")?;
     let list = format!(
         "format = 1\n[[log]]\nfile = \"{name}.csv.gz\"\nexperiment = \"task\"\nrole = \"train\"\n"
     );

@@ -153,7 +153,7 @@ fn with(
 
 #[test]
 fn the_recorded_rig_is_identified() {
-    let Some(directory) = common::data("rig-1") else { return };
+    let Some(directory) = test_support::data("rig-1") else { return };
     let truth = RobotFile::read(directory.join("truth.toml")).unwrap().robot().unwrap();
     let robot_file = RobotFile::read(directory.join("robot.toml")).unwrap();
     let campaign = Campaign::read(&Dataset::read(&directory).unwrap(), robot_file).unwrap();

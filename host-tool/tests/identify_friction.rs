@@ -26,7 +26,7 @@ fn within(name: &str, estimate: &Estimate, truth: f64, share: f64) {
 }
 
 fn rig_1() -> Option<(Vec<Trace>, Known, Robot<f64>)> {
-    let directory = common::data("rig-1")?;
+    let directory = test_support::data("rig-1")?;
     let dataset = Dataset::read(&directory).unwrap();
     let wanted = |entry: &Entry| {
         matches!(entry.experiment, Experiment::ConstantVelocity | Experiment::FrictionExcitation)

@@ -14,7 +14,7 @@ const PARTS_INERTIA: f64 = 0.147;
 const PARTS_GRAVITY: f64 = 0.305 * 9.81;
 
 fn identified() -> Option<OneJoint> {
-    let directory = common::data("dfki-pendulum")?;
+    let directory = test_support::data("dfki-pendulum")?;
     let dataset = Dataset::read(&directory).unwrap();
     let robot = RobotFile::read(directory.join("robot.toml")).unwrap();
     let campaign = Campaign::read(&dataset, robot).unwrap();

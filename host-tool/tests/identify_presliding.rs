@@ -132,7 +132,7 @@ fn print(found: &Presliding, truth: &Friction<f64>) {
 
 /// The campaign of the independent simulator and its truth.
 fn rig_1() -> Option<(Campaign, Robot<f64>)> {
-    let directory = common::data("rig-1")?;
+    let directory = test_support::data("rig-1")?;
     let robot_file = RobotFile::read(directory.join("robot.toml")).expect("rig-1's robot.toml");
     let truth = RobotFile::read(directory.join("truth.toml")).expect("rig-1's truth.toml");
     let dataset = Dataset::read(&directory).expect("rig-1's dataset.toml");

@@ -134,7 +134,7 @@ fn mcap_schemas_name_the_fields_that_messages_have() {
 #[test]
 fn measured_logs_survive_all_formats() {
     let logs = ["rig-1/task.csv.gz", "dfki-pendulum/identification.csv.gz"];
-    for path in logs.into_iter().filter_map(common::data) {
+    for path in logs.into_iter().filter_map(test_support::data) {
         let log = Log::read(path).unwrap();
         assert!(round_trip(&log, "log.mcap") == log);
         let read = round_trip(&log, "log.csv.gz");

@@ -273,12 +273,14 @@ fn values_that_were_never_in_a_file_have_errors_too() {
 #[test]
 fn collected_models_are_robots() {
     let models = (1..=6).map(|n| format!("labelled/labelled-{n}/model.toml"));
-    for path in models.chain(["rig-1/truth.toml".into()]).filter_map(|name| common::data(&name)) {
+    for path in
+        models.chain(["rig-1/truth.toml".into()]).filter_map(|name| test_support::data(&name))
+    {
         let file = RobotFile::read(path).unwrap();
         assert_eq!(round_trip(&file).0.robot().unwrap(), file.robot().unwrap());
     }
     for path in
-        ["rig-1/robot.toml", "dfki-pendulum/robot.toml"].into_iter().filter_map(common::data)
+        ["rig-1/robot.toml", "dfki-pendulum/robot.toml"].into_iter().filter_map(test_support::data)
     {
         RobotFile::read(path).unwrap();
     }

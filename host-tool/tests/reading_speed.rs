@@ -24,7 +24,7 @@ fn ten_minutes_of_three_joints_are_read_in_a_moment() {
 
 #[test]
 fn a_measured_campaign_is_read_in_a_moment() {
-    let Some(path) = common::data("rig-1") else { return };
+    let Some(path) = test_support::data("rig-1") else { return };
     let start = Instant::now();
     let recordings = Dataset::read(path).unwrap().recordings().unwrap();
     let rows: usize = recordings.iter().map(|recording| recording.log.len()).sum();

@@ -14,17 +14,7 @@ use rig::effects::Effect;
 use rig::{Plan, Rig, plan};
 use simulation::board::{Qemu, QemuSettings};
 
-/// The variable that holds the path of the firmware's image for QEMU.
-pub const IMAGE_VARIABLE: &str = "RRR_QEMU_FIRMWARE";
-
-/// The image's path; `None`, said on the terminal, where `cargo xtask test` has not set it.
-pub fn image() -> Option<PathBuf> {
-    let path = std::env::var_os(IMAGE_VARIABLE).map(PathBuf::from);
-    if path.is_none() {
-        eprintln!("skipped: {IMAGE_VARIABLE} is not set; `cargo xtask test` builds the image");
-    }
-    path
-}
+pub use test_support::image;
 
 /// The firmware in QEMU.
 ///

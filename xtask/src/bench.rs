@@ -1,6 +1,7 @@
 //! `cargo xtask bench`: the benchmarks of all packages.
 
 use anyhow::Result;
+use test_support::IMAGE_VARIABLE;
 
 use crate::board::Board;
 use crate::command::{cargo, run as run_command};
@@ -15,5 +16,5 @@ pub fn run(filter: &[&str]) -> Result<()> {
     let image = firmware::build(&toolchain, Board::Qemu)?;
     let mut bench = cargo("bench");
     bench.args(["--workspace", "--bench", "*", "--"]).args(filter);
-    run_command(bench.env(emulator::IMAGE_VARIABLE, image.path()))
+    run_command(bench.env(IMAGE_VARIABLE, image.path()))
 }

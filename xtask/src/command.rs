@@ -31,6 +31,15 @@ pub fn run(command: &mut Command) -> Result<()> {
     Ok(())
 }
 
+/// Runs a program, and does something else in the meantime.
+pub fn run_beside<T>(command: &mut Command, other: impl FnOnce() -> Result<T>) -> Result<T> {
+    thread::scope(|scope| {
+        let running = scope.spawn(|| run(command));
+        let done = other();
+        running.join().expect("running a program does not panic").and(done)
+    })
+}
+
 /// Runs a program and returns what it printed, with no blanks around it.
 pub fn capture(command: &mut Command) -> Result<String> {
     let Output { status, stdout, stderr } =
@@ -95,6 +104,14 @@ mod tests {
         assert!(succeeds_within(Duration::from_secs(10), &mut Command::new("true")));
         assert!(!succeeds_within(Duration::from_secs(10), &mut Command::new("false")));
         assert!(!succeeds_within(Duration::from_secs(10), &mut Command::new("no-such-program")));
+    }
+
+    #[test]
+    fn what_fails_of_two_is_told() {
+        let beside = |program, value: Result<u8>| run_beside(&mut Command::new(program), || value);
+        assert_eq!(beside("true", Ok(1)).unwrap(), 1);
+        assert!(beside("false", Ok(1)).is_err());
+        assert!(beside("true", Err(anyhow::anyhow!("no"))).is_err());
     }
 
     #[test]

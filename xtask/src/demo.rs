@@ -3,7 +3,7 @@
 use anyhow::Result;
 
 use crate::board::Board;
-use crate::command::{cargo, run as run_command, say};
+use crate::command::{cargo, run as run_command, run_beside, say};
 use crate::emulator;
 use crate::firmware;
 use crate::toolchain::FirmwareToolchain;
@@ -13,10 +13,11 @@ use crate::workspace;
 pub fn run() -> Result<()> {
     let toolchain = FirmwareToolchain::find_or_make()?;
     emulator::ensure()?;
-    let image = firmware::build(&toolchain, Board::Qemu)?;
-    say("building the host tool and running `rrr demo`");
-    let mut rrr = cargo("run");
-    rrr.args(["--quiet", "--release", "--package", "host-tool", "--bin", "rrr", "--"]);
-    rrr.arg("demo").arg("--firmware").arg(image.path());
-    run_command(rrr.arg("--out").arg(workspace::target_dir().join("demo")))
+    say("building the host tool and the image");
+    let rrr = ["--quiet", "--release", "--package", "host-tool", "--bin", "rrr"];
+    let image = run_beside(cargo("build").args(rrr), || firmware::build(&toolchain, Board::Qemu))?;
+    say("running `rrr demo`");
+    let mut demo = cargo("run");
+    demo.args(rrr).args(["--", "demo", "--firmware"]).arg(image.path());
+    run_command(demo.arg("--out").arg(workspace::target_dir().join("demo")))
 }

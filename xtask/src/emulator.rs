@@ -8,9 +8,6 @@ use crate::command::{find_program, run as run_command};
 use crate::image::Image;
 use crate::packages;
 
-/// Tells tests and benchmarks which image to run.
-pub const IMAGE_VARIABLE: &str = "RRR_QEMU_FIRMWARE";
-
 const QEMU: &str = "qemu-system-arm";
 
 /// Installs QEMU where it is missing.

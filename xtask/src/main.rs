@@ -16,6 +16,7 @@ mod lint;
 mod packages;
 mod setup;
 mod soak;
+mod source;
 mod test;
 mod thumb;
 mod toolchain;
@@ -32,7 +33,9 @@ The project's chores: cargo xtask <task>
   firmware [qemu|nucleo]    build the images, print their paths and sizes, check the limits
   check-elf [qemu|nucleo]   check that the control tick neither computes in f64 nor panics
   test                      all of that, then the tests of all packages, the emulated board's too
-  lint                      formatting and clippy, on the host and for every image
+  lint                      imports, formatting and clippy, on the host and for every image
+  imports [DIR]             the circles in which files or folders import each other
+  lengths [DIR]             how long functions and files are, tests apart
   bench [filter]            the benchmarks of all packages
   fuzz [target] [--runs N]  damaged inputs for all that takes bytes from outside (docs/fuzzing.md)
   function-costs            what elementary functions cost on the board's core, counted in QEMU
@@ -41,6 +44,7 @@ The project's chores: cargo xtask <task>
 
 Environment:
   CARGO_TARGET_DIR          where to build, instead of target/
+  RRR_REQUIRE_DATA          1: tests fail without the collected data instead of being skipped
   RRR_FIRMWARE_TOOLCHAIN    `debian`: use Debian's compiler even where rustup has the target";
 
 fn main() -> ExitCode {
@@ -65,6 +69,7 @@ fn run(arguments: &[&str]) -> Result<()> {
         ["check-elf", boards @ ..] => check_elf::run(boards),
         ["test"] => test::run(),
         ["lint"] => lint::run(),
+        [check @ ("imports" | "lengths"), directory @ ..] => source::run(check, directory),
         ["bench", filter @ ..] => bench::run(filter),
         ["fuzz", arguments @ ..] => fuzz::run(arguments),
         ["function-costs"] => function_costs::run(),

@@ -6,6 +6,7 @@
 mod debian;
 mod rustup;
 mod sysroot;
+mod target;
 
 use std::env;
 use std::path::PathBuf;
@@ -16,8 +17,7 @@ use anyhow::Result;
 use crate::command::cargo;
 use crate::workspace;
 
-/// What the firmware is compiled for: Cortex-M4 with its single-precision FPU.
-pub const TARGET: &str = "thumbv7em-none-eabihf";
+pub use target::TARGET;
 
 /// Set to `debian` to do without rustup's target even where it is to be had.
 const CHOICE: &str = "RRR_FIRMWARE_TOOLCHAIN";

@@ -1,23 +1,11 @@
 //! What the tests share.
 #![allow(dead_code)] // Each test file uses a part of it.
 
-use std::path::{Path, PathBuf};
-
 use files::{JointLog, Log, Position, RobotFile};
 use model::reference_robot::reference_robot;
 
 #[cfg(unix)]
 pub mod at_board;
-
-/// A file of the collected data, or `None`, with a note on stderr, where it is absent.
-pub fn data(name: &str) -> Option<PathBuf> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data").join(name);
-    if path.exists() {
-        return Some(path);
-    }
-    eprintln!("skipped: ../shared/data/{name} is absent");
-    None
-}
 
 /// An empty directory that vanishes with the value.
 pub fn directory() -> tempfile::TempDir {

@@ -6,13 +6,12 @@ use std::process::Command;
 
 use anyhow::{Context, Result};
 
-use super::{TARGET, sysroot};
+use super::sysroot::{self, RUSTC};
+use super::target::TARGET;
 use crate::command::{capture, say};
 use crate::packages;
 
-/// Debian's compiler, beside the host's own.
-pub const RUSTC: &str = "/usr/bin/rustc";
-/// The clippy that belongs to it.
+/// The clippy that belongs to Debian's compiler.
 pub const CARGO_CLIPPY: &str = "/usr/bin/cargo-clippy";
 
 const PACKAGES: [&str; 3] = ["rustc-web", "rust-web-src", "rust-web-clippy"];

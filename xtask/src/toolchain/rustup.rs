@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Duration;
 
-use super::TARGET;
+use super::target::TARGET;
 use crate::command::{capture, say, succeeds_within};
 
 const DOWNLOAD_LIMIT: Duration = Duration::from_secs(60);

@@ -7,8 +7,11 @@ use std::{fs, process};
 
 use anyhow::{Context, Result, bail};
 
-use super::{TARGET, debian};
+use super::target::TARGET;
 use crate::command::{capture, cargo, run};
+
+/// Debian's compiler, beside the host's own.
+pub const RUSTC: &str = "/usr/bin/rustc";
 
 const LIBRARIES: [&str; 4] = ["core", "alloc", "compiler_builtins", "panic_abort"];
 
@@ -66,7 +69,7 @@ fn build_command(scratch: &Path) -> Command {
     command.arg("-Zbuild-std=core,alloc,panic_abort");
     command.arg("-Zbuild-std-features=compiler-builtins-mem");
     command.current_dir(scratch).env("CARGO_TARGET_DIR", scratch.join("target"));
-    command.env("RUSTC", debian::RUSTC).env("RUSTC_BOOTSTRAP", "1");
+    command.env("RUSTC", RUSTC).env("RUSTC_BOOTSTRAP", "1");
     command.env("CARGO_ENCODED_RUSTFLAGS", "-Cembed-bitcode=yes");
     command
 }
@@ -97,7 +100,7 @@ fn find_library(dir: &Path, name: &str) -> Result<PathBuf> {
 /// Build scripts and procedural macros need the host's library; the image needs a linker.
 fn link_host(sysroot: &Path, host: &str) -> Result<()> {
     let rustup = PathBuf::from(capture(Command::new("rustc").args(["--print", "sysroot"]))?);
-    let debian = capture(Command::new(debian::RUSTC).args(["--print", "sysroot"]))?;
+    let debian = capture(Command::new(RUSTC).args(["--print", "sysroot"]))?;
     link(&library_dir(Path::new(&debian), host), &library_dir(sysroot, host))?;
     link(&linker(&rustup, host), &linker(sysroot, host))
 }
