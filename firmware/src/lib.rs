@@ -16,7 +16,7 @@
 //! | [`store`] | what is kept without power: parameters, the latched fault, the key |
 //! | [`lockstep`] | the records exchanged with a simulated robot |
 //! | [`ad5754r`] | the converter's frames |
-//! | [`frame`], [`link`] | what goes over the serial line |
+//! | [`frame`], [`checksum`], [`link`] | what goes over the serial line |
 //! | [`supervisor`] | states, faults, limits |
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
@@ -24,7 +24,7 @@
 pub mod ad5754r;
 pub mod angle;
 pub mod block;
-pub mod block_check;
+pub mod checksum;
 pub mod compensation;
 pub mod controller;
 pub mod dac;

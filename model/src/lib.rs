@@ -49,6 +49,7 @@
 #![forbid(unsafe_code)]
 
 pub mod base;
+mod base_check;
 pub mod dynamics;
 pub mod effects;
 pub mod friction;

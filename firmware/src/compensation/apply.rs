@@ -7,7 +7,7 @@ use model::effects::{
 use model::friction::FrictionScale;
 use model::{Posture, Robot};
 
-use super::{Compensations, FedForward, Outside, TurnWave, Undone};
+use super::parameters::{Compensations, FedForward, Outside, TurnWave, Undone};
 use crate::Angle;
 
 impl TurnWave {

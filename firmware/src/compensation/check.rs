@@ -3,7 +3,7 @@
 use model::ParameterError;
 use model::parameter::named;
 
-use super::{Compensations, FedForward, Outside, TurnWave, Undone};
+use super::parameters::{Compensations, FedForward, Outside, TurnWave, Undone};
 
 type Checked = Result<(), ParameterError>;
 

@@ -14,6 +14,11 @@
 //! A Hello begins the numbers of requests anew and makes the last challenge void. It is
 //! answered whatever the version. Bytes after these are room for later; they are ignored.
 
+/// Which build of the firmware this is.
+pub const BUILD_ID: &str = match option_env!("RRR_BUILD_ID") {
+    Some(id) => id,
+    None => env!("CARGO_PKG_VERSION"),
+};
 /// Version of the protocol: raised when frames, numbering or proofs change their meaning.
 pub const PROTOCOL_VERSION: u16 = 1;
 /// Length of the host's Hello [bytes].
@@ -91,7 +96,7 @@ impl Hello {
         Self {
             protocol_version: PROTOCOL_VERSION,
             schema_hash: super::schema::HASH,
-            build_id: Text::new(super::BUILD_ID),
+            build_id: Text::new(BUILD_ID),
             board: Text::new(board),
         }
     }

@@ -5,6 +5,7 @@ use super::checked::{Kind, MAX_PAYLOAD_BYTES, open, seal};
 use super::hello::{self, Hello};
 use super::request::Request;
 use super::telemetry::Telemetry;
+use crate::supervisor::TickRecord;
 
 /// What comes to the host.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +28,26 @@ pub enum ToBoard<'a> {
     },
     /// A request.
     Request(Request<'a>),
+}
+
+impl Telemetry {
+    /// The message of a tick; `dropped` records could not be sent since power-on.
+    pub fn new(record: &TickRecord, dropped: u32) -> Self {
+        let TickRecord { tick, counts, codes, reference, mode, .. } = *record;
+        let TickRecord { state, saturated, fault, tick_time_tenth_us, .. } = *record;
+        Self {
+            sequence: tick,
+            counts,
+            codes,
+            reference,
+            mode,
+            state,
+            saturated,
+            fault,
+            tick_time_tenth_us,
+            dropped,
+        }
+    }
 }
 
 /// Why a frame is not a message.

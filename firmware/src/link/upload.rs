@@ -3,8 +3,8 @@
 use heapless::Vec;
 
 use super::answer::{BlockRefusal, Refusal};
-use super::checked::CHECKSUM;
 use crate::block::MAX_BYTES;
+use crate::checksum::CRC_32C;
 
 /// An encoded block.
 pub type Block = Vec<u8, MAX_BYTES>;
@@ -20,12 +20,6 @@ pub struct Upload {
 struct Announced {
     length: u16,
     checksum: u32,
-}
-
-impl From<BlockRefusal> for Refusal {
-    fn from(why: BlockRefusal) -> Self {
-        Self::Block(why)
-    }
 }
 
 impl Upload {
@@ -56,7 +50,7 @@ impl Upload {
         if self.bytes.len() != usize::from(announced.length) {
             return Err(BlockRefusal::Length);
         }
-        match CHECKSUM.checksum(&self.bytes) == announced.checksum {
+        match CRC_32C.checksum(&self.bytes) == announced.checksum {
             true => Ok(&self.bytes),
             false => Err(BlockRefusal::Checksum),
         }

@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Time;
-use super::motion::{FadeIn, Setpoint, Wave, sin_cos_of_cycle};
+use super::setpoint::Setpoint;
+use super::time::Time;
+use super::wave::{FadeIn, Wave, sin_cos_of_cycle};
 
 /// Terms of the series.
 pub const TERMS: usize = 5;

@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::motion::sin_cos_of_cycle;
-use super::{Noise, NoiseSource, Time};
+use super::noise::{Noise, NoiseSource};
+use super::time::Time;
+use super::wave::sin_cos_of_cycle;
 
 /// A voltage added to one joint's command.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

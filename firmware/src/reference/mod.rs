@@ -8,14 +8,20 @@ mod fourier;
 mod injection;
 mod motion;
 mod noise;
+mod setpoint;
+mod sine;
 mod time;
+mod wave;
 
 pub use constant_velocity::{ConstantVelocity, MAX_SPEEDS};
 pub use fourier::{FourierSeries, TERMS};
 pub use injection::{FrictionExcitation, Injection, InjectionSource};
-pub use motion::{FadeIn, Motion, Setpoint, Sine};
+pub use motion::Motion;
 pub use noise::{Noise, NoiseSource};
+pub use setpoint::Setpoint;
+pub use sine::Sine;
 pub use time::Time;
+pub use wave::FadeIn;
 
 use serde::{Deserialize, Serialize};
 

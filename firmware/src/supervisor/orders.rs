@@ -28,7 +28,7 @@ pub enum Order {
 
 /// Why an order is not carried out; nothing has changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Denied {
+pub enum OrderError {
     /// Not in this state.
     NotNow {
         /// The state.

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-use firmware::link::Station;
+use firmware::link::BoardRuntime;
 use firmware::store::{Layout, RamFlash, Store};
 use model::Robot;
 
@@ -103,7 +103,7 @@ impl Drop for SimulatedBoard {
 struct Machine {
     listener: TcpListener,
     line: Option<TcpStream>,
-    station: Station<Store<Flash>>,
+    station: BoardRuntime<Store<Flash>>,
     robot: SimulatedRobot,
     /// Where the encoders count zero.
     zero: [i64; 3],
@@ -220,9 +220,9 @@ impl Noise {
     }
 }
 
-fn booted(flash: Vec<u8>, position_lost: bool) -> Station<Store<Flash>> {
+fn booted(flash: Vec<u8>, position_lost: bool) -> BoardRuntime<Store<Flash>> {
     let store = Store::new(RamFlash::new(flash), Layout::G474.bank_start, Layout::G474);
-    Station::boot(store, NAME, rand_seed(), position_lost).0
+    BoardRuntime::boot(store, NAME, rand_seed(), position_lost).0
 }
 
 /// Another one at every power-on; a simulated board needs no better one.

@@ -7,9 +7,9 @@ mod tick;
 use std::collections::VecDeque;
 
 use firmware::frame::FrameReader;
-use firmware::link::{Command, Kept, Refusal, Reply, Report, Station, Telemetry};
+use firmware::link::{BoardRuntime, BootState, Command, Refusal, Reply, Report};
 use firmware::store::{Layout, RamFlash, Store};
-use firmware::supervisor::{Fault, Health, State};
+use firmware::supervisor::{Fault, Health, State, TickRecord};
 use firmware::{Mode, ParameterBlock};
 use host_tool::simulation::Rig;
 
@@ -62,13 +62,13 @@ pub struct Soak {
     rig: Rig,
     dice: Dice,
     arm: Arm,
-    station: Station<Store<Flash>>,
+    station: BoardRuntime<Store<Flash>>,
     to_board: NoisyLine,
     to_host: NoisyLine,
     reader: FrameReader,
     number: u32,
     answer: Option<(u32, Result<Told, Refusal>)>,
-    true_records: VecDeque<Telemetry>,
+    true_records: VecDeque<TickRecord>,
     last_sequence: Option<u32>,
     committed: Option<Vec<u8>>,
     /// What the board is told to be wrong with it in the next tick.
@@ -209,7 +209,7 @@ impl Soak {
         }
     }
 
-    fn arm_at(&self, record: &Telemetry) -> [firmware::Angle; 3] {
+    fn arm_at(&self, record: &TickRecord) -> [firmware::Angle; 3] {
         record.counts.map(|count| {
             let within = count.rem_euclid(super::arm::COUNTS_PER_TURN as i32) as f64;
             let units = within / f64::from(super::arm::COUNTS_PER_TURN) * 2f64.powi(32);
@@ -235,7 +235,7 @@ impl Soak {
     }
 
     /// Boots anew; what was committed last must be there.
-    fn power_cycle(&mut self) -> Kept {
+    fn power_cycle(&mut self) -> BootState {
         self.tally.records_dropped += u64::from(self.report().counters.telemetry_dropped);
         let empty = Store::new(RamFlash::new(Vec::new()), 0, Layout::G474);
         let flash = std::mem::replace(self.station.handler.store(), empty).into_flash();
@@ -249,7 +249,7 @@ impl Soak {
 }
 
 /// A board that has just found this in its flash.
-fn booted(flash: Flash) -> (Station<Store<Flash>>, Kept) {
+fn booted(flash: Flash) -> (BoardRuntime<Store<Flash>>, BootState) {
     let store = Store::new(flash, Layout::G474.bank_start, Layout::G474);
-    Station::boot(store, "soak", [0; 16], false)
+    BoardRuntime::boot(store, "soak", [0; 16], false)
 }

@@ -14,8 +14,10 @@ use embassy_stm32::peripherals::TIM6;
 use embassy_stm32::time::Hertz;
 use embassy_stm32::timer::low_level::Timer;
 use firmware::DacCode;
-use firmware::link::{Desk, Telemetry};
-use firmware::supervisor::{BootReport, CHECK_EVERY_TICKS, FaultRecord, Health, State, Supervisor};
+use firmware::link::SupervisorAccess;
+use firmware::supervisor::{
+    BootReport, CHECK_EVERY_TICKS, FaultRecord, Health, State, Supervisor, TickRecord,
+};
 use heapless::spsc::Consumer;
 
 use crate::converter::Converter;
@@ -49,7 +51,7 @@ pub fn start(
     mut converter: Converter,
     mut supervisor: Supervisor,
     report: BootReport,
-) -> (Remote, Consumer<'static, Telemetry>) {
+) -> (Remote, Consumer<'static, TickRecord>) {
     let set_up = converter.set_up();
     if let Err(fault) = set_up {
         defmt::error!("the converter does not answer: {}", fault);
@@ -105,9 +107,9 @@ impl Tick {
         self.put_out(&record);
         self.latch();
         self.answer();
-        self.look_at_parameters(record.sequence);
-        self.tell(record);
-        self.look_at_clock();
+        self.check_parameters(record.tick);
+        self.publish(record);
+        self.measure_tick_time();
     }
 
     /// Answers a question of the tasks, one a tick at most, once the codes are out: what the
@@ -115,18 +117,18 @@ impl Tick {
     fn answer(&mut self) {
         let Some(question) = self.inbox.questions.dequeue() else { return };
         let outcome = match question {
-            Question::Standing => Ok(()),
-            Question::Order(order) => self.supervisor.obey(order),
+            Question::Status => Ok(()),
+            Question::Order(order) => self.supervisor.execute(order),
             Question::Replace => match self.inbox.controllers.dequeue() {
                 Some(controller) => self.supervisor.replace(controller),
                 None => Ok(()),
             },
         };
         // There is room: the tasks ask one thing at a time.
-        let _ = self.inbox.replies.enqueue(Reply { outcome, standing: self.supervisor.standing() });
+        let _ = self.inbox.replies.enqueue(Reply { outcome, status: self.supervisor.status() });
     }
 
-    fn put_out(&mut self, record: &Telemetry) {
+    fn put_out(&mut self, record: &TickRecord) {
         if record.state != State::Running {
             self.converter.hold_at_zero();
             self.released = false;
@@ -153,13 +155,13 @@ impl Tick {
     }
 
     /// Once a second, after the codes are out, so that it delays nothing.
-    fn look_at_parameters(&mut self, tick: u32) {
+    fn check_parameters(&mut self, tick: u32) {
         if tick.is_multiple_of(CHECK_EVERY_TICKS) {
             self.health.parameters_corrupt = !self.supervisor.parameters_are_whole();
         }
     }
 
-    fn tell(&mut self, record: Telemetry) {
+    fn publish(&mut self, record: TickRecord) {
         REPORT.set_state(record.state);
         count(&REPORT.ticks);
         if REPORT.streaming.load(Relaxed) && self.inbox.records.enqueue(record).is_err() {
@@ -167,7 +169,7 @@ impl Tick {
         }
     }
 
-    fn look_at_clock(&mut self) {
+    fn measure_tick_time(&mut self) {
         let mut taken = u32::from(self.timer.regs_core().cnt().read().cnt());
         // The timer's event has come again: the interrupt follows at once, late.
         self.health.overrun = self.timer.regs_core().sr().read().uif();

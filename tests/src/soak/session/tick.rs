@@ -1,7 +1,7 @@
 //! A millisecond: board, arm, and what the line carries.
 
 use firmware::link::{Refusal, Telemetry, ToHost};
-use firmware::supervisor::{Health, State};
+use firmware::supervisor::{Health, State, TickRecord};
 
 use super::{BYTES_PER_TICK, REMEMBERED, Soak, Told};
 
@@ -14,7 +14,7 @@ impl Soak {
         let health = Health { overrun, converter_fault, ..heard };
         let record = self.station.supervisor.tick(&counts, health);
         if health.host_heard {
-            self.heard_at = record.sequence;
+            self.heard_at = record.tick;
         }
         self.station.after_tick(&record);
         self.assert_as_it_should_be(&record);
@@ -27,7 +27,7 @@ impl Soak {
         self.carry();
     }
 
-    fn assert_as_it_should_be(&mut self, record: &Telemetry) {
+    fn assert_as_it_should_be(&mut self, record: &TickRecord) {
         let zero = record.codes.iter().all(|code| code.0 == 0);
         assert!(zero || record.state == State::Running, "voltage while {}", record.state);
         let Some(found) = self.station.supervisor.fault() else { return };
@@ -35,7 +35,7 @@ impl Soak {
             self.tally.faults_otherwise += 1;
             panic!("instead of {:?}: {found}", self.expected);
         }
-        if self.expected.is_none() && record.sequence == found.tick {
+        if self.expected.is_none() && record.tick == found.tick {
             self.tally.faults_otherwise += 1;
             panic!("nobody injected it: {found}; {record:?}");
         }
@@ -65,9 +65,9 @@ impl Soak {
 
     /// A record that arrived is one that was sent, and those between were missed.
     fn note(&mut self, record: &Telemetry) {
-        let sent = self.true_records.iter().rev().find(|sent| sent.sequence == record.sequence);
+        let sent = self.true_records.iter().rev().find(|sent| sent.tick == record.sequence);
         let sent = sent.expect("nothing comes that was not sent a moment ago");
-        assert_eq!(Telemetry { dropped: 0, ..*record }, *sent, "what came is what was sent");
+        assert_eq!(*record, Telemetry::new(sent, record.dropped), "what came is what was sent");
         self.tally.records += 1;
         if let Some(last) = self.last_sequence {
             let missed = record.sequence.wrapping_sub(last).wrapping_sub(1);

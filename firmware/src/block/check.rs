@@ -3,7 +3,7 @@
 use model::ParameterError;
 use model::parameter::named;
 
-use crate::block::{Gains, ParameterBlock};
+use super::parameters::{Gains, ParameterBlock};
 use crate::compensation::Outside;
 use crate::dac::FULL_SCALE_V;
 use crate::encoder::COUNTS_PER_TURN;

@@ -34,6 +34,13 @@ pub(super) struct Excess {
     pub limit: f32,
 }
 
+impl Excess {
+    /// A fault without figures.
+    pub fn of(fault: Fault) -> Self {
+        Self { fault, value: 0.0, limit: 0.0 }
+    }
+}
+
 /// The limits of one joint, in the units in which they are compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Limits {
@@ -68,7 +75,7 @@ impl Limits {
 
 /// One joint under watch.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct JointWatch {
+pub(super) struct JointMonitor {
     limits: Limits,
     /// Whether the mode has a reference that the joint shall follow.
     follows: bool,
@@ -105,7 +112,7 @@ struct Window {
     disagrees: bool,
 }
 
-impl JointWatch {
+impl JointMonitor {
     /// A watch over joint `index` (0 to 2) with a checked block.
     pub fn new(block: &ParameterBlock, index: usize) -> Self {
         let period_s = block.sample_period_s;

@@ -1,23 +1,23 @@
 //! The controller with a watch over each of its joints.
 
-use super::orders::Denied;
-use super::watch::{JointWatch, Seen, follows};
+use super::joint_monitor::{JointMonitor, Seen, follows};
+use super::orders::OrderError;
 use crate::{Controller, DacCode, Mode, TickOutput};
 
 /// A controller and who watches its joints.
 #[derive(Clone, Debug)]
-pub(super) struct Watched {
+pub(super) struct MonitoredController {
     pub controller: Controller,
-    pub joints: [JointWatch; 3],
+    pub joints: [JointMonitor; 3],
     pub mode: [Mode; 3],
     pub last: TickOutput,
 }
 
-impl Watched {
+impl MonitoredController {
     pub fn new(controller: Controller) -> Self {
         let block = controller.block();
         Self {
-            joints: [0, 1, 2].map(|index| JointWatch::new(block, index)),
+            joints: [0, 1, 2].map(|index| JointMonitor::new(block, index)),
             mode: block.mode,
             last: TickOutput::default(),
             controller,
@@ -28,7 +28,7 @@ impl Watched {
     pub fn begin_anew(&mut self) {
         self.controller.begin_anew();
         let block = self.controller.block();
-        self.joints = [0, 1, 2].map(|index| JointWatch::new(block, index));
+        self.joints = [0, 1, 2].map(|index| JointMonitor::new(block, index));
     }
 
     /// Whether what was computed of the block once still is what the block says.
@@ -39,11 +39,11 @@ impl Watched {
     }
 
     /// Whether every joint is at rest and its estimates can be right.
-    pub fn is_plausible(&self) -> Result<(), Denied> {
+    pub fn is_plausible(&self) -> Result<(), OrderError> {
         for (joint, index) in (1..).zip(0..3) {
             let seen = self.seen(index, self.joints[index].last_count());
             if let Some(why) = self.joints[index].implausible(&seen) {
-                return Err(Denied::Implausible { joint, why });
+                return Err(OrderError::Implausible { joint, why });
             }
         }
         Ok(())
@@ -64,13 +64,13 @@ impl Watched {
     }
 
     /// Whether every joint that has a reference is where it begins.
-    pub fn is_near_start(&self) -> Result<(), Denied> {
+    pub fn is_near_start(&self) -> Result<(), OrderError> {
         let limits = self.controller.block().safety.tracking_error_rad;
         let start = self.controller.start_of_reference();
         for (number, index) in (1..).zip(0..3) {
             let distance_rad = start[index].minus(self.last.measured[index]);
             if follows(self.mode[index]) && distance_rad.abs() > limits[index] {
-                return Err(Denied::FarFromStart { joint: number, distance_rad });
+                return Err(OrderError::FarFromStart { joint: number, distance_rad });
             }
         }
         Ok(())
