@@ -1,4 +1,4 @@
-//! Encoders that count from zero wherever the arm is: it is not armed before somebody has told.
+//! Encoders that count from zero wherever the arm is: it is not armed before its position is set.
 #![allow(missing_docs)]
 
 #[allow(dead_code)]

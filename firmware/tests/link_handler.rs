@@ -116,7 +116,7 @@ fn a_request_is_carried_out_once_however_often_it_comes() {
 #[test]
 fn after_a_reset_the_host_must_say_hello() {
     let mut bench = ready(None);
-    let beginning = HandlerConfig {
+    let config = HandlerConfig {
         board: "test",
         limits: Default::default(),
         nonce_seed: [1; 16],
@@ -124,7 +124,7 @@ fn after_a_reset_the_host_must_say_hello() {
         fault: None,
         in_use: None,
     };
-    bench.handler = Handler::new(MemoryStore::default(), &beginning);
+    bench.handler = Handler::new(MemoryStore::default(), &config);
     assert_eq!(bench.ask(Command::Arm), Err(Refusal::HelloFirst));
     bench.greet();
     assert_eq!(bench.ask(Command::Arm), Ok(Owned::Done));

@@ -1,4 +1,4 @@
-//! Every single bit of a stored block, turned round, is noticed.
+//! Every single flipped bit of a stored block is detected.
 #![allow(missing_docs)]
 
 mod common;

@@ -43,7 +43,7 @@ impl<T: Real> BaseParameters<T> {
 /// the right valley and halving the step eleven times finds its bottom.
 fn smallest_over_a_turn<T: Real>(f: impl Fn(T, T) -> T) -> T {
     const POINTS: i32 = 32;
-    let mut step = T::constant(core::f64::consts::TAU) / T::whole(POINTS);
+    let mut step = T::constant(core::f64::consts::TAU) / T::from_i32(POINTS);
     let mut lowest = (f(T::zero(), T::zero()), T::zero(), T::zero());
     let try_point = |lowest: &mut (T, T, T), x: T, y: T| {
         let value = f(x, y);
@@ -53,14 +53,14 @@ fn smallest_over_a_turn<T: Real>(f: impl Fn(T, T) -> T) -> T {
         }
     };
     for index in 0..POINTS * POINTS {
-        let at = |i: i32| T::whole(i) * step;
+        let at = |i: i32| T::from_i32(i) * step;
         try_point(&mut lowest, at(index / POINTS), at(index % POINTS));
     }
     for _ in 0..11 {
         step = step / T::constant(2.0);
         for index in 0..9 {
             let (_, x, y) = lowest;
-            let offset = |i: i32| T::whole(i - 1) * step;
+            let offset = |i: i32| T::from_i32(i - 1) * step;
             try_point(&mut lowest, x + offset(index / 3), y + offset(index % 3));
         }
     }

@@ -32,9 +32,9 @@ pub enum BlockError {
     },
     /// The checksum does not fit the bytes.
     Checksum,
-    /// The bytes are not a block, though the checksum fits.
+    /// The checksum is right, but the bytes are not a block of this layout.
     Layout,
-    /// A value that no robot, or not this board, can have.
+    /// A value out of its bounds.
     Parameter(ParameterError),
 }
 
@@ -47,7 +47,7 @@ impl core::fmt::Display for BlockError {
             Self::Version { found } => {
                 write!(
                     f,
-                    "the block has version {found}, this build knows version {VERSION}: build it anew"
+                    "the block has version {found}, this build knows version {VERSION}: build it again"
                 )
             }
             Self::Checksum => write!(f, "the block's checksum does not fit its bytes"),
@@ -79,7 +79,7 @@ impl ParameterBlock {
         Ok(&buffer[..end + CHECKSUM_BYTES])
     }
 
-    /// [`CRC_32C`] of the encoded block, which tells one from another; 0 without encoding.
+    /// [`CRC_32C`] of the encoded block, as its identity; 0 if it cannot be encoded.
     pub fn fingerprint(&self) -> u32 {
         let mut buffer = [0; MAX_BYTES];
         self.encode(&mut buffer).map_or(0, |bytes| CRC_32C.checksum(bytes))

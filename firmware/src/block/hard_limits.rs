@@ -1,4 +1,4 @@
-//! What the board allows a parameter block to set, whoever sends it.
+//! The board's own limits, which no parameter block may exceed.
 
 use model::ParameterError;
 use model::parameter::named;
@@ -6,26 +6,26 @@ use model::parameter::named;
 use super::parameters::ParameterBlock;
 use crate::dac::FULL_SCALE_V;
 
-/// What no parameter block may exceed on a board, whoever sends it.
+/// The limits that no parameter block may exceed on a board, whoever sends it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HardLimits {
-    /// The board's time from tick to tick [s]; a block for another one is refused.
+    /// The board's sample period [s]; a block with another one is refused.
     pub sample_period_s: f32,
     /// Largest command [V].
     pub command_v: f32,
     /// Highest speed limit that a block may set [rad/s].
     pub speed_rad_per_s: f32,
-    /// Widest tracking error that a block may allow [rad].
+    /// Largest tracking error limit that a block may set [rad].
     pub tracking_error_rad: f32,
-    /// Most that a block may take for possible [rad/s^2].
+    /// Largest acceleration limit that a block may set [rad/s^2].
     pub acceleration_rad_per_s2: f32,
-    /// Longest saturation that a block may allow [s].
+    /// Longest saturation limit that a block may set [s].
     pub saturation_s: f32,
-    /// Furthest that a block may let a reference go while the encoder stands still [rad].
+    /// Largest `stuck_travel_rad` that a block may set [rad].
     pub stuck_travel_rad: f32,
-    /// Largest voltage that a block may put on a joint whose encoder stands still [V],
+    /// Largest `stuck_voltage_v` that a block may set [V].
     pub stuck_voltage_v: f32,
-    /// and longest time for more [s].
+    /// Longest `stuck_s` that a block may set [s].
     pub stuck_s: f32,
     /// Largest proportional gain [V/rad].
     pub proportional_gain_v_per_rad: f32,

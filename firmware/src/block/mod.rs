@@ -1,6 +1,6 @@
 //! The parameter block: everything that the tick must know, in one checked piece.
 //!
-//! On the wire and in store: version, length, postcard, CRC-32. Nothing of it is
+//! On the line and in the store it is version, length, postcard, CRC-32. None of its values is
 //! compiled in; a board without a block puts out 0 V.
 
 mod check;

@@ -4,18 +4,18 @@ use model::Robot;
 use serde::{Deserialize, Serialize};
 
 use super::safety_limits::SafetyLimits;
-use crate::compensation::{Compensations, Outside};
+use crate::compensation::{Compensations, ExternalLoad};
 use crate::mode::Mode;
 use crate::reference::Reference;
 
-/// Model, gains, limits and reference.
+/// Model, gains, limits and reference of a run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ParameterBlock {
     /// The model of the arm and its friction.
     pub robot: Robot<f32>,
     /// Encoder counts per turn of a joint.
     pub encoder_counts_per_turn: u32,
-    /// Time from tick to tick [s].
+    /// Sample period [s].
     pub sample_period_s: f32,
     /// Feedback gains of each joint.
     pub gains: [Gains; 3],
@@ -23,19 +23,19 @@ pub struct ParameterBlock {
     pub velocity_bandwidth_rad_per_s: [f32; 3],
     /// Largest command [V], at most what the converter can put out.
     pub command_limit_v: f32,
-    /// What each joint's command is made of.
+    /// Control mode of each joint.
     pub mode: [Mode; 3],
-    /// What the board plays.
+    /// Reference motion and injected voltages.
     pub reference: Reference,
-    /// What is made up for at each joint beyond the model.
+    /// Compensations of each joint.
     pub compensations: [Compensations; 3],
-    /// What is made up for from outside the arm.
-    pub outside: Option<Outside>,
-    /// Beyond which the supervisor ends a run.
+    /// Compensated load on the arm; `None` for none.
+    pub external_load: Option<ExternalLoad>,
+    /// Limits at which the supervisor ends a run.
     pub safety: SafetyLimits,
 }
 
-/// PD gains of one joint, eq. (17).
+/// Gains of the PD feedback of one joint, eq. (17).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Gains {
     /// Proportional gain k_p [V/rad].

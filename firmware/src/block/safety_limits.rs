@@ -1,30 +1,31 @@
-//! How far the joints may go before the supervisor ends a run.
+//! The limits at which the supervisor ends a run.
 
 use model::ParameterError;
 use model::parameter::named;
 use serde::{Deserialize, Serialize};
 
-/// The limits of a parameter block; beyond one of them is a fault.
+/// The limits of a parameter block; exceeding one is a fault.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SafetyLimits {
-    /// Fastest that each joint may be [rad/s].
+    /// Speed limit of each joint [rad/s].
     pub speed_rad_per_s: [f32; 3],
-    /// Furthest that each joint may be from its reference [rad]; also from where it begins.
+    /// Tracking error limit of each joint [rad]; also of its distance from the reference's start.
     pub tracking_error_rad: [f32; 3],
-    /// More than any joint can accelerate, pushed by the motor or by a person [rad/s^2].
+    /// Acceleration limit [rad/s^2], above what the motor or a person can cause: a larger one
+    /// is an encoder error.
     pub acceleration_rad_per_s2: [f32; 3],
-    /// Longest that a command may stay at its limit without a pause [s].
+    /// Longest uninterrupted saturation of a command [s].
     pub saturation_s: f32,
-    /// So far may a reference go while the encoder stands still [rad].
+    /// Largest travel of the reference while the encoder does not move [rad].
     pub stuck_travel_rad: f32,
-    /// So much voltage may an open-loop command have while the encoder stands still [V],
+    /// Largest open-loop command while the encoder does not move [V],
     pub stuck_voltage_v: f32,
-    /// for so long [s].
+    /// and the time for which a larger one is accepted [s].
     pub stuck_s: f32,
 }
 
 impl Default for SafetyLimits {
-    /// Wide enough for the motions of the paper, narrow enough for a broken wire.
+    /// Wide enough for the motions of the paper, narrow enough to detect a broken wire.
     fn default() -> Self {
         Self {
             speed_rad_per_s: [15.0; 3],
@@ -39,7 +40,7 @@ impl Default for SafetyLimits {
 }
 
 impl SafetyLimits {
-    /// Checks that each limit is one.
+    /// Checks that each limit is finite and above zero.
     pub fn check(&self) -> Result<(), ParameterError> {
         for joint in 0..3 {
             let number = joint as u8 + 1;

@@ -1,20 +1,21 @@
-//! What a joint does beyond the model, and how the command makes up for it.
+//! Compensation of effects that the rigid-body and friction model lacks.
 //!
 //! ```text
 //! u = f1^-1( ... fn^-1( w - a ) )
 //! ```
 //!
-//! w is the voltage that the control law wants at the motor, a what the motor finds added
-//! to its own (cogging, cables, drag), f1 to fn what happens to the command on its way
-//! there (offset, dead zone, ripple, torque constant), in the order of the list.
-//! Friction that varies is fed forward as it varies. All of it is taken at the wanted
-//! motion, as the model is. The mathematics is that of [`model::effects`].
+//! w is the motor voltage that the control law computes, a the disturbance voltage of cogging,
+//! cables and drag, f1 to fn the effects between command and motor (offset, dead zone, ripple,
+//! torque constant), in the order of the list. Friction that varies is fed forward with its
+//! variation. All of it is evaluated at the reference, as the model is. The mathematics is that
+//! of [`model::effects`].
 
 mod apply;
 mod check;
 mod parameters;
 
-pub(crate) use apply::Moving;
+pub(crate) use apply::JointMotion;
 pub use parameters::{
-    Compensations, FedForward, MOST_FED_FORWARD, MOST_UNDONE, Outside, TurnWave, Undone,
+    AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse, MAX_FEEDFORWARD,
+    MAX_INPUT_INVERSES,
 };

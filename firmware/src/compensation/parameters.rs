@@ -1,4 +1,4 @@
-//! What a parameter block says of the effects that are made up for.
+//! The compensations in a parameter block.
 
 use heapless::Vec;
 use model::effects::Tilt;
@@ -6,48 +6,49 @@ use serde::{Deserialize, Serialize};
 
 use crate::Angle;
 
-/// The most effects of one joint that feedforward makes up for.
-pub const MOST_FED_FORWARD: usize = 6;
-/// The most effects of one joint that its command makes up for.
-pub const MOST_UNDONE: usize = 4;
+/// Room for effects compensated by feedforward, per joint.
+pub const MAX_FEEDFORWARD: usize = 6;
+/// Room for input effects that are inverted, per joint.
+pub const MAX_INPUT_INVERSES: usize = 4;
 
-/// What is made up for at one joint.
+/// The compensations of one joint.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Compensations {
-    /// What feedforward makes up for.
-    pub fed_forward: Vec<FedForward, MOST_FED_FORWARD>,
-    /// What becomes of the command on its way to the motor, in that order.
-    pub undone: Vec<Undone, MOST_UNDONE>,
+    /// Effects compensated by feedforward.
+    pub feedforward: Vec<Feedforward, MAX_FEEDFORWARD>,
+    /// Effects between command and motor, in the order in which they act; the inverses are
+    /// applied in the opposite order.
+    pub input_inverses: Vec<InputInverse, MAX_INPUT_INVERSES>,
 }
 
-/// An effect that feedforward makes up for.
+/// An effect compensated by feedforward.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum FedForward {
-    /// A sin(n q + phi) on top of the motor's voltage.
+pub enum Feedforward {
+    /// Cogging: A sin(n q + phi) added to the motor's voltage.
     Cogging {
         /// A [V].
         amplitude_v: f32,
         /// sin(n q + phi)
-        wave: TurnWave,
+        wave: AngularHarmonic,
     },
-    /// -k (q - q0) on top.
+    /// A cable: -k (q - q0) added to the motor's voltage.
     CableSpring {
         /// k [V/rad].
         stiffness_v_per_rad: f32,
-        /// q0 [rad], on the turn that the reference's own numbers name.
+        /// q0 [rad], counted in turns as the reference is.
         rest_rad: f32,
     },
-    /// -b qd |qd| on top.
+    /// Drag: -b qd |qd| added to the motor's voltage.
     QuadraticDrag {
         /// b [V s^2/rad^2].
         coefficient_v_s2_per_rad2: f32,
     },
-    /// Friction's level times 1 + a sin(n q + phi).
+    /// Friction level times 1 + a sin(n q + phi).
     PositionFriction {
         /// a
         relative_amplitude: f32,
         /// sin(n q + phi)
-        wave: TurnWave,
+        wave: AngularHarmonic,
     },
     /// Friction times 1 + e forwards and 1 - e backwards.
     AsymmetricFriction {
@@ -56,9 +57,9 @@ pub enum FedForward {
     },
 }
 
-/// An effect on the command that the command undoes.
+/// An effect between command and motor, whose inverse is applied to the command.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Undone {
+pub enum InputInverse {
     /// The motor turns u into (1 + e) k_t u.
     TorqueConstant {
         /// e
@@ -69,33 +70,33 @@ pub enum Undone {
         /// a
         relative_amplitude: f32,
         /// sin(n q + phi)
-        wave: TurnWave,
+        wave: AngularHarmonic,
     },
     /// u plus a constant.
     DacOffset {
         /// The constant [V].
         offset_v: f32,
     },
-    /// The amplifier swallows the first volts.
+    /// The amplifier passes nothing below a voltage, and the excess above it.
     DeadZone {
-        /// How many [V].
+        /// That voltage [V].
         half_width_v: f32,
     },
 }
 
-/// sin(n q + phi) in the board's angles, which wrap at the turn: n is a whole number.
+/// sin(n q + phi) in the board's angles, which wrap at the turn: n is an integer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct TurnWave {
+pub struct AngularHarmonic {
     /// Waves per turn, n.
-    pub harmonic: u16,
+    pub order: u16,
     /// Phase phi.
     pub phase: Angle,
 }
 
-/// What acts on the arm from outside.
+/// Loads on the arm that the model of a level, free arm lacks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Outside {
-    /// How the base leans.
+pub struct ExternalLoad {
+    /// Tilt of the base.
     pub tilt: Tilt<f32>,
     /// A force on the tip, in the base frame [N].
     pub tip_force_n: [f32; 3],

@@ -76,7 +76,7 @@ impl<S: BlockStore> BoardRuntime<S> {
         }
         self.handler.store_fault(&self.supervisor);
         if record.tick.is_multiple_of(CHECK_EVERY_TICKS) {
-            self.parameters_corrupt = !self.supervisor.parameters_are_whole();
+            self.parameters_corrupt = !self.supervisor.parameters_are_intact();
         }
     }
 

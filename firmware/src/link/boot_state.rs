@@ -31,7 +31,7 @@ pub struct BootState {
 }
 
 impl BootState {
-    /// Looks everything up; erases and writes nothing.
+    /// Reads the store; erases and writes nothing.
     pub fn read<F: NorFlash>(store: &mut Store<F>) -> Self {
         let boot = store.boot();
         let nothing_stored = boot.slots.iter().all(|slot| slot.content == Content::Blank);
@@ -88,7 +88,7 @@ impl BootState {
     }
 }
 
-/// A block is encoded in one way only, so this is what was stored.
+/// The encoding is unique, so this is what was stored.
 fn encoded(block: &ParameterBlock) -> Block {
     let mut buffer = [0; MAX_BYTES];
     let bytes = block.encode(&mut buffer).unwrap_or_default();

@@ -87,14 +87,14 @@ impl<S: BlockStore> Conversation<S> {
         nonce
     }
 
-    /// Checks the upload as a whole; stores it if it is to be the newest; then uses it.
+    /// Checks the complete upload, stores it on a commit, and puts it into use.
     fn put_into_use<'p>(
         &mut self,
         origin: Origin,
         board: &mut impl SupervisorAccess,
     ) -> Result<Reply<'p>, Refusal> {
         require_disarmed(board)?;
-        let bytes = self.upload.whole()?;
+        let bytes = self.upload.complete()?;
         let block = ParameterBlock::decode(bytes).map_err(BlockRefusal::from)?;
         self.limits.check(&block).map_err(|error| BlockRefusal::from(BlockError::from(error)))?;
         if origin == Origin::Newest {
@@ -137,7 +137,7 @@ impl<S: BlockStore> Conversation<S> {
         Order::Run { host_timeout_ticks: host_timeout_ms.map(ticks) }
     }
 
-    /// What is kept over a reset is cleared last: a cut in between leaves the fault latched.
+    /// The stored fault is cleared last: a power cut in between leaves the fault latched.
     fn clear_fault(&mut self, board: &mut impl SupervisorAccess) -> Result<(), Refusal> {
         board.order(Order::ClearFault)?;
         match self.store_fault(None) {
@@ -187,7 +187,7 @@ fn require_disarmed(board: &impl SupervisorAccess) -> Result<(), Refusal> {
     }
 }
 
-/// Has the store show what it has stored; a store that says yes may still be wrong.
+/// Compares what the store holds with what was written.
 fn read_back(store: &mut impl BlockStore, written: &[u8]) -> Result<(), Refusal> {
     let mut buffer = [0; MAX_BYTES];
     match store.load(&mut buffer)? == written {

@@ -1,8 +1,7 @@
 //! The command handler: bytes of the line in, answers out.
 //!
 //! Runs outside the tick and never waits for the line. A request is carried out once,
-//! however often it comes: the last answer is kept and given again when the same
-//! request comes again.
+//! however often it comes: a repeated request gets the last answer again.
 
 use heapless::Vec;
 
@@ -37,8 +36,8 @@ impl<S: BlockStore> Handler<S> {
     }
 
     /// Bytes of the line were lost: the frame that they were in is void.
-    pub fn lose(&mut self) {
-        self.reader.lose();
+    pub fn discard(&mut self) {
+        self.reader.discard();
     }
 
     /// Whether telemetry is to be sent.
@@ -63,7 +62,7 @@ impl<S: BlockStore> Handler<S> {
         self.conversation.store_fault(board.status().fault)
     }
 
-    /// Which parameter block the host is told to be in use.
+    /// The parameter block in use, as reported to the host.
     pub fn parameters(&self) -> Option<Parameters> {
         self.conversation.parameters
     }
@@ -99,7 +98,7 @@ impl<S: BlockStore> Conversation<S> {
                 return Some(&self.answer);
             }
             Some(Some(last)) if last.number >= request_id.number => {
-                if let Some(order) = request.command.takes_voltage_away() {
+                if let Some(order) = request.command.stopping_order() {
                     return Some(self.execute_out_of_turn(request.number, order, board));
                 }
                 let newest = last.number;
@@ -138,7 +137,7 @@ impl<S: BlockStore> Conversation<S> {
         &self.out_of_turn_answer
     }
 
-    /// Refuses a request out of its turn; the answer to the newest one is still kept.
+    /// Refuses a request out of its turn; the answer to the last one is still kept.
     fn deny(&mut self, number: u32, why: Refusal) -> &[u8] {
         write(&ToHost::Answer(Answer { number, result: Err(why) }), &mut self.out_of_turn_answer);
         &self.out_of_turn_answer

@@ -3,13 +3,13 @@
 //! | module | what it holds |
 //! | --- | --- |
 //! | [`request`], [`answer`], [`telemetry`] | the messages' types |
-//! | [`hello`], [`schema`] | how two builds find out that they do not fit |
+//! | [`hello`], [`schema`] | how two builds detect that their messages differ |
 //! | [`messages`], [`checked`] | messages to frames with a checksum, and back |
 //! | [`handler`], [`upload`] | the board's end: bytes in, answers out |
 //! | [`supervisor_access`], [`block_store`] | what the handler works on: the supervisor and the store |
 //! | [`boot_state`] | what a boot finds in the store |
-//! | [`outbox`], [`board_runtime`] | what waits to be sent; all of it in one thread |
-//! | [`key`] | the proof that a request comes from somebody with the key |
+//! | [`outbox`], [`board_runtime`] | the send buffer; supervisor, handler and outbox in one thread |
+//! | [`key`] | authentication of requests with a shared key |
 //!
 //! A conversation: Hello, answered by the board's Hello; `Challenge` where the board
 //! has a key; requests one at a time, each sent again, unchanged, until it is answered.

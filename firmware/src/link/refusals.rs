@@ -1,4 +1,4 @@
-//! From the errors of the board's parts to the refusals that the host is told.
+//! Conversion of the board's errors to the refusals sent to the host.
 
 use super::answer::{BlockRefusal, Refusal, StoreRefusal};
 use crate::block::BlockError;

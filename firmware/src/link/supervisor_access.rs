@@ -7,7 +7,7 @@ use crate::{Controller, ParameterBlock};
 ///
 /// What is asked for is done between two ticks, and is done when the call returns.
 pub trait SupervisorAccess {
-    /// Fetches the status anew, where that takes time; called before a request is carried out.
+    /// Fetches the present status, where that takes time; called before a request is carried out.
     fn refresh(&mut self) {}
     /// The status, as of the last refresh.
     fn status(&self) -> SupervisorStatus;

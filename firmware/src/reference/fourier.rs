@@ -14,13 +14,13 @@ pub const TERMS: usize = 5;
 pub struct FourierSeries {
     /// Centre [rad].
     pub centre_rad: f32,
-    /// Period of the first term [s], taken as a whole number of ticks.
+    /// Period of the first term [s], rounded to a whole number of ticks.
     pub period_s: f32,
     /// Sine amplitudes [rad].
     pub sine_rad: [f32; TERMS],
     /// Cosine amplitudes [rad].
     pub cosine_rad: [f32; TERMS],
-    /// How it begins.
+    /// Its fade-in.
     pub fade_in: FadeIn,
 }
 

@@ -26,7 +26,7 @@ pub enum Motion {
         /// Time it takes [s].
         duration_s: f32,
     },
-    /// The sine of eq. (20)-(21).
+    /// The sine of the validation motion, eq. (20)-(21).
     Sine(Sine),
     /// The five-term Fourier series of section 4.2.
     Fourier(FourierSeries),

@@ -1,13 +1,13 @@
-//! Where a joint shall be at an instant.
+//! Desired position, velocity and acceleration of a joint at an instant.
 
 use crate::Angle;
 
-/// Where a joint shall be, and how fast.
+/// Desired position, velocity and acceleration of a joint.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Setpoint {
     /// Angle within the turn.
     pub angle: Angle,
-    /// The same on the turn that the motion's own numbers name, as exact as an `f32` [rad].
+    /// The same angle, turns included, to the precision of an `f32` [rad].
     pub position_rad: f32,
     /// Velocity [rad/s].
     pub velocity_rad_per_s: f32,
@@ -21,8 +21,8 @@ impl Setpoint {
         Self { angle: Angle::from_radians(position_rad), position_rad, ..Self::default() }
     }
 
-    /// Where a joint shall be `time_s` after its motion ended in this setpoint: it
-    /// brakes to rest within half a second, on a velocity that falls as a parabola.
+    /// The setpoint `time_s` after the motion ended in this one: the joint brakes to rest within
+    /// half a second, its velocity falling as a parabola.
     #[inline]
     pub fn brought_to_rest(&self, time_s: f32) -> Self {
         const BRAKING_S: f32 = 0.5;

@@ -6,16 +6,16 @@ use super::setpoint::Setpoint;
 use super::time::Time;
 use super::wave::{FadeIn, Wave, sin_cos_of_cycle};
 
-/// q = centre + amplitude sin(2 pi t / period), eq. (20), swelling over `fade_in`.
+/// q = centre + amplitude sin(2 pi t / period), the sine of eq. (20), with a fade-in.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sine {
-    /// Centre, q_ref(0) of eq. (21) [rad].
+    /// Centre, the start position q_ref(0) of eq. (21) [rad].
     pub centre_rad: f32,
     /// Amplitude [rad].
     pub amplitude_rad: f32,
-    /// Period [s], taken as a whole number of ticks.
+    /// Period [s], rounded to a whole number of ticks.
     pub period_s: f32,
-    /// How it begins.
+    /// Its fade-in.
     pub fade_in: FadeIn,
 }
 

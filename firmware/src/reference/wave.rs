@@ -1,4 +1,4 @@
-//! Waves about a centre, and how they begin.
+//! A function of time with its derivatives, and its fade-in.
 
 use serde::{Deserialize, Serialize};
 
@@ -12,10 +12,10 @@ pub(super) fn sin_cos_of_cycle(fraction: f32) -> (f32, f32) {
     Angle(((fraction * 4_294_967_296.0) as u32) as i32).sin_cos()
 }
 
-/// A wave that swells from nothing, so that the arm may begin at rest.
+/// A rise of a wave's amplitude from zero, so that the arm begins at rest.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FadeIn {
-    /// Time until the wave is whole [s]; 0 begins at once.
+    /// Time until the amplitude is reached [s]; 0 begins with it.
     pub duration_s: f32,
 }
 
@@ -61,7 +61,7 @@ impl Wave {
         }
     }
 
-    /// The setpoint that swings so about a centre.
+    /// The setpoint of this wave about a centre.
     #[inline]
     pub fn about(self, centre_rad: f32) -> Setpoint {
         let position_rad = centre_rad + self.value;

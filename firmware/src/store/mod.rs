@@ -1,8 +1,8 @@
-//! What the board keeps without power: parameters in two slots, the latched fault, the key.
+//! Non-volatile storage in flash: parameters in two slots, the latched fault, the key.
 //!
 //! Each kind has two pages of flash. A record is written where the newest one is not, read
-//! back, and marked as whole last, so that a cut of the power leaves the old one or the new
-//! one (`docs/parameter-store.md`). Reading never erases or writes.
+//! back, and marked as valid last, so that a power cut leaves the old one or the new one
+//! (`docs/parameter-store.md`). Reading never erases or writes.
 
 mod append;
 mod boot;

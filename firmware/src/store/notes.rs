@@ -8,13 +8,14 @@ use super::layout::Kind;
 use super::record::NOTE_BYTES;
 
 impl<F: NorFlash> Store<F> {
-    /// The latched fault or the key, as it was last kept; an empty one has been forgotten.
+    /// Reads the latched fault or the key as it was last written, returns its length; 0 if it
+    /// was removed.
     pub fn read_note(&mut self, kind: Kind, buffer: &mut [u8; NOTE_BYTES]) -> Option<usize> {
         let stored = self.survey(kind, |_| true).newest?;
         self.reread(kind, stored, buffer).map(|stored| stored.length)
     }
 
-    /// Keeps the latched fault or the key, at most [`NOTE_BYTES`]; none at all to forget it.
+    /// Writes the latched fault or the key, at most [`NOTE_BYTES`]; an empty note removes it.
     ///
     /// Mostly one write of less than 1 ms. Once in 32 times a page is erased (25 ms).
     ///

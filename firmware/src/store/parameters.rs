@@ -12,7 +12,7 @@ use super::record::BODY_ROOM;
 use crate::block::{BlockError, HardLimits, MAX_BYTES, ParameterBlock};
 
 impl<F: NorFlash> Store<F> {
-    /// The parameters to begin with, where they come from, and why.
+    /// The parameters that a board boots with, where they come from, and why.
     pub fn boot(&mut self) -> Boot {
         let slots = Slot::BOTH.map(|slot| self.state(slot));
         let source = Source::of(&slots);
@@ -52,7 +52,7 @@ impl<F: NorFlash> Store<F> {
         let mut body = [0; BODY_ROOM];
         let content = self.content(place, &mut body);
         let refused = match content {
-            Content::Whole { length, .. } => decode(&body, length).err(),
+            Content::Valid { length, .. } => decode(&body, length).err(),
             _ => None,
         };
         SlotState { slot, address: place.address, content, refused }
@@ -62,7 +62,7 @@ impl<F: NorFlash> Store<F> {
         let place = self.place(Kind::Parameters, slot, 0);
         let mut body = [0; BODY_ROOM];
         match self.content(place, &mut body) {
-            Content::Whole { length, .. } => decode(&body, length).ok(),
+            Content::Valid { length, .. } => decode(&body, length).ok(),
             _ => None,
         }
     }

@@ -25,7 +25,7 @@ pub enum Content {
     /// The flash reports an error where it lies.
     Unreadable,
     /// A record.
-    Whole {
+    Valid {
         /// Its sequence number.
         sequence: u32,
         /// Its length [bytes].
@@ -86,7 +86,7 @@ impl<F: NorFlash> Store<F> {
         };
         self.read(place, BODY_AT, filled)?;
         Ok(match header.fits(place.kind, filled) {
-            true => Content::Whole { sequence, length },
+            true => Content::Valid { sequence, length },
             false => Content::Damaged { claim },
         })
     }
@@ -102,14 +102,14 @@ impl<F: NorFlash> Store<F> {
         Ok(true)
     }
 
-    /// Looks at every place of a kind; `accept` says which whole records count.
+    /// Looks at every place of a kind; `accept` says which valid records count.
     pub(super) fn survey(&mut self, kind: Kind, accept: fn(&[u8]) -> bool) -> Survey {
         let mut survey = Survey::default();
         let mut body = [0; BODY_ROOM];
         for slot in Slot::BOTH {
             for index in 0..self.places_per_page(kind) {
                 let place = self.place(kind, slot, index);
-                if let Content::Whole { sequence, length } = self.content(place, &mut body) {
+                if let Content::Valid { sequence, length } = self.content(place, &mut body) {
                     let accepted = body.get(..length).is_some_and(accept);
                     survey.add(Stored { slot, index, sequence, length }, accepted);
                 }

@@ -100,7 +100,7 @@ pub(super) const fn whole_words(bytes: usize) -> usize {
     bytes.next_multiple_of(WORD_BYTES)
 }
 
-/// The mark of a record that is whole.
+/// The mark of a valid record.
 pub(super) fn mark(sequence: u32) -> [u8; WORD_BYTES] {
     let mut bytes = [0; WORD_BYTES];
     bytes[..4].copy_from_slice(&sequence.to_le_bytes());

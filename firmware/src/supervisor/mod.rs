@@ -1,4 +1,4 @@
-//! Who watches over the controller: states, faults, limits.
+//! The supervisor of the controller: its state machine and its fault detection.
 //!
 //! | from | to | by |
 //! | --- | --- | --- |

@@ -4,20 +4,20 @@ use super::counters::TickCounters;
 use super::fault::{Fault, FaultRecord, State};
 use super::health::{BootReport, Health};
 use super::home::Home;
-use super::joint_monitor::{Excess, JointMonitor, follows};
+use super::joint_monitor::{JointMonitor, LimitViolation, has_reference};
 use super::monitored_controller::MonitoredController;
 use super::orders::{Order, OrderError};
 use crate::{Angle, Controller, ParameterBlock};
 
-/// Every so many ticks a board asks [`Supervisor::parameters_are_whole`].
+/// Ticks between two calls of [`Supervisor::parameters_are_intact`] by a board.
 pub const CHECK_EVERY_TICKS: u32 = 1000;
 
-/// The controller under watch.
+/// The controller under supervision.
 #[derive(Clone, Debug, Default)]
 pub struct Supervisor {
     pub(super) state: State,
     pub(super) fault: Option<FaultRecord>,
-    pub(super) watched: Option<MonitoredController>,
+    pub(super) monitored: Option<MonitoredController>,
     pub(super) home: Home,
     pub(super) health: Health,
     pub(super) host_timeout_ticks: Option<u32>,
@@ -48,20 +48,20 @@ impl Supervisor {
 
     /// The block in use.
     pub fn block(&self) -> Option<&ParameterBlock> {
-        self.watched.as_ref().map(|watched| watched.controller.block())
+        self.monitored.as_ref().map(|monitored| monitored.controller.block())
     }
 
-    /// Whether the parameters in use still are those that were checked. For
-    /// [`Health::parameters_corrupt`], now and then, once a tick's codes are out.
-    pub fn parameters_are_whole(&self) -> bool {
-        self.watched.as_ref().is_none_or(MonitoredController::is_whole)
+    /// Whether the parameters in use are unchanged since they were checked. For
+    /// [`Health::parameters_corrupt`], every [`CHECK_EVERY_TICKS`], after the codes are out.
+    pub fn parameters_are_intact(&self) -> bool {
+        self.monitored.as_ref().is_none_or(MonitoredController::is_intact)
     }
 
-    /// Changes the parameters in use as broken memory would; for tests.
+    /// Changes the parameters in use as corrupted memory would; for tests.
     #[cfg(feature = "fault-injection")]
-    pub fn break_parameters(&mut self, change: impl FnOnce(&mut ParameterBlock)) {
-        if let Some(watched) = &mut self.watched {
-            watched.controller.break_block(change);
+    pub fn corrupt_parameters(&mut self, change: impl FnOnce(&mut ParameterBlock)) {
+        if let Some(monitored) = &mut self.monitored {
+            monitored.controller.corrupt_block(change);
         }
     }
 
@@ -81,7 +81,7 @@ impl Supervisor {
             self.fault = report.latched;
             self.state = State::Faulted;
         } else if let Some((_, fault)) = causes.into_iter().find(|(is_there, _)| *is_there) {
-            self.enter_fault(0, Excess::of(fault));
+            self.enter_fault(0, LimitViolation::of(fault));
         }
     }
 
@@ -91,9 +91,9 @@ impl Supervisor {
             return Err(self.not_now());
         }
         if self.block().is_some_and(|block| counts_differ(block, controller.block())) {
-            self.home.forget();
+            self.home.invalidate_all();
         }
-        self.watched = Some(MonitoredController::new(controller));
+        self.monitored = Some(MonitoredController::new(controller));
         Ok(())
     }
 
@@ -112,7 +112,7 @@ impl Supervisor {
             }
             (Order::Stop, State::Armed) | (Order::Stop | Order::Disarm, State::Disarmed) => Ok(()),
             (Order::ClearFault, State::Faulted) => self.clear_fault(),
-            (Order::Home { position }, State::Disarmed) => self.tell_home(&position),
+            (Order::Home { position }, State::Disarmed) => self.set_home(&position),
             _ => Err(self.not_now()),
         }
     }
@@ -125,10 +125,10 @@ impl Supervisor {
         if self.health.converter_fault || self.health.parameters_corrupt {
             return Err(OrderError::FaultPersists);
         }
-        let watched = self.watched.as_ref().ok_or(OrderError::NoParameters)?;
-        watched.is_plausible()?;
+        let monitored = self.monitored.as_ref().ok_or(OrderError::NoParameters)?;
+        monitored.is_plausible()?;
         for (joint, index) in (1..).zip(0..3) {
-            let why = self.home.implausible(index).filter(|_| follows(watched.mode[index]));
+            let why = self.home.implausible(index).filter(|_| has_reference(monitored.mode[index]));
             if let Some(why) = why {
                 return Err(OrderError::Implausible { joint, why });
             }
@@ -137,20 +137,20 @@ impl Supervisor {
         Ok(())
     }
 
-    fn tell_home(&mut self, position: &[Angle; 3]) -> Result<(), OrderError> {
-        let watched = self.watched.as_mut().ok_or(OrderError::NoParameters)?;
-        watched.is_plausible()?;
-        self.home.tell(position, watched.controller.block().encoder_counts_per_turn);
-        watched.begin_anew();
+    fn set_home(&mut self, position: &[Angle; 3]) -> Result<(), OrderError> {
+        let monitored = self.monitored.as_mut().ok_or(OrderError::NoParameters)?;
+        monitored.is_plausible()?;
+        self.home.set(position, monitored.controller.block().encoder_counts_per_turn);
+        monitored.reset();
         Ok(())
     }
 
     fn run(&mut self, host_timeout_ticks: Option<u32>) -> Result<(), OrderError> {
-        let watched = self.watched.as_mut().ok_or(OrderError::NoParameters)?;
-        watched.is_plausible()?;
-        watched.is_near_start()?;
-        watched.controller.start();
-        watched.joints.iter_mut().for_each(JointMonitor::begin);
+        let monitored = self.monitored.as_mut().ok_or(OrderError::NoParameters)?;
+        monitored.is_plausible()?;
+        monitored.is_near_start()?;
+        monitored.controller.start();
+        monitored.joints.iter_mut().for_each(JointMonitor::begin_run);
         self.host_timeout_ticks = host_timeout_ticks;
         self.silent_ticks = 0;
         self.state = State::Running;
@@ -160,8 +160,8 @@ impl Supervisor {
     fn stop(&mut self, state: State) {
         self.state = state;
         self.host_timeout_ticks = None;
-        if let Some(watched) = &mut self.watched {
-            watched.stop();
+        if let Some(monitored) = &mut self.monitored {
+            monitored.stop();
         }
     }
 
@@ -175,8 +175,8 @@ impl Supervisor {
     }
 
     /// Latches the first cause and takes the voltage away.
-    pub(super) fn enter_fault(&mut self, joint: u8, excess: Excess) {
-        let Excess { fault, value, limit } = excess;
+    pub(super) fn enter_fault(&mut self, joint: u8, violation: LimitViolation) {
+        let LimitViolation { fault, value, limit } = violation;
         let tick = self.counters.ticks;
         self.fault.get_or_insert(FaultRecord { fault, joint, tick, value, limit });
         self.stop(State::Faulted);

@@ -2,7 +2,7 @@
 
 use super::fault::{Fault, State};
 use super::health::Health;
-use super::joint_monitor::Excess;
+use super::joint_monitor::LimitViolation;
 use super::state_machine::Supervisor;
 use super::tick_record::TickRecord;
 use crate::{Angle, DacCode, Mode};
@@ -16,60 +16,62 @@ impl Supervisor {
         self.counters.overruns = self.counters.overruns.wrapping_add(u32::from(health.overrun));
         let longest = self.counters.longest_tick_tenth_us.max(u32::from(health.tick_time_tenth_us));
         self.counters.longest_tick_tenth_us = longest;
-        // Without a branch: what the tick costs shall not depend on the line.
+        // Without a branch, so that the tick's cost does not depend on the line.
         self.silent_ticks = self.silent_ticks.saturating_add(1) * u32::from(!health.host_heard);
-        let counts = &self.home.of_model(counts);
+        let counts = &self.home.model_counts(counts);
         let board = self.board_fault();
         let joint = self.control(counts);
-        if let Some(excess) = board {
-            self.enter_fault(0, excess);
+        if let Some(violation) = board {
+            self.enter_fault(0, violation);
         } else if let Some((index, fault)) = joint {
             self.enter_joint_fault(index, fault, counts[index]);
         }
         self.record(counts)
     }
 
-    /// What is wrong with the board as a whole.
+    /// A fault of the board, not of a joint.
     #[inline]
-    fn board_fault(&self) -> Option<Excess> {
+    fn board_fault(&self) -> Option<LimitViolation> {
         if self.health.converter_fault && self.state != State::Boot {
-            return Some(Excess::of(Fault::Converter));
+            return Some(LimitViolation::of(Fault::Converter));
         }
         if self.health.parameters_corrupt && self.state != State::Boot {
-            return Some(Excess::of(Fault::CorruptParameters));
+            return Some(LimitViolation::of(Fault::CorruptParameters));
         }
         if self.health.overrun && matches!(self.state, State::Armed | State::Running) {
-            return Some(Excess::of(Fault::TickOverrun));
+            return Some(LimitViolation::of(Fault::TickOverrun));
         }
         let most = self.host_timeout_ticks?;
         (self.silent_ticks > most).then(|| self.link_lost(most))
     }
 
-    fn link_lost(&self, most_ticks: u32) -> Excess {
-        let period_s = self.watched.as_ref().map_or(0.0, |w| w.controller.block().sample_period_s);
+    fn link_lost(&self, most_ticks: u32) -> LimitViolation {
+        let period_s =
+            self.monitored.as_ref().map_or(0.0, |w| w.controller.block().sample_period_s);
         let seconds = |ticks: u32| ticks as f32 * period_s;
-        Excess {
+        LimitViolation {
             fault: Fault::LinkLost,
             value: seconds(self.silent_ticks),
             limit: seconds(most_ticks),
         }
     }
 
-    /// Has the controller compute and looks at every joint; the first one (0 to 2) at fault.
+    /// Runs the controller and checks every joint; returns the first one (0 to 2) at fault.
     #[inline]
     fn control(&mut self, counts: &[i32; 3]) -> Option<(usize, Fault)> {
-        let watched = self.watched.as_mut()?;
-        watched.last = watched.controller.tick(counts);
+        let monitored = self.monitored.as_mut()?;
+        monitored.last = monitored.controller.tick(counts);
         let running = self.state == State::Running;
         let mut first = None;
         for index in 0..3 {
-            let seen = watched.seen(index, counts[index]);
-            let joint = &mut watched.joints[index];
-            let fault = if running { joint.run(&seen) } else { joint.rest(&seen) };
-            let cut = u32::from(seen.saturated);
+            let sample = monitored.sample(index, counts[index]);
+            let joint = &mut monitored.joints[index];
+            let fault =
+                if running { joint.check_running(&sample) } else { joint.check_at_rest(&sample) };
+            let cut = u32::from(sample.saturated);
             self.counters.saturated[index] = self.counters.saturated[index].wrapping_add(cut);
             if fault == Some(Fault::EncoderJump) {
-                self.home.doubt(index);
+                self.home.invalidate(index);
             }
             if let (None, Some(fault)) = (first, fault) {
                 first = Some((index, fault));
@@ -82,17 +84,17 @@ impl Supervisor {
     #[cold]
     fn enter_joint_fault(&mut self, index: usize, fault: Fault, count: i32) {
         if fault == Fault::EncoderStuck {
-            self.home.doubt(index);
+            self.home.invalidate(index);
         }
-        let Some(watched) = &self.watched else { return };
-        let excess = watched.joints[index].excess(fault, &watched.seen(index, count));
-        self.enter_fault(index as u8 + 1, excess);
+        let Some(monitored) = &self.monitored else { return };
+        let violation = monitored.joints[index].violation(fault, &monitored.sample(index, count));
+        self.enter_fault(index as u8 + 1, violation);
     }
 
-    /// What the tick puts out, and what there is to tell of it.
+    /// The record of this tick.
     #[inline]
     fn record(&self, counts: &[i32; 3]) -> TickRecord {
-        let output = self.watched.as_ref().map(|watched| (&watched.last, watched.mode));
+        let output = self.monitored.as_ref().map(|monitored| (&monitored.last, monitored.mode));
         let running = output.filter(|_| self.state == State::Running);
         TickRecord {
             tick: self.counters.ticks,

@@ -1,18 +1,18 @@
-//! What a tick puts out, and what there is to tell of it.
+//! The outputs of a tick, for the converter, the host and the log.
 
 use super::fault::{Fault, State};
 use crate::{Angle, DacCode, Mode};
 
-/// One tick.
+/// The outputs of one tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TickRecord {
     /// The tick's number since power-on.
     pub tick: u32,
-    /// Encoder counts from the model's zero, once it was set, sampled at the beginning of the tick.
+    /// Encoder counts from the model's zero, once it is set, sampled at the beginning of the tick.
     pub counts: [i32; 3],
     /// Codes for the converter, all zero unless Running.
     pub codes: [DacCode; 3],
-    /// Where the joints should be at this tick; zero unless Running.
+    /// Reference angles at this tick; zero unless Running.
     pub reference: [Angle; 3],
     /// The joints' modes.
     pub mode: [Mode; 3],

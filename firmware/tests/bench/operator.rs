@@ -66,7 +66,7 @@ impl Bench {
 
     /// A board just booted with this store.
     pub fn with_store(store: MemoryStore, mut supervisor: Supervisor, seed: [u8; 16]) -> Self {
-        let beginning = HandlerConfig {
+        let config = HandlerConfig {
             board: "test",
             limits: Default::default(),
             nonce_seed: seed,
@@ -75,7 +75,7 @@ impl Bench {
             in_use: None,
         };
         supervisor.booted(BootReport { latched: store.fault, ..BootReport::default() });
-        let (key, handler) = (store.key, Handler::new(store, &beginning));
+        let (key, handler) = (store.key, Handler::new(store, &config));
         let mut bench = Self { handler, supervisor, number: 0, key, nonce: [0; 16] };
         bench.greet();
         bench

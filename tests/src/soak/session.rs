@@ -62,7 +62,7 @@ pub struct Soak {
     rig: Rig,
     dice: Dice,
     arm: Arm,
-    station: BoardRuntime<Store<Flash>>,
+    runtime: BoardRuntime<Store<Flash>>,
     to_board: NoisyLine,
     to_host: NoisyLine,
     reader: FrameReader,
@@ -92,7 +92,7 @@ impl Soak {
             rig: Rig::new(model::reference_robot::reference_robot()),
             dice: Dice::new(settings.seed),
             arm: Arm::hanging(settings.seed),
-            station: booted(RamFlash::new(bytes)).0,
+            runtime: booted(RamFlash::new(bytes)).0,
             to_board: line(1),
             to_host: line(2),
             reader: FrameReader::new(),
@@ -229,8 +229,8 @@ impl Soak {
     /// Power off and on; the arm stays where it is.
     fn reset(&mut self) {
         self.rest();
-        let kept = self.power_cycle();
-        assert_eq!((kept.fault, kept.corrupt), (None, false));
+        let boot_state = self.power_cycle();
+        assert_eq!((boot_state.fault, boot_state.corrupt), (None, false));
         self.tally.resets += 1;
     }
 
@@ -238,13 +238,13 @@ impl Soak {
     fn power_cycle(&mut self) -> BootState {
         self.tally.records_dropped += u64::from(self.report().counters.telemetry_dropped);
         let empty = Store::new(RamFlash::new(Vec::new()), 0, Layout::G474);
-        let flash = std::mem::replace(self.station.handler.store(), empty).into_flash();
-        let (station, kept) = booted(flash);
-        self.station = station;
+        let flash = std::mem::replace(self.runtime.handler.store(), empty).into_flash();
+        let (runtime, boot_state) = booted(flash);
+        self.runtime = runtime;
         self.last_sequence = None;
         self.true_records.clear();
-        assert_eq!(Some(kept.encoded.to_vec()), self.committed, "the block committed last");
-        kept
+        assert_eq!(Some(boot_state.encoded.to_vec()), self.committed, "the block committed last");
+        boot_state
     }
 }
 

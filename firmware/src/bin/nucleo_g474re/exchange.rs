@@ -119,8 +119,8 @@ impl SupervisorAccess for Remote {
     }
 }
 
-/// What tick and tasks tell each other without a queue.
-pub struct Report {
+/// The values that tick and tasks share without a queue.
+pub struct Shared {
     pub ticks: AtomicU32,
     /// Ticks that were not done when the next one was due.
     pub overruns: AtomicU32,
@@ -136,7 +136,7 @@ pub struct Report {
 }
 
 /// Written by the tick, but for what the link writes.
-pub static REPORT: Report = Report {
+pub static SHARED: Shared = Shared {
     ticks: AtomicU32::new(0),
     overruns: AtomicU32::new(0),
     longest_tenth_us: AtomicU32::new(0),
@@ -146,7 +146,7 @@ pub static REPORT: Report = Report {
     host_heard: AtomicBool::new(false),
 };
 
-impl Report {
+impl Shared {
     /// What the supervisor does, for the lamp and the log.
     pub fn state(&self) -> State {
         let all = [State::Boot, State::Disarmed, State::Armed, State::Running, State::Faulted];
@@ -154,7 +154,7 @@ impl Report {
         all.into_iter().find(|state| *state as u8 == byte).unwrap_or_default()
     }
 
-    /// Tells what the supervisor does.
+    /// Publishes the supervisor's state.
     pub fn set_state(&self, state: State) {
         self.state.store(state as u8, Relaxed);
     }

@@ -17,7 +17,7 @@ use firmware::supervisor::TickRecord;
 use heapless::Vec;
 use heapless::spsc::Consumer;
 
-use crate::exchange::{REPORT, Remote};
+use crate::exchange::{Remote, SHARED};
 use crate::flash::BoardFlash;
 
 /// 11 ms of a line that never pauses.
@@ -86,7 +86,7 @@ impl Link {
         let mut bytes = [0; 64];
         let length = match with_timeout(LISTEN, self.receiver.read(&mut bytes)).await {
             Ok(Ok(length)) => length,
-            Ok(Err(_)) => return self.handler.lose(),
+            Ok(Err(_)) => return self.handler.discard(),
             Err(_) => return,
         };
         for &byte in bytes.iter().take(length) {
@@ -97,14 +97,14 @@ impl Link {
             // A request may have waited for ticks: the watchdog's task comes in between.
             yield_now().await;
         }
-        REPORT.streaming.store(self.handler.streaming(), Relaxed);
+        SHARED.streaming.store(self.handler.streaming(), Relaxed);
         if self.handler.take_heard() {
-            REPORT.host_heard.store(true, Relaxed);
+            SHARED.host_heard.store(true, Relaxed);
         }
     }
 
     async fn send_records(&mut self) {
-        let dropped = REPORT.records_dropped.load(Relaxed).wrapping_add(self.records_lost);
+        let dropped = SHARED.records_dropped.load(Relaxed).wrapping_add(self.records_lost);
         self.handler.set_telemetry_dropped(dropped);
         let mut batch = Vec::<u8, BATCH_BYTES>::new();
         let mut records = 0;

@@ -22,7 +22,7 @@ use heapless::spsc::Consumer;
 
 use crate::converter::Converter;
 use crate::encoders::Encoders;
-use crate::exchange::{Inbox, Question, REPORT, Remote, Reply, channel};
+use crate::exchange::{Inbox, Question, Remote, Reply, SHARED, channel};
 use crate::latch;
 
 const TIMER_CLOCK: Hertz = Hertz(10_000_000);
@@ -101,8 +101,8 @@ impl Tick {
         self.timer.clear_update_interrupt();
         // First of all, so that the instant of sampling depends on nothing below.
         let counts = self.encoders.read();
-        self.health.host_heard = REPORT.host_heard.load(Relaxed);
-        REPORT.host_heard.store(false, Relaxed);
+        self.health.host_heard = SHARED.host_heard.load(Relaxed);
+        SHARED.host_heard.store(false, Relaxed);
         let record = self.supervisor.tick(&counts, self.health);
         self.put_out(&record);
         self.latch();
@@ -157,15 +157,15 @@ impl Tick {
     /// Once a second, after the codes are out, so that it delays nothing.
     fn check_parameters(&mut self, tick: u32) {
         if tick.is_multiple_of(CHECK_EVERY_TICKS) {
-            self.health.parameters_corrupt = !self.supervisor.parameters_are_whole();
+            self.health.parameters_corrupt = !self.supervisor.parameters_are_intact();
         }
     }
 
     fn publish(&mut self, record: TickRecord) {
-        REPORT.set_state(record.state);
-        count(&REPORT.ticks);
-        if REPORT.streaming.load(Relaxed) && self.inbox.records.enqueue(record).is_err() {
-            count(&REPORT.records_dropped);
+        SHARED.set_state(record.state);
+        count(&SHARED.ticks);
+        if SHARED.streaming.load(Relaxed) && self.inbox.records.enqueue(record).is_err() {
+            count(&SHARED.records_dropped);
         }
     }
 
@@ -175,11 +175,11 @@ impl Tick {
         self.health.overrun = self.timer.regs_core().sr().read().uif();
         if self.health.overrun {
             taken += u32::from(COUNTS_PER_PERIOD);
-            count(&REPORT.overruns);
+            count(&SHARED.overruns);
         }
         self.health.tick_time_tenth_us = taken.min(u32::from(u16::MAX)) as u16;
-        let longest = REPORT.longest_tenth_us.load(Relaxed).max(taken);
-        REPORT.longest_tenth_us.store(longest, Relaxed);
+        let longest = SHARED.longest_tenth_us.load(Relaxed).max(taken);
+        SHARED.longest_tenth_us.store(longest, Relaxed);
     }
 }
 

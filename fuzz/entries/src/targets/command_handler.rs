@@ -38,14 +38,14 @@ pub fn run(bytes: &[u8]) {
 pub fn reaches_a_run(bytes: &[u8]) -> bool {
     let Some((&first, rest)) = bytes.split_first() else { return false };
     let mut store = Store::new(RamFlash::new(vec![0xFF; BANK_BYTES]), LAYOUT.bank_start, LAYOUT);
-    let kept = BootState::read(&mut store);
+    let boot_state = BootState::read(&mut store);
     let key = (first & 1 == 1).then_some([0x5A; 32]);
-    let beginning = HandlerConfig {
+    let config = HandlerConfig {
         board: "fuzz",
         limits: Default::default(),
         nonce_seed: [first; 16],
         key,
-        fault: kept.fault,
+        fault: boot_state.fault,
         in_use: None,
     };
     let mut supervisor = Supervisor::default();
@@ -58,7 +58,7 @@ pub fn reaches_a_run(bytes: &[u8]) -> bool {
     for _ in 0..SETTLING_TICKS * u32::from(has_parameters) {
         supervisor.tick(&[0; 3], Health::default());
     }
-    let mut handler = Handler::new(store, &beginning);
+    let mut handler = Handler::new(store, &config);
     converse(&mut handler, &mut supervisor, rest)
 }
 

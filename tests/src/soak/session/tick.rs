@@ -9,14 +9,14 @@ impl Soak {
     /// One millisecond of everything.
     pub(super) fn tick(&mut self) {
         let counts = self.arm.counts();
-        let heard = self.station.health();
+        let heard = self.runtime.health();
         let Health { overrun, converter_fault, .. } = std::mem::take(&mut self.injected);
         let health = Health { overrun, converter_fault, ..heard };
-        let record = self.station.supervisor.tick(&counts, health);
+        let record = self.runtime.supervisor.tick(&counts, health);
         if health.host_heard {
             self.heard_at = record.tick;
         }
-        self.station.after_tick(&record);
+        self.runtime.after_tick(&record);
         self.assert_as_it_should_be(&record);
         self.arm.advance(record.codes.map(|code| f64::from(code.to_volts())));
         self.tally.ticks += 1;
@@ -30,7 +30,7 @@ impl Soak {
     fn assert_as_it_should_be(&mut self, record: &TickRecord) {
         let zero = record.codes.iter().all(|code| code.0 == 0);
         assert!(zero || record.state == State::Running, "voltage while {}", record.state);
-        let Some(found) = self.station.supervisor.fault() else { return };
+        let Some(found) = self.runtime.supervisor.fault() else { return };
         if self.expected.is_some() && self.expected != Some(found.fault) {
             self.tally.faults_otherwise += 1;
             panic!("instead of {:?}: {found}", self.expected);
@@ -45,10 +45,10 @@ impl Soak {
     fn carry(&mut self) {
         for _ in 0..BYTES_PER_TICK {
             let Some(byte) = self.to_board.pop() else { break };
-            self.station.receive(byte);
+            self.runtime.receive(byte);
         }
         for _ in 0..self.bytes_per_tick {
-            let Some(byte) = self.station.send() else { break };
+            let Some(byte) = self.runtime.send() else { break };
             self.to_host.push(byte);
         }
         while let Some(byte) = self.to_host.pop() {

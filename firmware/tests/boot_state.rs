@@ -1,4 +1,4 @@
-//! What a boot takes from the flash, and what it does not believe.
+//! Which stored blocks, faults and keys a boot accepts.
 #![allow(missing_docs)]
 
 #[allow(dead_code)]
