@@ -23,13 +23,13 @@ impl Angle {
         Self(((fraction * 2_147_483_648.0) as i32).wrapping_shl(1))
     }
 
-    /// The angle moved on by a small number of radians, to within one unit.
+    /// The sum of this angle and a small one in radians, to within one unit.
     #[inline]
     pub fn plus(self, small_rad: f32) -> Self {
         Self(self.0.wrapping_add((small_rad * (1.0 / Self::RADIANS_PER_UNIT)) as i32))
     }
 
-    /// The shorter way from `other` to here in radians, in [-pi, pi).
+    /// This angle minus `other`, the shorter of the two differences, in [-pi, pi) [rad].
     #[inline]
     pub fn minus(self, other: Self) -> f32 {
         self.0.wrapping_sub(other.0) as f32 * Self::RADIANS_PER_UNIT

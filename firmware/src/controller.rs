@@ -9,11 +9,11 @@
 //!   + injected voltage
 //! ```
 //!
-//! and what the block says of the joints beyond the model is made up for in the two
-//! feedforward terms and in u as a whole: [`crate::compensation`].
+//! Effects that the model lacks are compensated in the two feedforward terms and by an inverse
+//! of the input effects applied to u: [`crate::compensation`].
 //!
-//! Inverse dynamics and friction are those of the wanted motion in the middle of
-//! the interval in which the command acts; feedback compares at the tick itself.
+//! Inverse dynamics and friction are evaluated for the reference in the middle of the interval
+//! in which the command acts; feedback uses the reference at the tick itself.
 //! Deadline: the codes are out before the next tick, 1 ms or 170,000 cycles of the
 //! STM32G474; `docs/firmware.md` holds the count of instructions, under 2,500.
 
@@ -21,7 +21,7 @@ use model::{FrictionState, Posture};
 
 use crate::Mode;
 use crate::block::{Gains, ParameterBlock};
-use crate::compensation::Moving;
+use crate::compensation::JointMotion;
 use crate::encoder::{Encoder, EncoderScale};
 use crate::reference::{InjectionSource, Setpoint, Time};
 use crate::velocity::{TrackerGains, VelocityTracker};
@@ -32,9 +32,9 @@ use crate::{Angle, DacCode};
 pub struct TickOutput {
     /// Command of each joint.
     pub codes: [DacCode; 3],
-    /// Where each joint should be at this tick.
+    /// Reference angle of each joint at this tick.
     pub reference: [Angle; 3],
-    /// Where each joint is.
+    /// Measured angle of each joint.
     pub measured: [Angle; 3],
     /// Estimated velocities [rad/s].
     pub velocity_rad_per_s: [f32; 3],
@@ -51,7 +51,7 @@ impl TickOutput {
     }
 }
 
-/// What one joint's estimators and references remember from tick to tick.
+/// Estimator, friction and injection state of one joint.
 #[derive(Clone, Debug)]
 struct Joint {
     encoder: Encoder,
@@ -77,7 +77,7 @@ pub struct Controller {
     tick: u32,
     running: bool,
     block: ParameterBlock,
-    /// Of the block when it was taken.
+    /// Fingerprint of the block when it was taken.
     fingerprint: u32,
 }
 
@@ -96,33 +96,33 @@ impl Controller {
         }
     }
 
-    /// The block that it works with.
+    /// The parameter block in use.
     pub fn block(&self) -> &ParameterBlock {
         &self.block
     }
 
-    /// Whether the block, and what was computed of it once, still are what they were when it
-    /// was taken. Some 5,000 instructions and more, `docs/board.md`.
-    pub fn is_whole(&self) -> bool {
+    /// Whether the block, and what was derived from it once, are unchanged since it was taken:
+    /// a check for corrupted memory. Some 5,000 instructions and more, `docs/board.md`.
+    pub fn is_intact(&self) -> bool {
         let fresh = |i| Joint::new(&self.block, i, self.rate_per_s);
         self.block.fingerprint() == self.fingerprint
             && self.rate_per_s == 1.0 / self.block.sample_period_s
             && self.last_tick == last_tick(&self.block, self.rate_per_s)
-            && (0..3).all(|i| self.joints[i].measures_as(&fresh(i)))
+            && (0..3).all(|i| self.joints[i].has_scales_of(&fresh(i)))
     }
 
-    /// The counts are others from the next tick on.
-    pub(crate) fn begin_anew(&mut self) {
+    /// Resets the estimators: from the next tick on the counts have another zero.
+    pub(crate) fn reset(&mut self) {
         self.joints = [0, 1, 2].map(|i| Joint::new(&self.block, i, self.rate_per_s));
     }
 
-    /// Changes the block as broken memory would; for tests.
+    /// Changes the block as corrupted memory would; for tests.
     #[cfg(feature = "fault-injection")]
-    pub(crate) fn break_block(&mut self, change: impl FnOnce(&mut ParameterBlock)) {
+    pub(crate) fn corrupt_block(&mut self, change: impl FnOnce(&mut ParameterBlock)) {
         change(&mut self.block);
     }
 
-    /// Where each joint shall be at the first tick of the reference.
+    /// Reference angle of each joint at the first tick of the reference.
     ///
     /// Found by playing that tick on a copy: a second caller of the motions' functions would
     /// keep the compiler from building them into the tick.
@@ -177,12 +177,12 @@ impl Controller {
         for i in 0..3 {
             let now = ahead[i].earlier(0.5 * self.block.sample_period_s);
             let feedback_v = self.block.gains[i].feedback(&now, &measured[i]);
-            let motion = self.block.mode[i].fed_forward(&ahead[i], &measured[i]);
+            let motion = self.block.mode[i].feedforward_motion(&ahead[i], &measured[i]);
             let terms = self.terms(i, motion, feedback_v, inverse_dynamics_v[i]);
             let motor_v = terms.sum(self.block.mode[i]) + injected_v[i];
             let wanted_v = self.command_for(i, motor_v, ahead[i].angle);
             let limit_v = self.block.command_limit_v;
-            // What is no number is not within the limit either.
+            // NaN compares false, so it counts as beyond the limit.
             let within = wanted_v.abs() <= limit_v;
             let command_v = if within { wanted_v } else { cut(wanted_v, limit_v) };
             output.codes[i] = DacCode::from_volts(command_v);
@@ -192,17 +192,17 @@ impl Controller {
         self.tick = self.tick.saturating_add(1);
     }
 
-    /// What joint `i` (0 to 2) is told, with what it does beyond the model.
+    /// Feedback and feedforward of joint `i` (0 to 2), disturbance included.
     #[inline]
-    fn terms(&mut self, i: usize, motion: Moving, feedback_v: f32, dynamics_v: f32) -> Terms {
-        let beyond = self.block.compensations[i].beyond(motion);
+    fn terms(&mut self, i: usize, motion: JointMotion, feedback_v: f32, dynamics_v: f32) -> Terms {
+        let disturbance = self.block.compensations[i].disturbance(motion);
         let friction_v = self.joints[i].friction.step_scaled(
             &self.block.robot.friction[i],
-            beyond.friction,
+            disturbance.friction,
             motion.velocity_rad_per_s,
             self.block.sample_period_s,
         );
-        Terms { feedback_v, inverse_dynamics_v: dynamics_v - beyond.added_v, friction_v }
+        Terms { feedback_v, inverse_dynamics_v: dynamics_v - disturbance.added_v, friction_v }
     }
 
     /// The command that brings a voltage to the motor, in the modes that know the model.
@@ -228,7 +228,7 @@ impl Controller {
         })
     }
 
-    /// Motor voltages of the wanted motion, eq. (3), less what torques from outside do.
+    /// Motor voltages of the reference, the inverse dynamics of eq. (3), less the external load's.
     #[inline]
     fn inverse_dynamics(&self, wanted: &[Setpoint; 3]) -> [f32; 3] {
         let robot = &self.block.robot;
@@ -239,10 +239,10 @@ impl Controller {
             &wanted.map(|w| w.velocity_rad_per_s),
             &wanted.map(|w| w.acceleration_rad_per_s2),
         );
-        let torque_nm = match &self.block.outside {
+        let torque_nm = match &self.block.external_load {
             None => torque_nm,
-            Some(outside) => {
-                let less = outside.torque(robot, wanted[0].angle, second, third);
+            Some(load) => {
+                let less = load.torque(robot, wanted[0].angle, second, third);
                 [0, 1, 2].map(|i| torque_nm[i] - less[i])
             }
         };
@@ -261,7 +261,7 @@ impl Controller {
     }
 }
 
-/// What a joint's command is made of [V].
+/// The terms of a joint's command [V].
 #[derive(Clone, Copy, Debug)]
 struct Terms {
     feedback_v: f32,
@@ -284,7 +284,8 @@ impl Terms {
 }
 
 impl Mode {
-    /// The velocity whose friction is compensated: the wanted one, unless nothing is wanted.
+    /// The velocity whose friction is compensated: the reference's, or the measured one in the
+    /// mode without a reference.
     #[inline]
     fn friction_velocity(self, wanted: &Setpoint, measured: &Measured) -> f32 {
         match self {
@@ -293,10 +294,10 @@ impl Mode {
         }
     }
 
-    /// The motion that is fed forward.
+    /// The motion for which feedforward is computed.
     #[inline]
-    fn fed_forward(self, wanted: &Setpoint, measured: &Measured) -> Moving {
-        Moving {
+    fn feedforward_motion(self, wanted: &Setpoint, measured: &Measured) -> JointMotion {
+        JointMotion {
             angle: if self == Self::FrictionOnly { measured.angle } else { wanted.angle },
             position_rad: wanted.position_rad,
             velocity_rad_per_s: self.friction_velocity(wanted, measured),
@@ -309,7 +310,7 @@ fn last_tick(block: &ParameterBlock, rate_per_s: f32) -> u32 {
     (block.reference.duration_s * rate_per_s + 0.5) as u32
 }
 
-/// What is put out for a voltage beyond +-`limit_v`: the limit, or 0 V if it is not finite.
+/// The output for a voltage above `limit_v` in magnitude: the limit, or 0 V if it is not finite.
 #[cold]
 fn cut(voltage_v: f32, limit_v: f32) -> f32 {
     if voltage_v.is_finite() { limit_v.copysign(voltage_v) } else { 0.0 }
@@ -327,7 +328,7 @@ impl Joint {
         }
     }
 
-    fn measures_as(&self, other: &Self) -> bool {
+    fn has_scales_of(&self, other: &Self) -> bool {
         self.tracker_gains == other.tracker_gains && self.encoder.scale() == other.encoder.scale()
     }
 

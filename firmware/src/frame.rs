@@ -1,7 +1,7 @@
 //! Frames on a serial line: COBS, ended by a zero byte.
 //!
 //! A zero never occurs inside a frame, so after a lost or a broken byte the next
-//! zero is the beginning of something whole.
+//! zero begins the next intact frame.
 
 /// Longest content of a frame [bytes].
 pub const MAX_CONTENT_BYTES: usize = 256;
@@ -37,7 +37,7 @@ impl FrameReader {
     }
 
     /// Bytes were lost: what has come of this frame, and what comes until the next zero, is void.
-    pub fn lose(&mut self) {
+    pub fn discard(&mut self) {
         self.broken = true;
     }
 
@@ -111,7 +111,7 @@ mod tests {
     fn after_a_loss_the_next_frame_is_whole() {
         let mut reader = FrameReader::new();
         assert!(frames(&mut reader, &[9, 1, 2]).is_empty());
-        reader.lose();
+        reader.discard();
         assert_eq!(frames(&mut reader, &[3, 4, 0, 2, 9, 0]), [[9]]);
         assert_eq!(reader.dropped(), 1);
     }

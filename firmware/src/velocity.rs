@@ -1,10 +1,10 @@
 //! The velocity estimate.
 //!
-//! One count a tick is 9.6 mrad/s, three Stribeck velocities: a plain difference
-//! tells nothing where friction is decided. This tracker follows the angle with
+//! One count a tick is 9.6 mrad/s, three Stribeck velocities: a difference of counts is too
+//! coarse for friction compensation. This tracker follows the angle with
 //! three equal poles (a fading-memory filter of second degree, N. Morrison,
 //! *Introduction to Sequential Smoothing and Prediction*, 1969): it has no lag
-//! at constant speed or constant acceleration. What it costs, from counts of 1/655360
+//! at constant speed or constant acceleration. Its noise and lag, from counts of 1/655360
 //! turn at 1 kHz, as the tests below hold it:
 //!
 //! | bandwidth | noise at constant speed, rms | lag to 1 rad at 1 Hz (peak 6.28 rad/s), rms |
@@ -45,7 +45,7 @@ impl TrackerGains {
 pub struct VelocityTracker {
     gains: TrackerGains,
     measured: Angle,
-    /// Estimated angle beyond the measured one [rad].
+    /// Estimated angle minus the measured one [rad].
     ahead_rad: f32,
     velocity_rad_per_s: f32,
     acceleration_rad_per_s2: f32,

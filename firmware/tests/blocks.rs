@@ -1,4 +1,4 @@
-//! Parameter blocks: what goes out comes in, what is wrong is refused by name.
+//! Parameter blocks survive encoding and decoding; wrong ones are refused by name.
 #![allow(missing_docs)]
 
 mod common;

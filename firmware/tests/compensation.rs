@@ -1,18 +1,20 @@
-//! What the modes make of compensations.
+//! The effect of compensations in each mode.
 #![allow(missing_docs)]
 
 mod common;
 
 use common::{block, joint};
-use firmware::compensation::{Compensations, FedForward, Outside, TurnWave, Undone};
+use firmware::compensation::{
+    AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse,
+};
 use firmware::dac::VOLTS_PER_LSB;
 use firmware::reference::Reference;
 use firmware::{Angle, Controller, DacCode, Mode, ParameterBlock};
 use model::effects::Tilt;
 
-const WAVE: TurnWave = TurnWave { harmonic: 8, phase: Angle(1 << 28) };
-const COGGING: FedForward = FedForward::Cogging { amplitude_v: 0.2, wave: WAVE };
-const OFFSET: Undone = Undone::DacOffset { offset_v: 0.3 };
+const WAVE: AngularHarmonic = AngularHarmonic { order: 8, phase: Angle(1 << 28) };
+const COGGING: Feedforward = Feedforward::Cogging { amplitude_v: 0.2, wave: WAVE };
+const OFFSET: InputInverse = InputInverse::DacOffset { offset_v: 0.3 };
 
 /// Holds at an angle of all joints, where gravity and friction ask for what they ask.
 fn holding(mode: Mode, angle_rad: f32, third: Compensations) -> ParameterBlock {
@@ -61,7 +63,7 @@ fn the_command_is_corrected_where_there_is_feedforward() {
 
 #[test]
 fn what_befell_the_command_last_is_undone_first() {
-    let constant = Undone::TorqueConstant { relative_error: -0.5 };
+    let constant = InputInverse::TorqueConstant { relative_error: -0.5 };
     let wanted = first_voltage(holding(Mode::PdModel, 0.0, Compensations::default()));
     assert_near(change(Mode::PdModel, 0.0, &joint(&[], &[OFFSET, constant])), wanted - 0.3);
     assert_near(change(Mode::PdModel, 0.0, &joint(&[], &[constant, OFFSET])), wanted - 0.6);
@@ -69,7 +71,7 @@ fn what_befell_the_command_last_is_undone_first() {
 
 #[test]
 fn a_cable_knows_the_turn() {
-    let spring = |rest_rad| FedForward::CableSpring { stiffness_v_per_rad: 0.1, rest_rad };
+    let spring = |rest_rad| Feedforward::CableSpring { stiffness_v_per_rad: 0.1, rest_rad };
     for rest_rad in [-9.0, 0.0, 9.0] {
         assert_near(change(Mode::PdModel, 1e-3, &joint(&[spring(rest_rad)], &[])), -0.1 * rest_rad);
     }
@@ -77,9 +79,9 @@ fn a_cable_knows_the_turn() {
 
 #[test]
 fn friction_alone_is_scaled_where_the_joint_is() {
-    let varied = FedForward::PositionFriction {
+    let varied = Feedforward::PositionFriction {
         relative_amplitude: 0.5,
-        wave: TurnWave { harmonic: 1, phase: Angle(0) },
+        wave: AngularHarmonic { order: 1, phase: Angle(0) },
     };
     // A hundred slow ticks, a quarter turn away from the reference.
     let voltage = |third| {
@@ -98,7 +100,7 @@ fn torques_from_outside_are_held() {
     let mut block = holding(Mode::PdModel, 0.0, Compensations::default());
     let without = first_voltage(block.clone());
     let tilt = Tilt { gravity_change: [0.0, 0.0, 0.01], ..Tilt::default() };
-    block.outside = Some(Outside { tip_force_n: [0.0, 0.0, 2.0], tilt });
+    block.external_load = Some(ExternalLoad { tip_force_n: [0.0, 0.0, 2.0], tilt });
     let robot = block.robot;
     let weight_nm = 0.01 * 9.81 * robot.base.mx3r;
     assert_near(first_voltage(block) - without, -(2.0 * 0.415 + weight_nm) / 3.0);

@@ -6,16 +6,17 @@ mod common;
 use common::{block, joint};
 use firmware::block::MAX_BYTES;
 use firmware::compensation::{
-    Compensations, FedForward, MOST_FED_FORWARD, MOST_UNDONE, Outside, TurnWave, Undone,
+    AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse, MAX_FEEDFORWARD,
+    MAX_INPUT_INVERSES,
 };
 use firmware::reference::{ConstantVelocity, Injection, MAX_SPEEDS, Motion, Noise};
 use firmware::{Angle, BlockError, Controller, DacCode, Mode, ParameterBlock};
 use model::effects::Tilt;
 use proptest::prelude::*;
 
-const WAVE: TurnWave = TurnWave { harmonic: 8, phase: Angle(1 << 28) };
-const COGGING: FedForward = FedForward::Cogging { amplitude_v: 0.2, wave: WAVE };
-const OFFSET: Undone = Undone::DacOffset { offset_v: 0.3 };
+const WAVE: AngularHarmonic = AngularHarmonic { order: 8, phase: Angle(1 << 28) };
+const COGGING: Feedforward = Feedforward::Cogging { amplitude_v: 0.2, wave: WAVE };
+const OFFSET: InputInverse = InputInverse::DacOffset { offset_v: 0.3 };
 
 fn encoded(block: &ParameterBlock) -> Vec<u8> {
     let mut buffer = [0; MAX_BYTES];
@@ -36,25 +37,29 @@ fn refusal(second: Compensations) -> (&'static str, u8) {
 fn values_out_of_their_range_are_refused_by_name() {
     let fed = |effect| refusal(joint(&[COGGING, effect], &[]));
     let undone = |effect| refusal(joint(&[], &[OFFSET, effect]));
-    let wave = |harmonic| TurnWave { harmonic, phase: Angle(0) };
-    let cogging = |amplitude_v, harmonic| FedForward::Cogging { amplitude_v, wave: wave(harmonic) };
+    let wave = |harmonic| AngularHarmonic { order: harmonic, phase: Angle(0) };
+    let cogging =
+        |amplitude_v, harmonic| Feedforward::Cogging { amplitude_v, wave: wave(harmonic) };
     assert_eq!(fed(cogging(f32::NAN, 1)), ("cogging amplitude_V", 2));
     assert_eq!(fed(cogging(0.1, 0)), ("cogging harmonic", 2));
     assert_eq!(fed(cogging(0.1, 1001)), ("cogging harmonic", 2));
-    let friction = FedForward::PositionFriction { relative_amplitude: 1.0, wave: WAVE };
+    let friction = Feedforward::PositionFriction { relative_amplitude: 1.0, wave: WAVE };
     assert_eq!(fed(friction), ("position_friction relative_amplitude", 2));
-    let asymmetric = FedForward::AsymmetricFriction { relative_asymmetry: -1.0 };
+    let asymmetric = Feedforward::AsymmetricFriction { relative_asymmetry: -1.0 };
     assert_eq!(fed(asymmetric), ("asymmetric_friction relative_asymmetry", 2));
-    let spring = FedForward::CableSpring { stiffness_v_per_rad: 0.1, rest_rad: f32::INFINITY };
+    let spring = Feedforward::CableSpring { stiffness_v_per_rad: 0.1, rest_rad: f32::INFINITY };
     assert_eq!(fed(spring), ("cable_spring rest_rad", 2));
-    let drag = FedForward::QuadraticDrag { coefficient_v_s2_per_rad2: -0.1 };
+    let drag = Feedforward::QuadraticDrag { coefficient_v_s2_per_rad2: -0.1 };
     assert_eq!(fed(drag), ("quadratic_drag coefficient_V_s2_per_rad2", 2));
-    let constant = Undone::TorqueConstant { relative_error: -1.0 };
+    let constant = InputInverse::TorqueConstant { relative_error: -1.0 };
     assert_eq!(undone(constant), ("torque_constant relative_error", 2));
-    let ripple = Undone::TorqueRipple { relative_amplitude: 1.0, wave: WAVE };
+    let ripple = InputInverse::TorqueRipple { relative_amplitude: 1.0, wave: WAVE };
     assert_eq!(undone(ripple), ("torque_ripple relative_amplitude", 2));
-    assert_eq!(undone(Undone::DacOffset { offset_v: 6.0 }), ("dac_offset offset_V", 2));
-    assert_eq!(undone(Undone::DeadZone { half_width_v: -0.1 }), ("dead_zone half_width_V", 2));
+    assert_eq!(undone(InputInverse::DacOffset { offset_v: 6.0 }), ("dac_offset offset_V", 2));
+    assert_eq!(
+        undone(InputInverse::DeadZone { half_width_v: -0.1 }),
+        ("dead_zone half_width_V", 2)
+    );
 }
 
 #[test]
@@ -81,60 +86,61 @@ fn the_fullest_block_fits() {
         leg_s: 0.8,
         ramp_s: 0.2,
     });
-    let wave = TurnWave { harmonic: 1000, phase: Angle(i32::MIN) };
+    let wave = AngularHarmonic { order: 1000, phase: Angle(i32::MIN) };
     let full = joint(
-        &[FedForward::Cogging { amplitude_v: 0.1, wave }; MOST_FED_FORWARD],
-        &[Undone::TorqueRipple { relative_amplitude: 0.1, wave }; MOST_UNDONE],
+        &[Feedforward::Cogging { amplitude_v: 0.1, wave }; MAX_FEEDFORWARD],
+        &[InputInverse::TorqueRipple { relative_amplitude: 0.1, wave }; MAX_INPUT_INVERSES],
     );
     let mut block = block(Mode::OpenLoop);
     block.reference.motion = [(); 3].map(|()| legs.clone());
     block.reference.injection = [noise; 3];
     block.compensations = [(); 3].map(|()| full.clone());
-    block.outside = Some(Outside { tilt: Tilt::new(0.1, 0.1, [0.1; 2]), tip_force_n: [1.0; 3] });
+    block.external_load =
+        Some(ExternalLoad { tilt: Tilt::new(0.1, 0.1, [0.1; 2]), tip_force_n: [1.0; 3] });
     let bytes = encoded(&block);
     println!("{} of {MAX_BYTES} bytes", bytes.len());
     assert_eq!(ParameterBlock::decode(&bytes).unwrap(), block);
 }
 
-fn waves() -> impl Strategy<Value = TurnWave> {
+fn waves() -> impl Strategy<Value = AngularHarmonic> {
     (1..=1000_u16, any::<i32>())
-        .prop_map(|(harmonic, phase)| TurnWave { harmonic, phase: Angle(phase) })
+        .prop_map(|(harmonic, phase)| AngularHarmonic { order: harmonic, phase: Angle(phase) })
 }
 
-fn fed_forward() -> impl Strategy<Value = FedForward> {
+fn fed_forward() -> impl Strategy<Value = Feedforward> {
     prop_oneof![
         (0.0..5.0_f32, waves())
-            .prop_map(|(amplitude_v, wave)| FedForward::Cogging { amplitude_v, wave }),
+            .prop_map(|(amplitude_v, wave)| Feedforward::Cogging { amplitude_v, wave }),
         (0.0..10.0_f32, -100.0..100.0_f32).prop_map(|(stiffness_v_per_rad, rest_rad)| {
-            FedForward::CableSpring { stiffness_v_per_rad, rest_rad }
+            Feedforward::CableSpring { stiffness_v_per_rad, rest_rad }
         }),
-        (0.0..1.0_f32).prop_map(|coefficient_v_s2_per_rad2| FedForward::QuadraticDrag {
+        (0.0..1.0_f32).prop_map(|coefficient_v_s2_per_rad2| Feedforward::QuadraticDrag {
             coefficient_v_s2_per_rad2
         }),
         (0.0..0.95_f32, waves()).prop_map(|(relative_amplitude, wave)| {
-            FedForward::PositionFriction { relative_amplitude, wave }
+            Feedforward::PositionFriction { relative_amplitude, wave }
         }),
         (-0.95..0.95_f32)
-            .prop_map(|relative_asymmetry| FedForward::AsymmetricFriction { relative_asymmetry }),
+            .prop_map(|relative_asymmetry| Feedforward::AsymmetricFriction { relative_asymmetry }),
     ]
 }
 
-fn undone() -> impl Strategy<Value = Undone> {
+fn undone() -> impl Strategy<Value = InputInverse> {
     prop_oneof![
-        (-0.5..0.5_f32).prop_map(|relative_error| Undone::TorqueConstant { relative_error }),
-        (0.0..0.9_f32, waves()).prop_map(|(relative_amplitude, wave)| Undone::TorqueRipple {
+        (-0.5..0.5_f32).prop_map(|relative_error| InputInverse::TorqueConstant { relative_error }),
+        (0.0..0.9_f32, waves()).prop_map(|(relative_amplitude, wave)| InputInverse::TorqueRipple {
             relative_amplitude,
             wave
         }),
-        (-5.0..5.0_f32).prop_map(|offset_v| Undone::DacOffset { offset_v }),
-        (0.0..5.0_f32).prop_map(|half_width_v| Undone::DeadZone { half_width_v }),
+        (-5.0..5.0_f32).prop_map(|offset_v| InputInverse::DacOffset { offset_v }),
+        (0.0..5.0_f32).prop_map(|half_width_v| InputInverse::DeadZone { half_width_v }),
     ]
 }
 
 prop_compose! {
     fn compensations()(
-        fed_forward in prop::collection::vec(fed_forward(), 0..=MOST_FED_FORWARD),
-        undone in prop::collection::vec(undone(), 0..=MOST_UNDONE),
+        fed_forward in prop::collection::vec(fed_forward(), 0..=MAX_FEEDFORWARD),
+        undone in prop::collection::vec(undone(), 0..=MAX_INPUT_INVERSES),
     ) -> Compensations {
         joint(&fed_forward, &undone)
     }
@@ -145,8 +151,8 @@ prop_compose! {
         gravity_change in prop::array::uniform3(-2.0..2.0_f32),
         hidden_moment_kg_m in prop::array::uniform2(-10.0..10.0_f32),
         tip_force_n in prop::array::uniform3(-1e3..1e3_f32),
-    ) -> Outside {
-        Outside { tilt: Tilt { gravity_change, hidden_moment_kg_m }, tip_force_n }
+    ) -> ExternalLoad {
+        ExternalLoad { tilt: Tilt { gravity_change, hidden_moment_kg_m }, tip_force_n }
     }
 }
 
@@ -159,7 +165,7 @@ proptest! {
         outside in prop::option::of(outside()),
         mode in prop::sample::select(Mode::ALL.to_vec()),
     ) {
-        let block = ParameterBlock { compensations, outside, ..block(mode) };
+        let block = ParameterBlock { compensations, external_load: outside, ..block(mode) };
         let decoded = ParameterBlock::decode(&encoded(&block)).unwrap();
         prop_assert_eq!(&decoded, &block);
         let mut controller = Controller::new(decoded);

@@ -9,7 +9,7 @@ mod common;
 use bench::memory_store::MemoryStore;
 use bench::operator::{Bench, Owned, encoded, frame, read_answer};
 use firmware::link::{
-    Beginning, BlockRefusal, Command, Handler, Origin, Refusal, Request, Source, StoreRefusal,
+    BlockRefusal, Command, Handler, HandlerConfig, Origin, Refusal, Request, Source, StoreRefusal,
 };
 use firmware::reference::Reference;
 use firmware::supervisor::{Fault, Health, Implausible, State, Supervisor};
@@ -116,7 +116,7 @@ fn a_request_is_carried_out_once_however_often_it_comes() {
 #[test]
 fn after_a_reset_the_host_must_say_hello() {
     let mut bench = ready(None);
-    let beginning = Beginning {
+    let config = HandlerConfig {
         board: "test",
         limits: Default::default(),
         nonce_seed: [1; 16],
@@ -124,7 +124,7 @@ fn after_a_reset_the_host_must_say_hello() {
         fault: None,
         in_use: None,
     };
-    bench.handler = Handler::new(MemoryStore::default(), &beginning);
+    bench.handler = Handler::new(MemoryStore::default(), &config);
     assert_eq!(bench.ask(Command::Arm), Err(Refusal::HelloFirst));
     bench.greet();
     assert_eq!(bench.ask(Command::Arm), Ok(Owned::Done));

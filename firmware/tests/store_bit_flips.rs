@@ -1,4 +1,4 @@
-//! Every single bit of a stored block, turned round, is noticed.
+//! Every single flipped bit of a stored block is detected.
 #![allow(missing_docs)]
 
 mod common;
@@ -63,14 +63,14 @@ fn a_flipped_bit_in_the_only_block_leaves_the_safe_defaults() {
 #[test]
 fn a_flipped_bit_in_a_note_brings_back_the_one_before() {
     let mut notes = store(FailingFlash::new());
-    notes.keep(Kind::Key, &[1; NOTE_BYTES]).unwrap();
-    notes.keep(Kind::Key, &[2; NOTE_BYTES]).unwrap();
+    notes.write_note(Kind::Key, &[1; NOTE_BYTES]).unwrap();
+    notes.write_note(Kind::Key, &[2; NOTE_BYTES]).unwrap();
     let flash = notes.into_flash();
     let second = (LAYOUT.key[0] - LAYOUT.bank_start) as usize + 64;
     for byte in second..second + 64 {
         for bit in 0..8 {
             let mut found = [0; NOTE_BYTES];
-            store(flip(&flash, byte, bit)).note(Kind::Key, &mut found).unwrap();
+            store(flip(&flash, byte, bit)).read_note(Kind::Key, &mut found).unwrap();
             assert_eq!(found, [1; NOTE_BYTES], "{byte}.{bit}");
         }
     }

@@ -150,19 +150,19 @@ fn notes_are_kept_apart_and_forgotten_when_empty() {
         LAYOUT,
     );
     let mut found = [0; NOTE_BYTES];
-    assert_eq!(store.note(Kind::Fault, &mut found), None);
+    assert_eq!(store.read_note(Kind::Fault, &mut found), None);
     store.commit(&encoded(Mode::PdModel)).unwrap();
     for number in 0..200 {
-        store.keep(Kind::Fault, &[number; 5]).unwrap();
-        store.keep(Kind::Key, &[!number; 32]).unwrap();
-        assert_eq!(store.note(Kind::Fault, &mut found), Some(5));
+        store.write_note(Kind::Fault, &[number; 5]).unwrap();
+        store.write_note(Kind::Key, &[!number; 32]).unwrap();
+        assert_eq!(store.read_note(Kind::Fault, &mut found), Some(5));
         assert_eq!(found[..5], [number; 5]);
-        assert_eq!(store.note(Kind::Key, &mut found), Some(32));
+        assert_eq!(store.read_note(Kind::Key, &mut found), Some(32));
         assert_eq!(found[..32], [!number; 32]);
     }
-    store.keep(Kind::Fault, &[]).unwrap();
-    assert_eq!(store.note(Kind::Fault, &mut found), Some(0));
-    let too_long = store.keep(Kind::Key, &[0; NOTE_BYTES + 1]).unwrap_err();
+    store.write_note(Kind::Fault, &[]).unwrap();
+    assert_eq!(store.read_note(Kind::Fault, &mut found), Some(0));
+    let too_long = store.write_note(Kind::Key, &[0; NOTE_BYTES + 1]).unwrap_err();
     assert_eq!(too_long.to_string(), "the key record has 41 bytes, there is room for 40");
     assert_eq!(store.boot().block, block(Mode::PdModel));
 }

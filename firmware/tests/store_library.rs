@@ -1,4 +1,4 @@
-//! The kept library sequential-storage in the power-cut test that the store passes.
+//! The library sequential-storage in the power-cut test that the store passes.
 //!
 //! Not a test of this project: it prints the figures of `docs/parameter-store.md`. Run it with
 //! `cargo test --release -p firmware --test store_library -- --ignored --nocapture`.

@@ -120,13 +120,13 @@ fn a_commit_after_two_cuts_holds() {
 
 fn note(flash: &FailingFlash, kind: Kind) -> Option<Vec<u8>> {
     let mut buffer = [0; NOTE_BYTES];
-    let length = store(flash.clone().repaired()).note(kind, &mut buffer)?;
+    let length = store(flash.clone().repaired()).read_note(kind, &mut buffer)?;
     Some(buffer[..length].to_vec())
 }
 
 fn keep(flash: FailingFlash, kind: Kind, bytes: &[u8]) -> FailingFlash {
     let mut store = store(flash);
-    let _ = store.keep(kind, bytes);
+    let _ = store.write_note(kind, bytes);
     store.into_flash()
 }
 

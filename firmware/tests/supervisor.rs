@@ -7,7 +7,7 @@ mod common;
 use common::block;
 use firmware::reference::{Injection, Motion, Noise, Reference};
 use firmware::supervisor::{
-    BootReport, Denied, Fault, FaultRecord, Health, Implausible, Order, State, Supervisor,
+    BootReport, Fault, FaultRecord, Health, Implausible, Order, OrderError, State, Supervisor,
 };
 use firmware::{Controller, DacCode, Gains, Mode, ParameterBlock};
 
@@ -34,13 +34,13 @@ fn armed(block: ParameterBlock) -> Supervisor {
     for _ in 0..200 {
         supervisor.tick(&[0; 3], Health::default());
     }
-    supervisor.obey(Order::Arm).unwrap();
+    supervisor.execute(Order::Arm).unwrap();
     supervisor
 }
 
 fn running(block: ParameterBlock) -> Supervisor {
     let mut supervisor = armed(block);
-    supervisor.obey(RUN).unwrap();
+    supervisor.execute(RUN).unwrap();
     supervisor
 }
 
@@ -62,7 +62,7 @@ fn play(
             (None, Some(record)) => {
                 assert_eq!((told.codes, told.state), (ZERO, State::Faulted), "at once");
                 assert_eq!(told.fault, Some((record.fault, record.joint)));
-                assert_eq!(record.tick, told.sequence);
+                assert_eq!(record.tick, told.tick);
                 found = Some(Found { tick: number, record });
             }
             (Some(first), now) => {
@@ -228,7 +228,7 @@ fn a_value_that_is_not_finite() {
 #[test]
 fn a_host_that_falls_silent() {
     let mut supervisor = armed(holding(Mode::Pd));
-    supervisor.obey(Order::Run { host_timeout_ticks: Some(50) }).unwrap();
+    supervisor.execute(Order::Run { host_timeout_ticks: Some(50) }).unwrap();
     let mut ticks = quiet(|_| [0; 3], 200);
     for tick in [20, 60, 100] {
         ticks[tick - 1].1.host_heard = true;
@@ -261,8 +261,11 @@ fn what_the_boot_finds() {
         assert_eq!(supervisor.state(), State::Faulted);
         assert_eq!(supervisor.fault().unwrap().fault, fault);
         assert_eq!(supervisor.tick(&[0; 3], Health::default()).codes, ZERO);
-        assert_eq!(supervisor.obey(Order::Arm), Err(Denied::NotNow { state: State::Faulted }));
-        assert_eq!(supervisor.obey(Order::ClearFault), Ok(()));
+        assert_eq!(
+            supervisor.execute(Order::Arm),
+            Err(OrderError::NotNow { state: State::Faulted })
+        );
+        assert_eq!(supervisor.execute(Order::ClearFault), Ok(()));
         assert_eq!((supervisor.state(), supervisor.fault()), (State::Disarmed, None));
     }
 }
@@ -273,11 +276,11 @@ fn a_fault_is_left_by_a_clear_alone_and_not_while_its_cause_is_there() {
     let broken = Health { converter_fault: true, ..Health::default() };
     supervisor.tick(&[0; 3], broken);
     for order in [Order::Arm, RUN, Order::Stop, Order::Disarm] {
-        assert_eq!(supervisor.obey(order), Err(Denied::NotNow { state: State::Faulted }));
+        assert_eq!(supervisor.execute(order), Err(OrderError::NotNow { state: State::Faulted }));
     }
-    assert_eq!(supervisor.obey(Order::ClearFault), Err(Denied::FaultPersists));
+    assert_eq!(supervisor.execute(Order::ClearFault), Err(OrderError::FaultPersists));
     supervisor.tick(&[0; 3], Health::default());
-    assert_eq!(supervisor.obey(Order::ClearFault), Ok(()));
+    assert_eq!(supervisor.execute(Order::ClearFault), Ok(()));
     assert_eq!(supervisor.state(), State::Disarmed);
 }
 
@@ -293,45 +296,45 @@ fn the_output_is_zero_unless_it_runs() {
     assert_eq!(codes(&mut supervisor), ZERO, "boot");
     supervisor.booted(BootReport::default());
     assert!((0..200).all(|_| codes(&mut supervisor) == ZERO), "disarmed");
-    supervisor.obey(Order::Arm).unwrap();
+    supervisor.execute(Order::Arm).unwrap();
     assert!((0..200).all(|_| codes(&mut supervisor) == ZERO), "armed");
-    supervisor.obey(RUN).unwrap();
+    supervisor.execute(RUN).unwrap();
     assert!(codes(&mut supervisor).iter().all(|code| code.0 > 20_000), "running");
-    supervisor.obey(Order::Stop).unwrap();
+    supervisor.execute(Order::Stop).unwrap();
     assert_eq!(supervisor.state(), State::Armed);
     assert_eq!(codes(&mut supervisor), ZERO, "stopped");
-    supervisor.obey(RUN).unwrap();
+    supervisor.execute(RUN).unwrap();
     assert_ne!(codes(&mut supervisor), ZERO);
-    supervisor.obey(Order::Disarm).unwrap();
+    supervisor.execute(Order::Disarm).unwrap();
     assert_eq!((supervisor.state(), codes(&mut supervisor)), (State::Disarmed, ZERO));
 }
 
 #[test]
 fn orders_out_of_turn_change_nothing() {
-    let not_now = |state| Err(Denied::NotNow { state });
+    let not_now = |state| Err(OrderError::NotNow { state });
     let mut supervisor = Supervisor::default();
     for order in [Order::Arm, RUN, Order::Stop, Order::Disarm, Order::ClearFault] {
-        assert_eq!(supervisor.obey(order), not_now(State::Boot));
+        assert_eq!(supervisor.execute(order), not_now(State::Boot));
     }
     supervisor.booted(BootReport::default());
-    assert_eq!(supervisor.obey(Order::Arm), Err(Denied::NoParameters));
-    assert_eq!(supervisor.obey(RUN), not_now(State::Disarmed));
-    assert_eq!(supervisor.obey(Order::ClearFault), not_now(State::Disarmed));
+    assert_eq!(supervisor.execute(Order::Arm), Err(OrderError::NoParameters));
+    assert_eq!(supervisor.execute(RUN), not_now(State::Disarmed));
+    assert_eq!(supervisor.execute(Order::ClearFault), not_now(State::Disarmed));
     let mut supervisor = armed(holding(Mode::Pd));
-    assert_eq!(supervisor.obey(Order::Arm), not_now(State::Armed));
+    assert_eq!(supervisor.execute(Order::Arm), not_now(State::Armed));
     let other = || Controller::new(holding(Mode::PdModel));
     assert_eq!(supervisor.replace(other()), not_now(State::Armed));
-    supervisor.obey(RUN).unwrap();
+    supervisor.execute(RUN).unwrap();
     assert_eq!(supervisor.replace(other()), not_now(State::Running));
-    assert_eq!(supervisor.obey(RUN), not_now(State::Running));
+    assert_eq!(supervisor.execute(RUN), not_now(State::Running));
 }
 
 /// Why a supervisor does not arm after these counts of joint 2.
 fn refusal(block: ParameterBlock, counts: impl Fn(i32) -> i32, ticks: i32) -> Implausible {
     let mut supervisor = disarmed(block);
     assert!(play(&mut supervisor, quiet(|k| [0, counts(k), 0], ticks)).is_none());
-    match supervisor.obey(Order::Arm) {
-        Err(Denied::Implausible { joint: 2, why }) => why,
+    match supervisor.execute(Order::Arm) {
+        Err(OrderError::Implausible { joint: 2, why }) => why,
         other => panic!("{other:?}"),
     }
 }
@@ -342,7 +345,7 @@ fn an_implausible_estimate_is_not_armed() {
     let supervisor = &mut disarmed(block());
     supervisor.tick(&[0; 3], Health::default());
     let why = Implausible::NotSettled;
-    assert_eq!(supervisor.obey(Order::Arm), Err(Denied::Implausible { joint: 1, why }));
+    assert_eq!(supervisor.execute(Order::Arm), Err(OrderError::Implausible { joint: 1, why }));
     // 0.1 rad/s are 10.4 counts a tick.
     assert_eq!(refusal(block(), |k| 10 * k, 500), Implausible::Moving);
     assert_eq!(refusal(block(), |k| if k < 480 { 0 } else { 40_000 }, 500), Implausible::Jumped);
@@ -354,21 +357,21 @@ fn an_implausible_estimate_is_not_armed() {
     // At rest again, it is armed.
     let mut supervisor = disarmed(block());
     play(&mut supervisor, quiet(|k| [0, 10 * k.min(100), 0], 500));
-    assert_eq!(supervisor.obey(Order::Arm), Ok(()));
+    assert_eq!(supervisor.execute(Order::Arm), Ok(()));
 }
 
 #[test]
 fn a_run_does_not_begin_far_from_its_reference() {
     let mut block = holding(Mode::Pd);
     block.reference = Reference::hold([0.0, 0.0, -0.7]);
-    match armed(block.clone()).obey(RUN) {
-        Err(Denied::FarFromStart { joint: 3, distance_rad }) => {
+    match armed(block.clone()).execute(RUN) {
+        Err(OrderError::FarFromStart { joint: 3, distance_rad }) => {
             assert!((distance_rad + 0.7).abs() < 1e-5, "{distance_rad}");
         }
         other => panic!("{other:?}"),
     }
     block.mode = [Mode::OpenLoop; 3];
-    assert_eq!(armed(block).obey(RUN), Ok(()), "it has no reference there");
+    assert_eq!(armed(block).execute(RUN), Ok(()), "it has no reference there");
 }
 
 #[test]

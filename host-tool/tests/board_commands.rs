@@ -212,7 +212,7 @@ fn a_board_with_a_damaged_newer_slot_says_that_it_has_the_older_block() {
     let text = said(at, &second, "connect");
     assert_tells(&text, &["parameters  the older one in the store; the newer one is damaged ("]);
     let block = std::fs::read(at.join("older.bin")).unwrap();
-    let checksum = firmware::link::checked::CHECKSUM.checksum(&block);
+    let checksum = firmware::checksum::CRC_32C.checksum(&block);
     assert_tells(&text, &[&format!("({} bytes, CRC-32C {checksum:08X})", block.len())]);
     said(at, &second, "download --in-use --out used.bin");
     assert_eq!(std::fs::read(at.join("used.bin")).unwrap(), block);

@@ -1,4 +1,4 @@
-//! The robot's lengths, which its manufacturer tells.
+//! The robot's lengths, from its data sheet.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,4 +1,4 @@
-//! The RRR robot's mathematics, once, for firmware, simulator and estimators.
+//! The RRR robot's model, shared by firmware, simulator and estimators.
 //!
 //! Everything here is a pure function of its arguments: no allocation, no `std`,
 //! no `unsafe`, generic over `f32` (the board) and `f64` (the host). Units are SI
@@ -10,9 +10,9 @@
 //! | [`dynamics`] | mass matrix, Coriolis, gravity, inverse and forward dynamics, eq. (1) |
 //! | [`regressor`] | the 3x16 matrix of eq. (5) |
 //! | [`friction`] | LuGre friction and its exact step, eq. (9)-(10) |
-//! | [`effects`] | what a real robot does beyond that, and what undoes it |
-//! | [`base`], [`geometry`], [`links`] | the 16 base parameters and where they come from |
-//! | [`robot`], [`pendulum`] | a whole rig: three joints, or the one joint of eq. (11) |
+//! | [`effects`] | effects that eq. (1) and (9) lack, and their inverses |
+//! | [`base`], [`geometry`], [`links`] | the 16 base parameters of eq. (4), and their computation from link masses |
+//! | [`robot`], [`pendulum`] | a complete rig: three joints, or the one joint of eq. (11) |
 //! | [`reference_robot`] | the numbers printed in the paper |
 //!
 //! The voltages that hold the reference robot's arm level, and the acceleration with
@@ -49,6 +49,7 @@
 #![forbid(unsafe_code)]
 
 pub mod base;
+mod base_check;
 pub mod dynamics;
 pub mod effects;
 pub mod friction;

@@ -1,4 +1,4 @@
-//! Whole links, and the base parameters that they combine to.
+//! Mass properties of links, and the base parameters that follow from them.
 
 use crate::{BaseParameters, Geometry, Real};
 

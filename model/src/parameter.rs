@@ -1,13 +1,13 @@
-//! What is wrong with a parameter, by name.
+//! Checks of parameters, with errors that name them.
 
 use crate::Real;
 
-/// A parameter that no robot can have.
+/// A parameter out of its bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterError {
     /// The parameter's name, as in the model file, with its unit.
     pub name: &'static str,
-    /// The joint, 1 to 3, or 0 where the parameter belongs to the whole robot.
+    /// The joint, 1 to 3, or 0 where the parameter belongs to no joint.
     pub joint: u8,
     /// The value found.
     pub value: f64,
@@ -32,7 +32,7 @@ impl core::fmt::Display for ParameterError {
 
 impl core::error::Error for ParameterError {}
 
-/// A named value on its way through a check.
+/// A named value, to be checked.
 #[derive(Clone, Copy, Debug)]
 pub struct Named<T> {
     name: &'static str,

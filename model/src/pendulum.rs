@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::Real;
 use crate::parameter::{ParameterError, named};
 
-/// The rigid body of eq. (11): k_t u = J qdd + l sin q, q measured from hanging down.
+/// The one-joint rigid body of eq. (11): k_t u = J qdd + l sin q, q measured from hanging down.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Pendulum<T> {
     /// Which joint of the robot this is, 1 to 3.

@@ -9,8 +9,8 @@ use num_traits::float::FloatCore;
 pub trait Real: FloatCore + core::fmt::Debug + 'static {
     /// A constant. Folded at compile time where `value` is a literal.
     fn constant(value: f64) -> Self;
-    /// A whole number, without a detour over `f64`, which the board lacks.
-    fn whole(value: i32) -> Self;
+    /// An integer, converted without `f64`, which the board lacks in hardware.
+    fn from_i32(value: i32) -> Self;
     /// The value as `f64`, for messages and reports.
     fn as_f64(self) -> f64;
     /// Sine and cosine of an angle in radians.
@@ -32,7 +32,7 @@ impl Real for f32 {
         value as f32
     }
     #[inline]
-    fn whole(value: i32) -> Self {
+    fn from_i32(value: i32) -> Self {
         value as f32
     }
     fn as_f64(self) -> f64 {
@@ -62,7 +62,7 @@ impl Real for f64 {
         value
     }
     #[inline]
-    fn whole(value: i32) -> Self {
+    fn from_i32(value: i32) -> Self {
         f64::from(value)
     }
     fn as_f64(self) -> f64 {

@@ -1,4 +1,4 @@
-//! A whole rig of three joints.
+//! The model of the three-joint robot.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,21 +6,25 @@ use crate::parameter::{ParameterError, named};
 use crate::vector::Vector3;
 use crate::{BaseParameters, Friction, Geometry, Real};
 
-/// Everything that the model of Table 1 to 3 and eq. (19) consists of.
+/// The complete model: geometry (Table 1), base parameters (eq. (19)), torque constants (eq. (18))
+/// and friction (Tables 2 and 3).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Robot<T> {
     /// Lengths and gravity.
     pub geometry: Geometry<T>,
-    /// Base parameters, eq. (19).
+    /// Base parameters, the vector p of eq. (4), identified in eq. (19).
     pub base: BaseParameters<T>,
     /// Torque constants k_t [Nm/V], eq. (18).
     pub torque_constant_nm_per_v: Vector3<T>,
-    /// Friction of each joint, eq. (9)-(10).
+    /// LuGre friction of each joint, eq. (9)-(10).
     pub friction: [Friction<T>; 3],
 }
 
 impl<T: Real> Robot<T> {
-    /// Checks every parameter; the error names the first that no robot can have.
+    /// Checks every parameter.
+    ///
+    /// # Errors
+    /// Names the first parameter that is out of its bounds, and the joint.
     pub fn checked(self) -> Result<Self, ParameterError> {
         self.geometry.check()?;
         for (joint, k_t) in (1..).zip(self.torque_constant_nm_per_v) {
@@ -45,7 +49,7 @@ impl<T: Real> Robot<T> {
         }
     }
 
-    /// Torques in Nm as motor voltages, u = tau / k_t of eq. (5).
+    /// Torques in Nm as motor voltages, u = tau / k_t as in the regression, eq. (5).
     #[inline]
     pub fn torque_to_voltage(&self, torque_nm: &Vector3<T>) -> Vector3<T> {
         [0, 1, 2].map(|i| torque_nm[i] / self.torque_constant_nm_per_v[i])

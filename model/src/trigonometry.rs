@@ -29,7 +29,7 @@ pub fn sin_cos_turn(turn: i32) -> (f32, f32) {
 #[inline]
 pub fn sin_turn(turn: i32) -> f32 {
     const RADIANS_PER_UNIT: f32 = FRAC_PI_2 / (1 << 30) as f32;
-    // Beyond a quarter turn either way the sine is that of the angle mirrored there.
+    // Above a quarter turn in magnitude the sine is that of the angle mirrored there.
     let beyond = (turn ^ (turn << 1)) < 0;
     let folded = if beyond { i32::MIN.wrapping_sub(turn) } else { turn };
     let x = folded as f32 * RADIANS_PER_UNIT;

@@ -2,8 +2,8 @@
 #![allow(missing_docs)]
 
 use model::effects::{
-    Tilt, TurnWave, cogging_v, dead_zone, dead_zone_command, quadratic_drag_v, ripple_factor,
-    with_payload,
+    AngularHarmonic, Tilt, cogging_v, dead_zone, dead_zone_inverse, quadratic_drag_v,
+    ripple_factor, with_payload,
 };
 use model::reference_robot::reference_robot;
 use model::{Geometry, Posture};
@@ -11,7 +11,7 @@ use proptest::prelude::*;
 
 #[test]
 fn a_wave_repeats_n_times_a_turn() {
-    let wave = TurnWave { harmonic: 8.0, phase_rad: 0.9 };
+    let wave = AngularHarmonic { order: 8.0, phase_rad: 0.9 };
     let once = wave.sine(0.3);
     assert!((wave.sine(0.3 + std::f64::consts::TAU / 8.0) - once).abs() < 1e-12);
     assert!((cogging_v(0.1, once) - 0.1 * (8.0_f64 * 0.3 + 0.9).sin()).abs() < 1e-12);
@@ -28,7 +28,7 @@ fn drag_brakes_both_ways() {
 fn a_dead_zone_lets_nothing_small_through() {
     assert_eq!(dead_zone(0.04, 0.05), 0.0);
     assert!((dead_zone(-0.3, 0.05_f64) + 0.25).abs() < 1e-15);
-    assert_eq!(dead_zone_command(0.0, 0.05), 0.0);
+    assert_eq!(dead_zone_inverse(0.0, 0.05), 0.0);
 }
 
 /// Height and place of the tip in the base frame, from Table 1.
@@ -44,7 +44,7 @@ proptest! {
 
     #[test]
     fn the_dead_zone_is_undone(voltage_v in -10.0..10.0_f64, half_width_v in 0.0..5.0) {
-        let command_v = dead_zone_command(voltage_v, half_width_v);
+        let command_v = dead_zone_inverse(voltage_v, half_width_v);
         prop_assert!((dead_zone(command_v, half_width_v) - voltage_v).abs() < 1e-14);
     }
 

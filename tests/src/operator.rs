@@ -4,8 +4,8 @@ use std::io::{ErrorKind, Read, Write};
 use std::os::unix::net::UnixStream;
 use std::path::Path;
 
+use firmware::checksum::CRC_32C;
 use firmware::frame::FrameReader;
-use firmware::link::checked::CHECKSUM;
 use firmware::link::{
     Command, MAX_FRAME_BYTES, PIECE_BYTES, Refusal, Reply, Report, Request, Telemetry, ToBoard,
     ToHost,
@@ -26,7 +26,7 @@ pub fn request(number: u32, command: Command<'_>) -> Vec<u8> {
 
 /// The commands that upload an encoded block, in their order, without the last one.
 pub fn upload(encoded: &[u8]) -> Vec<Command<'_>> {
-    let checksum = CHECKSUM.checksum(encoded);
+    let checksum = CRC_32C.checksum(encoded);
     let begin = Command::UploadBegin { length: encoded.len() as u16, checksum };
     let pieces = encoded
         .chunks(PIECE_BYTES)

@@ -2,7 +2,8 @@
 #![allow(missing_docs)]
 
 use firmware::compensation::{
-    Compensations, FedForward, MOST_FED_FORWARD, MOST_UNDONE, Outside, TurnWave, Undone,
+    AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse, MAX_FEEDFORWARD,
+    MAX_INPUT_INVERSES,
 };
 use firmware::{Angle, Mode, ParameterBlock};
 use model::effects::Tilt;
@@ -61,16 +62,19 @@ fn eight_compensations_make_no_tick_too_long() {
 
 /// As many compensations as a block can hold, each with a wave over the turn.
 fn full_block() -> ParameterBlock {
-    let wave = TurnWave { harmonic: 7, phase: Angle(1 << 29) };
-    let fed_forward = FedForward::PositionFriction { relative_amplitude: 0.01, wave };
-    let undone = Undone::TorqueRipple { relative_amplitude: 0.01, wave };
+    let wave = AngularHarmonic { order: 7, phase: Angle(1 << 29) };
+    let fed_forward = Feedforward::PositionFriction { relative_amplitude: 0.01, wave };
+    let undone = InputInverse::TorqueRipple { relative_amplitude: 0.01, wave };
     let full = || Compensations {
-        fed_forward: [fed_forward; MOST_FED_FORWARD].into_iter().collect(),
-        undone: [undone; MOST_UNDONE].into_iter().collect(),
+        feedforward: [fed_forward; MAX_FEEDFORWARD].into_iter().collect(),
+        input_inverses: [undone; MAX_INPUT_INVERSES].into_iter().collect(),
     };
     ParameterBlock {
         compensations: [full(), full(), full()],
-        outside: Some(Outside { tilt: Tilt::new(0.01, 0.01, [0.1; 2]), tip_force_n: [1.0; 3] }),
+        external_load: Some(ExternalLoad {
+            tilt: Tilt::new(0.01, 0.01, [0.1; 2]),
+            tip_force_n: [1.0; 3],
+        }),
         ..minute_of(&rig(), Mode::PdModel)
     }
 }

@@ -1,27 +1,27 @@
-//! What the tick makes of a block's compensations.
+//! The compensations as the tick evaluates them.
 
 use model::effects::{
-    cable_spring_v, cogging_v, dead_zone_command, favour_a_direction, quadratic_drag_v,
-    ripple_factor, torque_constant_factor, vary_friction,
+    cable_spring_v, cogging_v, dead_zone_inverse, quadratic_drag_v, ripple_factor,
+    scale_asymmetric_friction, scale_position_friction, torque_constant_factor,
 };
 use model::friction::FrictionScale;
 use model::{Posture, Robot};
 
-use super::{Compensations, FedForward, Outside, TurnWave, Undone};
+use super::parameters::{AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse};
 use crate::Angle;
 
-impl TurnWave {
+impl AngularHarmonic {
     /// The wave at an angle, in [-1, 1].
     #[inline]
     pub fn sine(&self, angle: Angle) -> f32 {
-        let turned = angle.0.wrapping_mul(i32::from(self.harmonic));
+        let turned = angle.0.wrapping_mul(i32::from(self.order));
         model::trigonometry::sin_turn(turned.wrapping_add(self.phase.0))
     }
 }
 
-impl Outside {
+impl ExternalLoad {
     /// Its torques [Nm] at an angle of joint 1 and the sines and cosines of joints 2 and 3.
-    // Not inlined: an arm without it shall not pay for it.
+    // Not inlined, so that an arm without external load does not pay for it.
     #[inline(never)]
     pub fn torque(
         &self,
@@ -38,66 +38,66 @@ impl Outside {
     }
 }
 
-/// The motion of a joint that is fed forward.
+/// The motion of a joint for which feedforward is computed.
 #[derive(Clone, Copy, Debug)]
-pub struct Moving {
-    /// Where within the turn.
+pub struct JointMotion {
+    /// Angle within the turn.
     pub angle: Angle,
-    /// Where, turns included [rad].
+    /// Position, turns included [rad].
     pub position_rad: f32,
-    /// How fast [rad/s].
+    /// Velocity [rad/s].
     pub velocity_rad_per_s: f32,
 }
 
-/// What a joint does beyond the model.
+/// What the model of a joint lacks, at one instant.
 #[derive(Clone, Copy, Debug)]
-pub struct Beyond {
-    /// How its friction differs from eq. (9).
+pub struct Disturbance {
+    /// Friction relative to the LuGre model, eq. (9).
     pub friction: FrictionScale<f32>,
-    /// What the motor finds added to its own voltage [V].
+    /// Disturbance voltage at the motor [V].
     pub added_v: f32,
 }
 
-impl Beyond {
-    /// A joint that does as the model says.
-    pub const NOTHING: Self =
+impl Disturbance {
+    /// A joint without effects.
+    pub const NONE: Self =
         Self { friction: FrictionScale { level: 1.0, added_v: 0.0, viscous: 1.0 }, added_v: 0.0 };
 }
 
 impl Compensations {
-    /// What the joint does beyond the model in a motion.
+    /// The disturbance in a motion.
     #[inline]
-    pub fn beyond(&self, motion: Moving) -> Beyond {
-        let mut beyond = Beyond::NOTHING;
-        // Asked first, so that nothing is made ready where there is nothing.
-        if self.fed_forward.is_empty() {
-            return beyond;
+    pub fn disturbance(&self, motion: JointMotion) -> Disturbance {
+        let mut disturbance = Disturbance::NONE;
+        // Checked first: an empty list costs nothing.
+        if self.feedforward.is_empty() {
+            return disturbance;
         }
-        for effect in &self.fed_forward {
-            effect.add_to(&mut beyond, motion);
+        for effect in &self.feedforward {
+            effect.add_to(&mut disturbance, motion);
         }
-        beyond
+        disturbance
     }
 
-    /// The command that brings a voltage to the motor, at the angle that is wanted.
+    /// The command that brings a voltage to the motor, at the reference angle.
     #[inline]
     pub fn command_for(&self, motor_v: f32, angle: Angle) -> f32 {
-        if self.undone.is_empty() { motor_v } else { self.some_command_for(motor_v, angle) }
+        if self.input_inverses.is_empty() { motor_v } else { self.invert_inputs(motor_v, angle) }
     }
 
-    // Not inlined: a joint without shall not pay for it.
+    // Not inlined, so that a joint without input effects does not pay for it.
     #[inline(never)]
-    fn some_command_for(&self, motor_v: f32, angle: Angle) -> f32 {
-        let last_first = self.undone.iter().rev();
-        last_first.fold(motor_v, |voltage_v, effect| effect.undo(voltage_v, angle))
+    fn invert_inputs(&self, motor_v: f32, angle: Angle) -> f32 {
+        let last_first = self.input_inverses.iter().rev();
+        last_first.fold(motor_v, |voltage_v, effect| effect.apply(voltage_v, angle))
     }
 }
 
-impl FedForward {
+impl Feedforward {
     #[inline]
-    fn add_to(&self, beyond: &mut Beyond, motion: Moving) {
-        let Moving { angle, position_rad, velocity_rad_per_s } = motion;
-        let Beyond { friction, added_v } = beyond;
+    fn add_to(&self, disturbance: &mut Disturbance, motion: JointMotion) {
+        let JointMotion { angle, position_rad, velocity_rad_per_s } = motion;
+        let Disturbance { friction, added_v } = disturbance;
         match *self {
             Self::Cogging { amplitude_v, wave } => {
                 *added_v += cogging_v(amplitude_v, wave.sine(angle));
@@ -109,19 +109,19 @@ impl FedForward {
                 *added_v += quadratic_drag_v(coefficient_v_s2_per_rad2, velocity_rad_per_s);
             }
             Self::PositionFriction { relative_amplitude, wave } => {
-                vary_friction(friction, relative_amplitude, wave.sine(angle));
+                scale_position_friction(friction, relative_amplitude, wave.sine(angle));
             }
             Self::AsymmetricFriction { relative_asymmetry } => {
-                favour_a_direction(friction, relative_asymmetry, velocity_rad_per_s);
+                scale_asymmetric_friction(friction, relative_asymmetry, velocity_rad_per_s);
             }
         }
     }
 }
 
-impl Undone {
-    /// The voltage that must go in for this one to come out.
+impl InputInverse {
+    /// The input voltage for which the effect's output is `voltage_v`.
     #[inline]
-    fn undo(&self, voltage_v: f32, angle: Angle) -> f32 {
+    fn apply(&self, voltage_v: f32, angle: Angle) -> f32 {
         match *self {
             Self::TorqueConstant { relative_error } => {
                 voltage_v / torque_constant_factor(relative_error)
@@ -130,7 +130,7 @@ impl Undone {
                 voltage_v / ripple_factor(relative_amplitude, wave.sine(angle))
             }
             Self::DacOffset { offset_v } => voltage_v - offset_v,
-            Self::DeadZone { half_width_v } => dead_zone_command(voltage_v, half_width_v),
+            Self::DeadZone { half_width_v } => dead_zone_inverse(voltage_v, half_width_v),
         }
     }
 }

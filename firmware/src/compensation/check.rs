@@ -1,9 +1,9 @@
-//! What a compensation's values must be: the bounds of the catalogue of effects.
+//! Bounds of the compensations' values: those of the catalogue of effects.
 
 use model::ParameterError;
 use model::parameter::named;
 
-use super::{Compensations, FedForward, Outside, TurnWave, Undone};
+use super::parameters::{AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse};
 
 type Checked = Result<(), ParameterError>;
 
@@ -18,21 +18,21 @@ fn within(
     Ok(())
 }
 
-impl TurnWave {
+impl AngularHarmonic {
     fn check(&self, name: &'static str, joint: u8) -> Checked {
-        within((name, joint), f32::from(self.harmonic), (1.0, 1000.0), "be from 1 to 1000")
+        within((name, joint), f32::from(self.order), (1.0, 1000.0), "be from 1 to 1000")
     }
 }
 
 impl Compensations {
     /// Checks every value; `joint` (1 to 3) is for the message.
     pub(crate) fn check(&self, joint: u8) -> Checked {
-        self.fed_forward.iter().try_for_each(|effect| effect.check(joint))?;
-        self.undone.iter().try_for_each(|effect| effect.check(joint))
+        self.feedforward.iter().try_for_each(|effect| effect.check(joint))?;
+        self.input_inverses.iter().try_for_each(|effect| effect.check(joint))
     }
 }
 
-impl FedForward {
+impl Feedforward {
     fn check(&self, joint: u8) -> Checked {
         match *self {
             Self::Cogging { amplitude_v, wave } => {
@@ -62,7 +62,7 @@ impl FedForward {
     }
 }
 
-impl Undone {
+impl InputInverse {
     fn check(&self, joint: u8) -> Checked {
         match *self {
             Self::TorqueConstant { relative_error } => {
@@ -85,7 +85,7 @@ impl Undone {
     }
 }
 
-impl Outside {
+impl ExternalLoad {
     /// Checks the vectors, component by component.
     pub(crate) fn check(&self) -> Checked {
         for change in &self.tilt.gravity_change {

@@ -1,15 +1,10 @@
 //! Frames with a checksum: kind, payload, CRC-32C, all inside COBS, ended by a zero.
 
 use cobs::CobsEncoder;
-use crc::{CRC_32_ISCSI, Crc, Table};
 
+use crate::checksum::CRC_32C;
 use crate::frame::MAX_CONTENT_BYTES;
 
-/// The CRC of frames, blocks and pieces. A table of 256 words makes it quick.
-///
-/// Not the one that ends a parameter block: over bytes that end with their own checksum, the
-/// same one gives the same number whatever they are.
-pub const CHECKSUM: Crc<u32, Table<1>> = Crc::<u32, Table<1>>::new(&CRC_32_ISCSI);
 /// Longest frame on the line, with its zero [bytes].
 pub const MAX_FRAME_BYTES: usize = MAX_CONTENT_BYTES + MAX_CONTENT_BYTES / 254 + 2;
 /// Longest payload of a frame [bytes].
@@ -46,7 +41,7 @@ pub fn seal<'a>(kind: Kind, payload: &[u8], buffer: &'a mut [u8]) -> Option<&'a 
         return None;
     }
     let kind = [kind as u8];
-    let mut digest = CHECKSUM.digest();
+    let mut digest = CRC_32C.digest();
     digest.update(&kind);
     digest.update(payload);
     let mut encoder = CobsEncoder::new(buffer);
@@ -61,7 +56,7 @@ pub fn seal<'a>(kind: Kind, payload: &[u8], buffer: &'a mut [u8]) -> Option<&'a 
 /// Kind and payload of a frame's content; `None` if it is broken or of unknown kind.
 pub fn open(content: &[u8]) -> Option<(Kind, &[u8])> {
     let (sealed, checksum) = content.split_last_chunk::<CHECKSUM_BYTES>()?;
-    if CHECKSUM.checksum(sealed) != u32::from_le_bytes(*checksum) {
+    if CRC_32C.checksum(sealed) != u32::from_le_bytes(*checksum) {
         return None;
     }
     let (kind, payload) = sealed.split_first()?;

@@ -1,29 +1,28 @@
 //! What each command does, once it is its turn.
 
-use super::answer::{
-    BlockRefusal, Counters, Origin, Parameters, Refusal, Reply, Report, StoreRefusal,
-};
-use super::checked::CHECKSUM;
-use super::desk::{BlockStore, Desk};
-use super::handler::Conversation;
+use super::answer::{BlockRefusal, Counters, Origin, Refusal, Reply, Report, StoreRefusal};
+use super::block_store::BlockStore;
+use super::conversation::{Conversation, parameters};
 use super::key::{Key, Nonce, is_proven};
 use super::request::{Command, PIECE_BYTES, Request, Source};
+use super::supervisor_access::SupervisorAccess;
 use super::upload::Block;
 use crate::block::MAX_BYTES;
+use crate::checksum::CRC_32C;
 use crate::supervisor::{FaultRecord, Order, State};
 use crate::{BlockError, ParameterBlock};
 
-/// So often is the store asked to keep the same fault.
-const TRIES_TO_KEEP: u8 = 3;
+/// How often the store is asked to take the same fault.
+const MAX_STORE_ATTEMPTS: u8 = 3;
 
 impl<S: BlockStore> Conversation<S> {
     /// Carries a request out, or says why not; a piece of a block is put into `piece`.
-    pub(super) fn carry_out<'p>(
+    pub(super) fn execute<'p>(
         &mut self,
         request: &Request<'_>,
         dropped: u32,
         piece: &'p mut [u8; PIECE_BYTES],
-        board: &mut impl Desk,
+        board: &mut impl SupervisorAccess,
     ) -> Result<Reply<'p>, Refusal> {
         if !self.is_allowed(request) {
             return Err(Refusal::Proof);
@@ -33,7 +32,7 @@ impl<S: BlockStore> Conversation<S> {
             Command::Stream { on } => self.streaming = on,
             Command::Challenge => return Ok(Reply::Challenge { nonce: self.challenge() }),
             Command::UploadBegin { length, checksum } => {
-                only_disarmed(board)?;
+                require_disarmed(board)?;
                 self.upload.begin(length, checksum)?;
             }
             Command::UploadPiece { offset, bytes } => self.upload.add(offset, bytes)?,
@@ -61,19 +60,23 @@ impl<S: BlockStore> Conversation<S> {
         }
     }
 
-    fn report(&self, dropped: u32, board: &impl Desk) -> Report {
-        let standing = board.standing();
+    fn report(&self, dropped: u32, board: &impl SupervisorAccess) -> Report {
+        let status = board.status();
+        let ticks = status.counters;
         Report {
-            state: standing.state,
-            fault: standing.fault,
-            position_known: standing.position_known,
+            state: status.state,
+            fault: status.fault,
+            position_known: status.position_known,
             parameters: self.parameters,
             has_key: self.key.is_some(),
             counters: Counters {
                 telemetry_dropped: self.telemetry_dropped,
-                frames_broken: dropped.wrapping_add(self.foreign),
+                frames_broken: dropped.wrapping_add(self.foreign_frames),
                 requests: self.requests,
-                ..standing.counters
+                ticks: ticks.ticks,
+                overruns: ticks.overruns,
+                longest_tick_tenth_us: ticks.longest_tick_tenth_us,
+                saturated: ticks.saturated,
             },
         }
     }
@@ -84,23 +87,23 @@ impl<S: BlockStore> Conversation<S> {
         nonce
     }
 
-    /// Checks the upload as a whole; stores it if it is to be the newest; then uses it.
+    /// Checks the complete upload, stores it on a commit, and puts it into use.
     fn put_into_use<'p>(
         &mut self,
         origin: Origin,
-        board: &mut impl Desk,
+        board: &mut impl SupervisorAccess,
     ) -> Result<Reply<'p>, Refusal> {
-        only_disarmed(board)?;
-        let bytes = self.upload.whole()?;
+        require_disarmed(board)?;
+        let bytes = self.upload.complete()?;
         let block = ParameterBlock::decode(bytes).map_err(BlockRefusal::from)?;
         self.limits.check(&block).map_err(|error| BlockRefusal::from(BlockError::from(error)))?;
         if origin == Origin::Newest {
             self.store.commit(bytes)?;
             read_back(&mut self.store, bytes)?;
         }
-        board.replace(&block).map_err(|denied| match origin {
+        board.replace(&block).map_err(|error| match origin {
             Origin::Newest => Refusal::StoredNotInUse,
-            _ => denied.into(),
+            _ => error.into(),
         })?;
         let parameters = parameters(bytes, origin);
         self.parameters = Some(parameters);
@@ -125,7 +128,7 @@ impl<S: BlockStore> Conversation<S> {
         for (slot, byte) in piece.iter_mut().zip(rest) {
             *slot = *byte;
         }
-        let (length, checksum) = (whole.len() as u16, CHECKSUM.checksum(whole));
+        let (length, checksum) = (whole.len() as u16, CRC_32C.checksum(whole));
         Ok(Reply::Piece { length, checksum, bytes: piece })
     }
 
@@ -134,62 +137,61 @@ impl<S: BlockStore> Conversation<S> {
         Order::Run { host_timeout_ticks: host_timeout_ms.map(ticks) }
     }
 
-    /// What is kept over a reset is cleared last: a cut in between leaves the fault latched.
-    fn clear_fault(&mut self, board: &mut impl Desk) -> Result<(), Refusal> {
+    /// The stored fault is cleared last: a power cut in between leaves the fault latched.
+    fn clear_fault(&mut self, board: &mut impl SupervisorAccess) -> Result<(), Refusal> {
         board.order(Order::ClearFault)?;
-        match self.keep_fault(None) {
+        match self.store_fault(None) {
             true => Ok(()),
             false => Err(Refusal::Store(StoreRefusal::Write)),
         }
     }
 
-    fn set_key(&mut self, key: Option<Key>, board: &mut impl Desk) -> Result<(), Refusal> {
-        only_disarmed(board)?;
-        self.store.keep_key(key.as_ref())?;
+    fn set_key(
+        &mut self,
+        key: Option<Key>,
+        board: &mut impl SupervisorAccess,
+    ) -> Result<(), Refusal> {
+        require_disarmed(board)?;
+        self.store.store_key(key.as_ref())?;
         self.key = key;
         self.nonce = None;
         Ok(())
     }
 
-    /// Keeps a fault, or that there is none, over a reset; whether the store did it.
-    pub(super) fn keep_fault(&mut self, fault: Option<FaultRecord>) -> bool {
-        if fault == self.kept_fault {
+    /// Stores a fault, or that there is none, over a reset; whether the store did it.
+    pub(super) fn store_fault(&mut self, fault: Option<FaultRecord>) -> bool {
+        if fault == self.stored_fault {
             return true;
         }
-        if fault != self.fault_to_keep {
-            (self.fault_to_keep, self.failures_to_keep) = (fault, 0);
+        if fault != self.fault_to_store {
+            (self.fault_to_store, self.store_failures) = (fault, 0);
         }
         // A flash that does not take it would be worn out by trying for ever.
-        if self.failures_to_keep == TRIES_TO_KEEP {
+        if self.store_failures == MAX_STORE_ATTEMPTS {
             return false;
         }
-        let kept = self.store.keep_fault(fault.as_ref()).is_ok();
-        if kept {
-            self.kept_fault = fault;
+        let stored = self.store.store_fault(fault.as_ref()).is_ok();
+        if stored {
+            self.stored_fault = fault;
         } else {
-            self.failures_to_keep += 1;
+            self.store_failures += 1;
         }
-        kept
+        stored
     }
 }
 
-fn only_disarmed(board: &impl Desk) -> Result<(), Refusal> {
-    match board.standing().state {
+fn require_disarmed(board: &impl SupervisorAccess) -> Result<(), Refusal> {
+    match board.status().state {
         State::Disarmed => Ok(()),
         state => Err(Refusal::NotNow { state }),
     }
 }
 
-/// Has the store show what it has stored; a store that says yes may still be wrong.
+/// Compares what the store holds with what was written.
 fn read_back(store: &mut impl BlockStore, written: &[u8]) -> Result<(), Refusal> {
     let mut buffer = [0; MAX_BYTES];
     match store.load(&mut buffer)? == written {
         true => Ok(()),
         false => Err(Refusal::Store(StoreRefusal::ReadBack)),
     }
-}
-
-/// What there is to tell about an encoded block.
-pub(super) fn parameters(bytes: &[u8], origin: Origin) -> Parameters {
-    Parameters { origin, length: bytes.len() as u16, checksum: CHECKSUM.checksum(bytes) }
 }

@@ -1,4 +1,4 @@
-//! The first words of a conversation. Their layout never changes.
+//! The opening messages of a conversation. Their layout never changes.
 //!
 //! Bytes of fixed place, no postcard: a host and a firmware of any age understand
 //! each other's Hello, and if nothing else is the same, they can say so in words.
@@ -11,13 +11,18 @@
 //! | | build id | 24, text, filled up with zeros |
 //! | | name of the board | 24, text, filled up with zeros |
 //!
-//! A Hello begins the numbers of requests anew and makes the last challenge void. It is
+//! A Hello restarts the numbers of requests and makes the last challenge void. It is
 //! answered whatever the version. Bytes after these are room for later; they are ignored.
 
+/// Which build of the firmware this is.
+pub const BUILD_ID: &str = match option_env!("RRR_BUILD_ID") {
+    Some(id) => id,
+    None => env!("CARGO_PKG_VERSION"),
+};
 /// Version of the protocol: raised when frames, numbering or proofs change their meaning.
 pub const PROTOCOL_VERSION: u16 = 1;
 /// Length of the host's Hello [bytes].
-pub const ASK_BYTES: usize = 5;
+pub const HOST_HELLO_BYTES: usize = 5;
 /// Length of the board's Hello [bytes].
 pub const HELLO_BYTES: usize = 57;
 
@@ -25,13 +30,13 @@ const MAGIC: [u8; 3] = *b"RRR";
 const TEXT_BYTES: usize = 24;
 
 /// The host's Hello.
-pub fn ask() -> [u8; ASK_BYTES] {
+pub fn host_hello() -> [u8; HOST_HELLO_BYTES] {
     let [low, high] = PROTOCOL_VERSION.to_le_bytes();
     [MAGIC[0], MAGIC[1], MAGIC[2], low, high]
 }
 
 /// The host's version of the protocol, if these bytes are its Hello.
-pub fn asked(bytes: &[u8]) -> Option<u16> {
+pub fn parse_host_hello(bytes: &[u8]) -> Option<u16> {
     match bytes {
         [b'R', b'R', b'R', low, high, ..] => Some(u16::from_le_bytes([*low, *high])),
         _ => None,
@@ -91,7 +96,7 @@ impl Hello {
         Self {
             protocol_version: PROTOCOL_VERSION,
             schema_hash: super::schema::HASH,
-            build_id: Text::new(super::BUILD_ID),
+            build_id: Text::new(BUILD_ID),
             board: Text::new(board),
         }
     }
@@ -133,7 +138,7 @@ mod tests {
 
     #[test]
     fn the_layout_is_the_one_that_never_changes() {
-        assert_eq!(&ask()[..3], b"RRR");
+        assert_eq!(&host_hello()[..3], b"RRR");
         let hello = Hello {
             protocol_version: 0x0201,
             schema_hash: 0x0605_0403,
@@ -153,7 +158,7 @@ mod tests {
         bytes.extend([1, 2, 3]);
         assert_eq!(Hello::decode(&bytes), Some(Hello::of_this_build("x")));
         assert_eq!(Hello::decode(&bytes[..56]), None);
-        assert_eq!(asked(b"RRR\x07\0more"), Some(7));
-        assert_eq!(asked(b"RRS\x07\0"), None);
+        assert_eq!(parse_host_hello(b"RRR\x07\0more"), Some(7));
+        assert_eq!(parse_host_hello(b"RRS\x07\0"), None);
     }
 }

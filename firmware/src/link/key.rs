@@ -71,8 +71,8 @@ impl Nonces {
 }
 
 impl Command<'_> {
-    /// The order of a command that can do no harm and must always be obeyed.
-    pub(super) fn takes_voltage_away(&self) -> Option<Order> {
+    /// The order of a stop or disarm command, which is always carried out.
+    pub(super) fn stopping_order(&self) -> Option<Order> {
         match self {
             Self::Stop => Some(Order::Stop),
             Self::Disarm => Some(Order::Disarm),

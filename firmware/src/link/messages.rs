@@ -5,6 +5,7 @@ use super::checked::{Kind, MAX_PAYLOAD_BYTES, open, seal};
 use super::hello::{self, Hello};
 use super::request::Request;
 use super::telemetry::Telemetry;
+use crate::supervisor::TickRecord;
 
 /// What comes to the host.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +30,26 @@ pub enum ToBoard<'a> {
     Request(Request<'a>),
 }
 
+impl Telemetry {
+    /// The message of a tick; `dropped` records could not be sent since power-on.
+    pub fn new(record: &TickRecord, dropped: u32) -> Self {
+        let TickRecord { tick, counts, codes, reference, mode, .. } = *record;
+        let TickRecord { state, saturated, fault, tick_time_tenth_us, .. } = *record;
+        Self {
+            sequence: tick,
+            counts,
+            codes,
+            reference,
+            mode,
+            state,
+            saturated,
+            fault,
+            tick_time_tenth_us,
+            dropped,
+        }
+    }
+}
+
 /// Why a frame is not a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrameError {
@@ -42,7 +63,7 @@ impl core::fmt::Display for FrameError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
             Self::Broken => "the frame's checksum does not fit",
-            Self::Foreign => "the frame is whole, but no message of this build",
+            Self::Foreign => "the frame is intact, but no message of this build",
         })
     }
 }
@@ -55,8 +76,8 @@ impl<'a> ToHost<'a> {
         let (kind, payload) = open(content).ok_or(FrameError::Broken)?;
         match kind {
             Kind::Hello => Hello::decode(payload).map(Self::Hello),
-            Kind::Answer => whole(payload).map(Self::Answer),
-            Kind::Telemetry => whole(payload).map(Self::Telemetry),
+            Kind::Answer => parse(payload).map(Self::Answer),
+            Kind::Telemetry => parse(payload).map(Self::Telemetry),
             Kind::Request => None,
         }
         .ok_or(FrameError::Foreign)
@@ -84,10 +105,9 @@ impl<'a> ToBoard<'a> {
     pub fn read(content: &'a [u8]) -> Result<Self, FrameError> {
         let (kind, payload) = open(content).ok_or(FrameError::Broken)?;
         match kind {
-            Kind::Hello => {
-                hello::asked(payload).map(|protocol_version| Self::Hello { protocol_version })
-            }
-            Kind::Request => whole(payload).map(Self::Request),
+            Kind::Hello => hello::parse_host_hello(payload)
+                .map(|protocol_version| Self::Hello { protocol_version }),
+            Kind::Request => parse(payload).map(Self::Request),
             Kind::Answer | Kind::Telemetry => None,
         }
         .ok_or(FrameError::Foreign)
@@ -97,7 +117,7 @@ impl<'a> ToBoard<'a> {
     pub fn write<'b>(&self, buffer: &'b mut [u8]) -> Option<&'b [u8]> {
         let mut payload = [0; MAX_PAYLOAD_BYTES];
         match self {
-            Self::Hello { .. } => seal(Kind::Hello, &hello::ask(), buffer),
+            Self::Hello { .. } => seal(Kind::Hello, &hello::host_hello(), buffer),
             Self::Request(request) => {
                 seal(Kind::Request, postcard::to_slice(request, &mut payload).ok()?, buffer)
             }
@@ -106,7 +126,7 @@ impl<'a> ToBoard<'a> {
 }
 
 /// A message that takes all of the bytes.
-fn whole<'a, T: serde::Deserialize<'a>>(payload: &'a [u8]) -> Option<T> {
+fn parse<'a, T: serde::Deserialize<'a>>(payload: &'a [u8]) -> Option<T> {
     match postcard::take_from_bytes(payload) {
         Ok((message, [])) => Some(message),
         _ => None,

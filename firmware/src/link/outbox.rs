@@ -1,4 +1,4 @@
-//! What waits to be sent: answers always find room, telemetry only where it is free.
+//! The send buffer: answers always find room, telemetry only where it is free.
 
 use heapless::Deque;
 

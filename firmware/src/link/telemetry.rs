@@ -30,7 +30,7 @@ use crate::{Angle, DacCode};
 pub struct Telemetry {
     /// The tick's number since power-on: a gap is as many records lost.
     pub sequence: u32,
-    /// Encoder counts from the model's zero, once it was told, sampled at the beginning of the tick.
+    /// Encoder counts from the model's zero, once it is set, sampled at the beginning of the tick.
     pub counts: [i32; 3],
     /// Codes put out in this tick, all zero unless Running.
     pub codes: [DacCode; 3],

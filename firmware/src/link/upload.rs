@@ -1,15 +1,15 @@
-//! A parameter block on its way in, piece by piece, beside the one in use.
+//! Reception of a parameter block in pieces, beside the one in use.
 
 use heapless::Vec;
 
 use super::answer::{BlockRefusal, Refusal};
-use super::checked::CHECKSUM;
 use crate::block::MAX_BYTES;
+use crate::checksum::CRC_32C;
 
 /// An encoded block.
 pub type Block = Vec<u8, MAX_BYTES>;
 
-/// What has come so far.
+/// The pieces received so far.
 #[derive(Debug, Default)]
 pub struct Upload {
     announced: Option<Announced>,
@@ -22,14 +22,8 @@ struct Announced {
     checksum: u32,
 }
 
-impl From<BlockRefusal> for Refusal {
-    fn from(why: BlockRefusal) -> Self {
-        Self::Block(why)
-    }
-}
-
 impl Upload {
-    /// Begins anew.
+    /// Begins an upload, in place of an unfinished one.
     pub fn begin(&mut self, length: u16, checksum: u32) -> Result<(), BlockRefusal> {
         if usize::from(length) > MAX_BYTES {
             return Err(BlockRefusal::Length);
@@ -50,13 +44,13 @@ impl Upload {
         }
     }
 
-    /// The whole block, if it is the one that was announced.
-    pub fn whole(&self) -> Result<&[u8], BlockRefusal> {
+    /// The complete block, if length and checksum are those announced.
+    pub fn complete(&self) -> Result<&[u8], BlockRefusal> {
         let announced = self.announced.ok_or(BlockRefusal::Length)?;
         if self.bytes.len() != usize::from(announced.length) {
             return Err(BlockRefusal::Length);
         }
-        match CHECKSUM.checksum(&self.bytes) == announced.checksum {
+        match CRC_32C.checksum(&self.bytes) == announced.checksum {
             true => Ok(&self.bytes),
             false => Err(BlockRefusal::Checksum),
         }

@@ -3,8 +3,8 @@
 use heapless::Vec;
 use serde::{Deserialize, Serialize};
 
-use super::Time;
-use super::motion::Setpoint;
+use super::setpoint::Setpoint;
+use super::time::Time;
 use crate::Angle;
 
 /// The most speeds in one run.

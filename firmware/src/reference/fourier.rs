@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Time;
-use super::motion::{FadeIn, Setpoint, Wave, sin_cos_of_cycle};
+use super::setpoint::Setpoint;
+use super::time::Time;
+use super::wave::{FadeIn, Wave, sin_cos_of_cycle};
 
 /// Terms of the series.
 pub const TERMS: usize = 5;
@@ -13,13 +14,13 @@ pub const TERMS: usize = 5;
 pub struct FourierSeries {
     /// Centre [rad].
     pub centre_rad: f32,
-    /// Period of the first term [s], taken as a whole number of ticks.
+    /// Period of the first term [s], rounded to a whole number of ticks.
     pub period_s: f32,
     /// Sine amplitudes [rad].
     pub sine_rad: [f32; TERMS],
     /// Cosine amplitudes [rad].
     pub cosine_rad: [f32; TERMS],
-    /// How it begins.
+    /// Its fade-in.
     pub fade_in: FadeIn,
 }
 

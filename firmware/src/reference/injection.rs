@@ -2,15 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::motion::sin_cos_of_cycle;
-use super::{Noise, NoiseSource, Time};
+use super::noise::{Noise, NoiseSource};
+use super::time::Time;
+use super::wave::sin_cos_of_cycle;
 
 /// A voltage added to one joint's command.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Injection {
     /// Nothing.
     None,
-    /// Slow and fast phases that grow, of the kind of Fig. 2.
+    /// A slow and a fast sine of growing amplitude, as in Fig. 2 of the paper.
     FrictionExcitation(FrictionExcitation),
     /// Band-limited noise, section 3.2.
     Noise(Noise),
@@ -19,7 +20,7 @@ pub enum Injection {
 /// A slow and a fast sine whose sum grows from first to last amplitude.
 ///
 /// The slow one carries the joint through its reversals, the fast one spreads the
-/// velocities between; together they excite all parameters of eq. (11).
+/// velocities between; together they excite all parameters of the one-joint model, eq. (11).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FrictionExcitation {
     /// Amplitude at the beginning [V].
@@ -47,7 +48,7 @@ impl FrictionExcitation {
     }
 }
 
-/// What plays an [`Injection`].
+/// The generator of an [`Injection`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum InjectionSource {
     /// Nothing.

@@ -1,28 +1,34 @@
-//! What the board plays by itself: a motion and an added voltage for each joint.
+//! The reference: a motion and an injected voltage for each joint.
 //!
-//! Motions are functions of the tick alone: what was played can be played again,
-//! and the host plays the same without the board.
+//! Both are functions of the tick alone, so a run can be repeated exactly, and the host
+//! computes the same reference without the board.
 
 mod constant_velocity;
 mod fourier;
 mod injection;
 mod motion;
 mod noise;
+mod setpoint;
+mod sine;
 mod time;
+mod wave;
 
 pub use constant_velocity::{ConstantVelocity, MAX_SPEEDS};
 pub use fourier::{FourierSeries, TERMS};
 pub use injection::{FrictionExcitation, Injection, InjectionSource};
-pub use motion::{FadeIn, Motion, Setpoint, Sine};
+pub use motion::Motion;
 pub use noise::{Noise, NoiseSource};
+pub use setpoint::Setpoint;
+pub use sine::Sine;
 pub use time::Time;
+pub use wave::FadeIn;
 
 use serde::{Deserialize, Serialize};
 
 /// The reference of all joints.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Reference {
-    /// Where each joint shall be.
+    /// Motion of each joint.
     pub motion: [Motion; 3],
     /// Voltage added to each joint's command.
     pub injection: [Injection; 3],
@@ -31,7 +37,7 @@ pub struct Reference {
 }
 
 impl Reference {
-    /// All joints hold these angles, for ever.
+    /// All joints hold these angles without end.
     pub fn hold(angles_rad: [f32; 3]) -> Self {
         Self {
             motion: angles_rad.map(|angle_rad| Motion::Hold { angle_rad }),

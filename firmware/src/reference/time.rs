@@ -1,7 +1,7 @@
-//! The time of a tick, kept in integers.
+//! The time of a tick, from an integer count.
 
-/// The middle of a tick's interval: a command acts from its tick to the next, so
-/// what it shall do is asked for the time between.
+/// The middle of a tick's interval: a command acts from its tick to the next, so the reference
+/// is evaluated in between.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Time {
     /// Ticks since the reference began.

@@ -1,12 +1,12 @@
 //! Writing a record: never over the newest one, read back, and only then marked.
 
-use embedded_storage::nor_flash::{NorFlash, NorFlashError};
+use embedded_storage::nor_flash::NorFlash;
 
-use super::error::{Operation, Place, StoreError};
+use super::error::{Place, StoreError};
+use super::flash::Store;
 use super::layout::{Kind, Slot};
 use super::read::{Content, Stored, Survey};
-use super::record::{BODY_AT, HEADER_BYTES, Header, WORD_BYTES, filled, mark};
-use super::{BODY_ROOM, Store};
+use super::record::{BODY_AT, BODY_ROOM, HEADER_BYTES, Header, WORD_BYTES, filled, mark};
 
 impl<F: NorFlash> Store<F> {
     /// Stores a body as the newest record of its kind.
@@ -52,15 +52,6 @@ impl<F: NorFlash> Store<F> {
         Some((newest.slot, index))
     }
 
-    fn erase(&mut self, place: Place) -> Result<(), StoreError> {
-        let from = place.address - self.origin;
-        self.flash.erase(from, from + self.layout.page_bytes).map_err(|error| StoreError::Flash {
-            operation: Operation::Erase,
-            place,
-            kind: error.kind(),
-        })
-    }
-
     fn write_record(&mut self, place: Place, sequence: u32, body: &[u8]) -> Result<(), StoreError> {
         let header = Header::of(place.kind, sequence, body).encode(place.kind);
         let (words, rest) = body.split_at(body.len() - body.len() % WORD_BYTES);
@@ -76,15 +67,6 @@ impl<F: NorFlash> Store<F> {
         let mark = mark(sequence);
         self.write(place, HEADER_BYTES, &mark)?;
         self.read_back(place, HEADER_BYTES, &mark)
-    }
-
-    fn write(&mut self, place: Place, at: usize, bytes: &[u8]) -> Result<(), StoreError> {
-        let offset = place.address - self.origin + at as u32;
-        self.flash.write(offset, bytes).map_err(|error| StoreError::Flash {
-            operation: Operation::Write,
-            place,
-            kind: error.kind(),
-        })
     }
 
     fn read_back(&mut self, place: Place, at: usize, bytes: &[u8]) -> Result<(), StoreError> {

@@ -47,7 +47,7 @@ pub struct SlotState {
     pub address: u32,
     /// What lies there.
     pub content: Content,
-    /// Why the block there is refused, if it is whole and refused all the same.
+    /// Why the block there is refused, if it is valid as a record.
     pub refused: Option<BlockError>,
 }
 
@@ -55,7 +55,7 @@ impl SlotState {
     /// The sequence number of a block that can be used.
     pub fn usable(&self) -> Option<u32> {
         match (self.content, self.refused) {
-            (Content::Whole { sequence, .. }, None) => Some(sequence),
+            (Content::Valid { sequence, .. }, None) => Some(sequence),
             _ => None,
         }
     }
@@ -68,7 +68,7 @@ impl SlotState {
                 claim.is_none_or(|claim| claim > sequence)
             }
             Content::Unreadable => true,
-            Content::Whole { sequence: own, .. } => own > sequence,
+            Content::Valid { sequence: own, .. } => own > sequence,
         }
     }
 }
@@ -103,8 +103,8 @@ impl Display for SlotState {
             (Content::Unfinished { .. }, _) => write!(f, "holds an unfinished block"),
             (Content::Damaged { .. }, _) => write!(f, "holds a damaged block"),
             (Content::Unreadable, _) => write!(f, "cannot be read"),
-            (Content::Whole { sequence, .. }, None) => write!(f, "holds block {sequence}"),
-            (Content::Whole { sequence, .. }, Some(why)) => {
+            (Content::Valid { sequence, .. }, None) => write!(f, "holds block {sequence}"),
+            (Content::Valid { sequence, .. }, Some(why)) => {
                 write!(f, "holds block {sequence}, which is refused: {why}")
             }
         }

@@ -1,4 +1,4 @@
-//! What a board does that has no parameters: nothing.
+//! The parameters of a board that has none stored: no voltage.
 
 use model::reference_robot::reference_robot;
 
@@ -25,7 +25,7 @@ pub fn safe_defaults() -> ParameterBlock {
             duration_s: 1.0,
         },
         compensations: Default::default(),
-        outside: None,
+        external_load: None,
         safety: Default::default(),
     }
 }

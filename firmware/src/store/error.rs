@@ -8,7 +8,7 @@ use crate::block::BlockError;
 /// A place in flash: what it is for and where it lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// What is kept there.
+    /// What is stored there.
     pub kind: Kind,
     /// The slot, or which of the two pages.
     pub slot: Slot,

@@ -1,5 +1,8 @@
 //! Where things lie in bank 2 of the flash; board, emulator and host tool share it.
 
+/// Bytes from one small record to the next.
+pub(super) const NOTE_PLACE_BYTES: u32 = 64;
+
 /// One of the two places of the parameter block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slot {
@@ -120,7 +123,7 @@ impl Layout {
     pub(super) fn place_bytes(&self, kind: Kind) -> u32 {
         match kind {
             Kind::Parameters => self.page_bytes,
-            Kind::Fault | Kind::Key => super::NOTE_PLACE_BYTES,
+            Kind::Fault | Kind::Key => NOTE_PLACE_BYTES,
         }
     }
 }

@@ -1,11 +1,11 @@
 //! Reading records: what a place holds, and which one is the newest.
 
-use embedded_storage::nor_flash::{NorFlash, NorFlashError};
+use embedded_storage::nor_flash::NorFlash;
 
-use super::error::{Operation, Place, StoreError};
+use super::error::{Place, StoreError};
+use super::flash::Store;
 use super::layout::{Kind, Slot};
-use super::record::{BODY_AT, HEADER_BYTES, Header, WORD_BYTES, marked, whole_words};
-use super::{BODY_ROOM, Store};
+use super::record::{BODY_AT, BODY_ROOM, HEADER_BYTES, Header, WORD_BYTES, marked, whole_words};
 
 /// What a place holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,7 +25,7 @@ pub enum Content {
     /// The flash reports an error where it lies.
     Unreadable,
     /// A record.
-    Whole {
+    Valid {
         /// Its sequence number.
         sequence: u32,
         /// Its length [bytes].
@@ -56,30 +56,6 @@ pub(super) struct Survey {
 }
 
 impl<F: NorFlash> Store<F> {
-    pub(super) fn place(&self, kind: Kind, slot: Slot, index: u32) -> Place {
-        let page = self.layout.pages(kind)[slot.index()];
-        Place { kind, slot, address: page + index * self.layout.place_bytes(kind) }
-    }
-
-    pub(super) fn places_per_page(&self, kind: Kind) -> u32 {
-        self.layout.page_bytes / self.layout.place_bytes(kind)
-    }
-
-    /// Reads from `at` bytes behind a place.
-    pub(super) fn read(
-        &mut self,
-        place: Place,
-        at: usize,
-        bytes: &mut [u8],
-    ) -> Result<(), StoreError> {
-        let offset = place.address - self.origin + at as u32;
-        self.flash.read(offset, bytes).map_err(|error| StoreError::Flash {
-            operation: Operation::Read,
-            place,
-            kind: error.kind(),
-        })
-    }
-
     /// What a place holds; its body goes into `body`.
     pub(super) fn content(&mut self, place: Place, body: &mut [u8; BODY_ROOM]) -> Content {
         self.try_content(place, body).unwrap_or(Content::Unreadable)
@@ -110,7 +86,7 @@ impl<F: NorFlash> Store<F> {
         };
         self.read(place, BODY_AT, filled)?;
         Ok(match header.fits(place.kind, filled) {
-            true => Content::Whole { sequence, length },
+            true => Content::Valid { sequence, length },
             false => Content::Damaged { claim },
         })
     }
@@ -126,20 +102,33 @@ impl<F: NorFlash> Store<F> {
         Ok(true)
     }
 
-    /// Looks at every place of a kind; `accept` says which whole records count.
+    /// Looks at every place of a kind; `accept` says which valid records count.
     pub(super) fn survey(&mut self, kind: Kind, accept: fn(&[u8]) -> bool) -> Survey {
         let mut survey = Survey::default();
         let mut body = [0; BODY_ROOM];
         for slot in Slot::BOTH {
             for index in 0..self.places_per_page(kind) {
                 let place = self.place(kind, slot, index);
-                if let Content::Whole { sequence, length } = self.content(place, &mut body) {
+                if let Content::Valid { sequence, length } = self.content(place, &mut body) {
                     let accepted = body.get(..length).is_some_and(accept);
                     survey.add(Stored { slot, index, sequence, length }, accepted);
                 }
             }
         }
         survey
+    }
+
+    /// Reads a record's body again, into the first bytes of `buffer`.
+    pub(super) fn reread(
+        &mut self,
+        kind: Kind,
+        stored: Stored,
+        buffer: &mut [u8],
+    ) -> Option<Stored> {
+        let place = self.place(kind, stored.slot, stored.index);
+        let bytes = buffer.get_mut(..stored.length)?;
+        self.read(place, BODY_AT, bytes).ok()?;
+        Some(stored)
     }
 }
 

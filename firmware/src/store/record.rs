@@ -13,9 +13,9 @@
 //! The mark is written last, once all else has been read back. Every word of 8
 //! bytes is written once: the G474 keeps a checksum for each.
 
-use crc::{CRC_32_ISO_HDLC, Crc};
-
-use super::layout::Kind;
+use super::layout::{Kind, Layout, NOTE_PLACE_BYTES};
+use crate::block::MAX_BYTES;
+use crate::checksum::CRC_32;
 
 /// The flash is written in words of so many bytes.
 pub(super) const WORD_BYTES: usize = 8;
@@ -23,9 +23,14 @@ pub(super) const WORD_BYTES: usize = 8;
 pub(super) const HEADER_BYTES: usize = 16;
 /// Where the body begins.
 pub(super) const BODY_AT: usize = HEADER_BYTES + WORD_BYTES;
+/// Room for a body in memory: a block, filled up to whole words.
+pub(super) const BODY_ROOM: usize = whole_words(MAX_BYTES);
+/// No small record (fault or key) is longer [bytes].
+pub const NOTE_BYTES: usize = NOTE_PLACE_BYTES as usize - BODY_AT;
+
+const _: () = assert!(BODY_AT + BODY_ROOM <= Layout::G474.page_bytes as usize);
 
 const LAYOUT: u16 = 1;
-const CHECKSUM: Crc<u32> = Crc::<u32>::new(&CRC_32_ISO_HDLC);
 const ONES: [u8; WORD_BYTES] = [0xFF; WORD_BYTES];
 
 /// The header of a record.
@@ -40,7 +45,7 @@ impl Header {
     /// The header for a body.
     pub fn of(kind: Kind, sequence: u32, body: &[u8]) -> Self {
         let length = body.len() as u16;
-        let mut digest = CHECKSUM.digest();
+        let mut digest = CRC_32.digest();
         digest.update(&summed(kind, sequence, length));
         digest.update(body);
         digest.update(&ONES[..whole_words(body.len()) - body.len()]);
@@ -65,7 +70,7 @@ impl Header {
 
     /// Whether the body, with what fills it up, is the one that the header was made for.
     pub fn fits(&self, kind: Kind, filled_body: &[u8]) -> bool {
-        let mut digest = CHECKSUM.digest();
+        let mut digest = CRC_32.digest();
         digest.update(&summed(kind, self.sequence, self.length));
         digest.update(filled_body);
         digest.finalize() == self.checksum
@@ -95,7 +100,7 @@ pub(super) const fn whole_words(bytes: usize) -> usize {
     bytes.next_multiple_of(WORD_BYTES)
 }
 
-/// The mark of a record that is whole.
+/// The mark of a valid record.
 pub(super) fn mark(sequence: u32) -> [u8; WORD_BYTES] {
     let mut bytes = [0; WORD_BYTES];
     bytes[..4].copy_from_slice(&sequence.to_le_bytes());
@@ -118,7 +123,7 @@ pub(super) fn filled(rest: &[u8]) -> [u8; WORD_BYTES] {
     word
 }
 
-/// The record that [`Store::commit`](super::Store::commit) would leave in a slot.
+/// The record that [`Store::commit`](crate::store::Store::commit) would leave in a slot.
 ///
 /// `buffer` takes it; `None` if it is too short.
 pub fn slot_record<'a>(sequence: u32, encoded: &[u8], buffer: &'a mut [u8]) -> Option<&'a [u8]> {

@@ -23,7 +23,7 @@ pub enum State {
 pub enum Fault {
     /// An encoder moved further in a tick than its joint can. Value and limit in rad per tick.
     EncoderJump,
-    /// An encoder stands still though its joint was told to move. Value and limit in rad of
+    /// An encoder does not move although its joint is commanded to. Value and limit in rad of
     /// the reference's travel, or in V where there is no reference.
     EncoderStuck,
     /// The joint is too far from its reference [rad].
@@ -51,7 +51,7 @@ pub enum Fault {
 pub struct FaultRecord {
     /// What was wrong.
     pub fault: Fault,
-    /// The joint, 1 to 3, or 0 where it is the whole board.
+    /// The joint, 1 to 3, or 0 for the board.
     pub joint: u8,
     /// Ticks since power-on.
     pub tick: u32,
@@ -68,14 +68,14 @@ pub enum Implausible {
     NotSettled,
     /// The joint moves: it must be at rest when the board is armed.
     Moving,
-    /// The velocity estimate disagrees with the way that the encoder went.
+    /// The velocity estimate disagrees with the encoder's travel.
     Disagrees,
     /// The encoder has jumped within the time that the estimates look back on.
     Jumped,
     /// An estimate is not a finite number.
     NotFinite,
-    /// The encoder counts from where the joint was at power-on, and nobody has told where that
-    /// is, or it has failed since.
+    /// The encoder counts from where the joint was at power-on, and its position has not been
+    /// set since then, or since the encoder failed.
     NoHome,
     /// The encoder has not moved since power-on, or since it failed: it may be dead.
     NeverMoved,

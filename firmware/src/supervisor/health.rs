@@ -1,8 +1,8 @@
-//! What the board knows of itself, at a tick and at its boot.
+//! The board's own condition, at a tick and at its boot.
 
 use super::fault::FaultRecord;
 
-/// What the board knows of itself at a tick.
+/// The board's own condition at a tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Health {
     /// The tick before this one was not done when this one was due.
@@ -24,11 +24,11 @@ pub struct BootReport {
     pub latched: Option<FaultRecord>,
     /// The watchdog caused the reset.
     pub watchdog_reset: bool,
-    /// Parameters were stored, but none of them is whole.
+    /// Parameters are stored, but none of them is valid.
     pub parameters_corrupt: bool,
     /// The converter does not answer as it should.
     pub converter_fault: bool,
     /// The encoders count from zero, wherever the arm is: it cannot be armed before
-    /// [`Order::Home`] has told.
+    /// [`Order::Home`](super::Order::Home) has set its position.
     pub position_lost: bool,
 }

@@ -1,10 +1,10 @@
-//! The first cause in memory that a reset leaves alone, until the flash has it too.
+//! The latched fault in memory that a reset does not clear, until the flash has it too.
 //!
 //! Writing the flash takes milliseconds and waits for the line's task; this takes a tick. After
 //! power-on the memory holds anything, so a record counts only with its checksum.
 
 use super::fault::FaultRecord;
-use crate::link::checked::CHECKSUM;
+use crate::checksum::CRC_32C;
 
 const RECORD_BYTES: usize = 24;
 /// The first byte of a record that there is.
@@ -26,14 +26,14 @@ impl Latch {
             // A record has 19 bytes at most.
             *first = postcard::to_slice(fault, rest).map_or(0, |_| FILLED);
         }
-        Self { record, checksum: CHECKSUM.checksum(&record) }
+        Self { record, checksum: CRC_32C.checksum(&record) }
     }
 
-    /// The fault that it holds, if it is whole.
+    /// The fault that it holds, if its checksum is right.
     pub fn fault(&self) -> Option<FaultRecord> {
         let [first, rest @ ..] = &self.record;
-        let is_whole = CHECKSUM.checksum(&self.record) == self.checksum;
-        match is_whole && *first == FILLED {
+        let is_intact = CRC_32C.checksum(&self.record) == self.checksum;
+        match is_intact && *first == FILLED {
             true => postcard::take_from_bytes(rest).ok().map(|(fault, _)| fault),
             false => None,
         }

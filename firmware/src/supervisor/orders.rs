@@ -1,4 +1,4 @@
-//! What the supervisor is told between two ticks, and why it may refuse.
+//! Orders to the supervisor between two ticks, and why they are refused.
 
 use super::fault::{Implausible, State};
 use crate::Angle;
@@ -19,7 +19,7 @@ pub enum Order {
     Disarm,
     /// From Faulted to Disarmed.
     ClearFault,
-    /// The joints, at rest, are here; only Disarmed.
+    /// Sets the position of the joints, which are at rest; only Disarmed.
     Home {
         /// Where each joint is.
         position: [Angle; 3],
@@ -28,7 +28,7 @@ pub enum Order {
 
 /// Why an order is not carried out; nothing has changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Denied {
+pub enum OrderError {
     /// Not in this state.
     NotNow {
         /// The state.

@@ -33,13 +33,13 @@ impl BlockStore for MemoryStore {
         Ok(buffer)
     }
 
-    fn keep_fault(&mut self, fault: Option<&FaultRecord>) -> Result<(), StoreRefusal> {
+    fn store_fault(&mut self, fault: Option<&FaultRecord>) -> Result<(), StoreRefusal> {
         self.writable()?;
         self.fault = fault.copied();
         Ok(())
     }
 
-    fn keep_key(&mut self, key: Option<&Key>) -> Result<(), StoreRefusal> {
+    fn store_key(&mut self, key: Option<&Key>) -> Result<(), StoreRefusal> {
         self.writable()?;
         self.key = key.copied();
         Ok(())

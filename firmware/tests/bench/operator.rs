@@ -2,11 +2,11 @@
 
 use firmware::ParameterBlock;
 use firmware::block::MAX_BYTES;
+use firmware::checksum::CRC_32C;
 use firmware::frame::FrameReader;
-use firmware::link::checked::CHECKSUM;
 use firmware::link::{
-    Beginning, Command, Handler, Key, MAX_FRAME_BYTES, Nonce, PIECE_BYTES, Refusal, Reply, Report,
-    Request, Source, ToBoard, ToHost, key,
+    Command, Handler, HandlerConfig, Key, MAX_FRAME_BYTES, Nonce, PIECE_BYTES, Refusal, Reply,
+    Report, Request, Source, ToBoard, ToHost, key,
 };
 use firmware::supervisor::{BootReport, Health, Supervisor};
 
@@ -66,7 +66,7 @@ impl Bench {
 
     /// A board just booted with this store.
     pub fn with_store(store: MemoryStore, mut supervisor: Supervisor, seed: [u8; 16]) -> Self {
-        let beginning = Beginning {
+        let config = HandlerConfig {
             board: "test",
             limits: Default::default(),
             nonce_seed: seed,
@@ -75,7 +75,7 @@ impl Bench {
             in_use: None,
         };
         supervisor.booted(BootReport { latched: store.fault, ..BootReport::default() });
-        let (key, handler) = (store.key, Handler::new(store, &beginning));
+        let (key, handler) = (store.key, Handler::new(store, &config));
         let mut bench = Self { handler, supervisor, number: 0, key, nonce: [0; 16] };
         bench.greet();
         bench
@@ -131,7 +131,7 @@ impl Bench {
 
     /// Sends an encoded block, without its end.
     pub fn send_block(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
-        let checksum = CHECKSUM.checksum(bytes);
+        let checksum = CRC_32C.checksum(bytes);
         self.ask(Command::UploadBegin { length: bytes.len() as u16, checksum })?;
         for (index, piece) in bytes.chunks(PIECE_BYTES).enumerate() {
             let offset = (index * PIECE_BYTES) as u16;
@@ -162,7 +162,7 @@ impl Bench {
         for _ in 0..ticks {
             let host_heard = self.handler.take_heard();
             self.supervisor.tick(&[0; 3], Health { host_heard, ..Health::default() });
-            assert!(self.handler.keep_fault(&self.supervisor));
+            assert!(self.handler.store_fault(&self.supervisor));
         }
     }
 }

@@ -1,5 +1,5 @@
 //! A block that the tests begin from.
-use firmware::compensation::{Compensations, FedForward, Undone};
+use firmware::compensation::{Compensations, Feedforward, InputInverse};
 use firmware::reference::{FadeIn, Injection, Motion, Reference, Sine};
 use firmware::{Gains, Mode, ParameterBlock};
 use model::reference_robot::reference_robot;
@@ -28,16 +28,16 @@ pub fn block(mode: Mode) -> ParameterBlock {
             duration_s: 10.0,
         },
         compensations: Default::default(),
-        outside: Default::default(),
+        external_load: Default::default(),
         safety: Default::default(),
     }
 }
 
 /// The compensations of a joint.
 #[allow(dead_code)]
-pub fn joint(fed_forward: &[FedForward], undone: &[Undone]) -> Compensations {
+pub fn joint(feedforward: &[Feedforward], input_inverses: &[InputInverse]) -> Compensations {
     Compensations {
-        fed_forward: fed_forward.iter().copied().collect(),
-        undone: undone.iter().copied().collect(),
+        feedforward: feedforward.iter().copied().collect(),
+        input_inverses: input_inverses.iter().copied().collect(),
     }
 }

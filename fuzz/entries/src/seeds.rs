@@ -5,8 +5,9 @@ use std::path::Path;
 use files::excitation_file::JointTable;
 use files::{ExcitationFile, JointLog, Log, Position, RobotFile};
 use firmware::block::MAX_BYTES;
+use firmware::checksum::CRC_32C;
 use firmware::frame::FrameReader;
-use firmware::link::checked::{CHECKSUM, Kind, open};
+use firmware::link::checked::{Kind, open};
 use firmware::link::{
     Command, MAX_FRAME_BYTES, PIECE_BYTES, PROTOCOL_VERSION, Request, Source, ToBoard,
 };
@@ -45,7 +46,7 @@ pub fn blocks() -> Vec<Vec<u8>> {
 
 /// All that is needed from an empty board to motion, and what comes after it.
 fn commands(block: &[u8]) -> Vec<Command<'_>> {
-    let checksum = CHECKSUM.checksum(block);
+    let checksum = CRC_32C.checksum(block);
     let mut commands = vec![
         Command::Query,
         Command::Challenge,

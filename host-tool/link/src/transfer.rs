@@ -1,7 +1,7 @@
 //! Parameter blocks between host and board.
 
 use firmware::block::MAX_BYTES;
-use firmware::link::checked::CHECKSUM;
+use firmware::checksum::CRC_32C;
 use firmware::link::{Command, PIECE_BYTES, Parameters, Source};
 
 use super::client::Client;
@@ -27,7 +27,7 @@ pub fn put_into_use(client: &mut Client, encoded: &[u8]) -> Result<Parameters, L
 }
 
 fn send(client: &mut Client, encoded: &[u8]) -> Result<(), LinkError> {
-    let checksum = CHECKSUM.checksum(encoded);
+    let checksum = CRC_32C.checksum(encoded);
     client.order(Command::UploadBegin { length: encoded.len() as u16, checksum })?;
     for (index, bytes) in encoded.chunks(PIECE_BYTES).enumerate() {
         let offset = (index * PIECE_BYTES) as u16;
@@ -58,7 +58,7 @@ pub fn download(client: &mut Client, source: Source) -> Result<Vec<u8>, LinkErro
         block.extend_from_slice(&bytes);
         let is_whole = bytes.is_empty() || block.len() >= usize::from(length);
         if is_whole || block.len() > MAX_BYTES {
-            let found = CHECKSUM.checksum(&block);
+            let found = CRC_32C.checksum(&block);
             return match found == announced {
                 true => Ok(block),
                 false => Err(LinkError::Checksum { found, announced }),

@@ -4,7 +4,7 @@
 //! A payload is a change of the base parameters, made here when a block is built.
 
 use firmware::Angle;
-use firmware::compensation::{FedForward, Outside, TurnWave, Undone};
+use firmware::compensation::{AngularHarmonic, ExternalLoad, Feedforward, InputInverse};
 use model::effects::{Tilt, with_payload};
 use model::vector::Vector3;
 use model::{BaseParameters, Robot};
@@ -66,12 +66,12 @@ impl Compensations {
     }
 
     /// What acts on the arm from outside; `None` for nothing.
-    pub fn outside(&self) -> Option<Outside> {
-        let outside = Outside {
+    pub fn outside(&self) -> Option<ExternalLoad> {
+        let outside = ExternalLoad {
             tilt: self.tilt.map(|tilt| tilt.cast()).unwrap_or_default(),
             tip_force_n: self.tip_force_n.map(|force_n| force_n as f32),
         };
-        (outside != Outside::default()).then_some(outside)
+        (outside != ExternalLoad::default()).then_some(outside)
     }
 
     /// Adds an effect with its checked values, or says why it cannot be compensated.
@@ -85,9 +85,9 @@ impl Compensations {
                 let joint = usize::from(table.joint).wrapping_sub(1);
                 let lists = self.joints.get_mut(joint).ok_or(NO_JOINT)?;
                 if let Some(effect) = fed_forward(name, values)? {
-                    lists.fed_forward.push(effect).map_err(|_| FULL)?;
+                    lists.feedforward.push(effect).map_err(|_| FULL)?;
                 } else {
-                    lists.undone.push(undone(name, values)?).map_err(|_| FULL)?;
+                    lists.input_inverses.push(undone(name, values)?).map_err(|_| FULL)?;
                 }
             }
         }
@@ -107,51 +107,51 @@ fn add(sum: &mut Vector3<f64>, more: Vector3<f64>) {
 }
 
 /// What feedforward makes up for, if the effect is of this kind, or why it cannot.
-fn fed_forward(name: &str, values: &[f64]) -> Result<Option<FedForward>, &'static str> {
+fn fed_forward(name: &str, values: &[f64]) -> Result<Option<Feedforward>, &'static str> {
     let single = |value: f64| value as f32;
     Ok(Some(match (name, values) {
         ("cogging", &[a, n, phase]) => {
-            FedForward::Cogging { amplitude_v: single(a), wave: turn_wave(n, phase)? }
+            Feedforward::Cogging { amplitude_v: single(a), wave: turn_wave(n, phase)? }
         }
         ("cable_spring", &[k, rest]) => {
-            FedForward::CableSpring { stiffness_v_per_rad: single(k), rest_rad: single(rest) }
+            Feedforward::CableSpring { stiffness_v_per_rad: single(k), rest_rad: single(rest) }
         }
         ("quadratic_drag", &[b]) => {
-            FedForward::QuadraticDrag { coefficient_v_s2_per_rad2: single(b) }
+            Feedforward::QuadraticDrag { coefficient_v_s2_per_rad2: single(b) }
         }
-        ("position_friction", &[a, n, phase]) => FedForward::PositionFriction {
+        ("position_friction", &[a, n, phase]) => Feedforward::PositionFriction {
             relative_amplitude: single(a),
             wave: turn_wave(n, phase)?,
         },
         ("asymmetric_friction", &[e]) => {
-            FedForward::AsymmetricFriction { relative_asymmetry: single(e) }
+            Feedforward::AsymmetricFriction { relative_asymmetry: single(e) }
         }
         _ => return Ok(None),
     }))
 }
 
 /// What the command undoes, or why it cannot.
-fn undone(name: &str, values: &[f64]) -> Result<Undone, &'static str> {
+fn undone(name: &str, values: &[f64]) -> Result<InputInverse, &'static str> {
     let single = |value: f64| value as f32;
     Ok(match (name, values) {
-        ("torque_constant", &[e]) => Undone::TorqueConstant { relative_error: single(e) },
+        ("torque_constant", &[e]) => InputInverse::TorqueConstant { relative_error: single(e) },
         ("torque_ripple", &[a, n, phase]) => {
-            Undone::TorqueRipple { relative_amplitude: single(a), wave: turn_wave(n, phase)? }
+            InputInverse::TorqueRipple { relative_amplitude: single(a), wave: turn_wave(n, phase)? }
         }
-        ("dac_offset", &[offset]) => Undone::DacOffset { offset_v: single(offset) },
-        ("dead_zone", &[d]) => Undone::DeadZone { half_width_v: single(d) },
+        ("dac_offset", &[offset]) => InputInverse::DacOffset { offset_v: single(offset) },
+        ("dead_zone", &[d]) => InputInverse::DeadZone { half_width_v: single(d) },
         (name, _) => return Err(why_not(name)),
     })
 }
 
 /// The board's wave over the turn; its angles wrap there, so the wave must fit it.
-fn turn_wave(harmonic: f64, phase_rad: f64) -> Result<TurnWave, &'static str> {
+fn turn_wave(harmonic: f64, phase_rad: f64) -> Result<AngularHarmonic, &'static str> {
     const ROUNDING: f64 = 1e-6;
     let whole = harmonic.round();
     if (harmonic - whole).abs() > ROUNDING {
         return Err("its harmonic is no whole number, so it does not repeat every turn");
     }
-    Ok(TurnWave { harmonic: whole as u16, phase: Angle::from_radians(phase_rad as f32) })
+    Ok(AngularHarmonic { order: whole as u16, phase: Angle::from_radians(phase_rad as f32) })
 }
 
 /// Why the controller makes nothing up for an effect of this name.
@@ -187,9 +187,9 @@ mod tests {
             "payload:mass_kg=0.5",
             "payload:mass_kg=0.25",
         ]);
-        assert_eq!(found.joints.each_ref().map(|j| j.fed_forward.len()), [0, 1, 0]);
-        assert_eq!(found.joints.each_ref().map(|j| j.undone.len()), [0, 0, 2]);
-        assert_eq!(found.joints[2].undone[0], Undone::DacOffset { offset_v: 0.1 });
+        assert_eq!(found.joints.each_ref().map(|j| j.feedforward.len()), [0, 1, 0]);
+        assert_eq!(found.joints.each_ref().map(|j| j.input_inverses.len()), [0, 0, 2]);
+        assert_eq!(found.joints[2].input_inverses[0], InputInverse::DacOffset { offset_v: 0.1 });
         assert_eq!(found.payload_kg, 0.75);
         assert_eq!(left_out, []);
     }
@@ -207,7 +207,7 @@ mod tests {
     #[test]
     fn what_finds_no_room_is_left_out() {
         let (found, left_out) = of(&["dac_offset:1:offset_V=0.1"; 5]);
-        assert_eq!((found.joints[0].undone.len(), left_out.len()), (4, 1));
+        assert_eq!((found.joints[0].input_inverses.len(), left_out.len()), (4, 1));
         assert!(left_out[0].to_string().contains("full"), "{left_out:?}");
     }
 

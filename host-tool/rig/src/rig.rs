@@ -86,7 +86,7 @@ impl Rig {
             mode,
             reference,
             compensations: self.compensations.joints.clone(),
-            outside: self.compensations.outside(),
+            external_load: self.compensations.outside(),
             safety: Default::default(),
         }
     }

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-use firmware::link::Station;
+use firmware::link::BoardRuntime;
 use firmware::store::{Layout, RamFlash, Store};
 use model::Robot;
 
@@ -103,7 +103,7 @@ impl Drop for SimulatedBoard {
 struct Machine {
     listener: TcpListener,
     line: Option<TcpStream>,
-    station: Station<Store<Flash>>,
+    runtime: BoardRuntime<Store<Flash>>,
     robot: SimulatedRobot,
     /// Where the encoders count zero.
     zero: [i64; 3],
@@ -124,7 +124,7 @@ impl Machine {
         Self {
             listener,
             line: None,
-            station: booted(settings.flash, incremental),
+            runtime: booted(settings.flash, incremental),
             zero,
             dead: settings.dead_encoders,
             turning_ticks: if incremental { TURNING_TICKS } else { 0 },
@@ -149,7 +149,7 @@ impl Machine {
             self.serve();
         }
         let empty = Store::new(RamFlash::new(Vec::new()), 0, Layout::G474);
-        let store = std::mem::replace(self.station.handler.store(), empty);
+        let store = std::mem::replace(self.runtime.handler.store(), empty);
         store.into_flash().bytes().to_vec()
     }
 
@@ -160,9 +160,9 @@ impl Machine {
             true => 0,
             false => (now[i] - self.zero[i] + turned) as i32,
         });
-        let health = self.station.health();
-        let record = self.station.supervisor.tick(&counts, health);
-        self.station.after_tick(&record);
+        let health = self.runtime.health();
+        let record = self.runtime.supervisor.tick(&counts, health);
+        self.runtime.after_tick(&record);
         self.command_v = record.codes.map(|code| f64::from(code.to_volts()));
         self.robot.advance(&self.command_v);
     }
@@ -187,14 +187,14 @@ impl Machine {
             Ok(0) => false,
             Ok(length) => {
                 bytes[..length].iter().for_each(|&byte| {
-                    self.station.receive(self.noise.pass(byte));
+                    self.runtime.receive(self.noise.pass(byte));
                 });
                 true
             }
             Err(error) => error.kind() == ErrorKind::WouldBlock,
         };
         let sent: Vec<u8> = (0..BYTES_PER_TICK)
-            .map_while(|_| self.station.send())
+            .map_while(|_| self.runtime.send())
             .map(|byte| self.noise.pass(byte))
             .collect();
         // A host that does not read loses bytes, as at a serial line.
@@ -220,9 +220,9 @@ impl Noise {
     }
 }
 
-fn booted(flash: Vec<u8>, position_lost: bool) -> Station<Store<Flash>> {
+fn booted(flash: Vec<u8>, position_lost: bool) -> BoardRuntime<Store<Flash>> {
     let store = Store::new(RamFlash::new(flash), Layout::G474.bank_start, Layout::G474);
-    Station::boot(store, NAME, rand_seed(), position_lost).0
+    BoardRuntime::boot(store, NAME, rand_seed(), position_lost).0
 }
 
 /// Another one at every power-on; a simulated board needs no better one.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use firmware::ParameterBlock;
-use firmware::supervisor::HardLimits;
+use firmware::block::HardLimits;
 use model::ParameterError;
 
 use super::{Failure, simulate};

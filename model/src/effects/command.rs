@@ -1,8 +1,8 @@
-//! What becomes of a command on its way to the motor.
+//! Effects between command and motor.
 
 use crate::Real;
 
-/// w / u of a motor whose torque constant is (1 + e) times what the model believes.
+/// w / u of a motor whose torque constant is 1 + e times the model's.
 #[inline]
 pub fn torque_constant_factor<T: Real>(relative_error: T) -> T {
     T::one() + relative_error
@@ -14,15 +14,15 @@ pub fn ripple_factor<T: Real>(relative_amplitude: T, sine: T) -> T {
     T::one() + relative_amplitude * sine
 }
 
-/// What an amplifier passes on that swallows the first volts: sgn(u) max(|u| - d, 0) [V].
+/// Output of an amplifier with a dead zone: sgn(u) max(|u| - d, 0) [V].
 #[inline]
 pub fn dead_zone<T: Real>(command_v: T, half_width_v: T) -> T {
     (command_v.abs() - half_width_v).max(T::zero()) * command_v.signum()
 }
 
-/// The command that brings a voltage through a [`dead_zone`]: w + sgn(w) d [V], 0 for 0.
+/// The inverse of a [`dead_zone`]: the command w + sgn(w) d [V], 0 for 0.
 #[inline]
-pub fn dead_zone_command<T: Real>(voltage_v: T, half_width_v: T) -> T {
+pub fn dead_zone_inverse<T: Real>(voltage_v: T, half_width_v: T) -> T {
     if voltage_v > T::zero() {
         voltage_v + half_width_v
     } else if voltage_v < T::zero() {

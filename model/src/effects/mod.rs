@@ -1,47 +1,47 @@
-//! What a real robot does beyond eq. (1) and (9), and what undoes it.
+//! Effects that the rigid-body model, eq. (1), and the LuGre friction, eq. (9), lack.
 //!
-//! Each effect stands here once, for the simulated robot that has it and for the
-//! controller that makes up for it. u is the command, w the voltage that the motor
+//! Each effect is defined here once, for the simulated robot that has it and for the
+//! controller that compensates it. u is the command, w the voltage that the motor
 //! gets, q the joint, n a harmonic per turn.
 //!
 //! | function | effect |
 //! | --- | --- |
 //! | [`torque_constant_factor`], [`ripple_factor`], [`dead_zone`] | w from u, the first two as factors |
-//! | [`dead_zone_command`] | u from w |
+//! | [`dead_zone_inverse`] | u from w |
 //! | [`cogging_v`], [`cable_spring_v`], [`quadratic_drag_v`] | added to w, whatever u is |
-//! | [`vary_friction`], [`favour_a_direction`] | change the friction of eq. (9) |
-//! | [`Tilt`], [`Posture::tip_force_torque`] | torques from outside |
+//! | [`scale_position_friction`], [`scale_asymmetric_friction`] | change the friction of eq. (9) |
+//! | [`Tilt`], [`Posture::tip_force_torque`] | torques of external loads |
 //! | [`with_payload`] | base parameters with a mass at the tip |
 //!
 //! [`Posture::tip_force_torque`]: crate::Posture::tip_force_torque
 
 mod command;
+mod external_load;
 mod friction;
-mod outside;
 mod payload;
 mod voltage;
 
-pub use command::{dead_zone, dead_zone_command, ripple_factor, torque_constant_factor};
-pub use friction::{favour_a_direction, vary_friction};
-pub use outside::Tilt;
+pub use command::{dead_zone, dead_zone_inverse, ripple_factor, torque_constant_factor};
+pub use external_load::Tilt;
+pub use friction::{scale_asymmetric_friction, scale_position_friction};
 pub use payload::with_payload;
 pub use voltage::{cable_spring_v, cogging_v, quadratic_drag_v};
 
 use crate::Real;
 
-/// sin(n q + phi): the wave that a motor or a joint repeats n times a turn.
+/// sin(n q + phi): a harmonic of the joint angle, n periods a turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TurnWave<T> {
+pub struct AngularHarmonic<T> {
     /// Waves per turn, n.
-    pub harmonic: T,
+    pub order: T,
     /// Phase phi at angle zero [rad].
     pub phase_rad: T,
 }
 
-impl<T: Real> TurnWave<T> {
+impl<T: Real> AngularHarmonic<T> {
     /// The wave at an angle, in [-1, 1].
     #[inline]
     pub fn sine(&self, q_rad: T) -> T {
-        (self.harmonic * q_rad + self.phase_rad).sin_cos().0
+        (self.order * q_rad + self.phase_rad).sin_cos().0
     }
 }

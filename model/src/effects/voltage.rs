@@ -1,14 +1,14 @@
-//! Voltages that a motor finds added to its own [V].
+//! Disturbances at the motor, as equivalent voltages [V].
 
 use crate::Real;
 
-/// Pull of the magnets towards the slots: A sin(n q + phi) [V].
+/// Cogging torque of the magnets: A sin(n q + phi) [V].
 #[inline]
 pub fn cogging_v<T: Real>(amplitude_v: T, sine: T) -> T {
     amplitude_v * sine
 }
 
-/// Pull of cables towards a rest angle: -k (q - q0) [V].
+/// Torque of cables towards a rest angle: -k (q - q0) [V].
 #[inline]
 pub fn cable_spring_v<T: Real>(stiffness_v_per_rad: T, q_rad: T, rest_rad: T) -> T {
     -stiffness_v_per_rad * (q_rad - rest_rad)

@@ -7,9 +7,9 @@ mod tick;
 use std::collections::VecDeque;
 
 use firmware::frame::FrameReader;
-use firmware::link::{Command, Kept, Refusal, Reply, Report, Station, Telemetry};
+use firmware::link::{BoardRuntime, BootState, Command, Refusal, Reply, Report};
 use firmware::store::{Layout, RamFlash, Store};
-use firmware::supervisor::{Fault, Health, State};
+use firmware::supervisor::{Fault, Health, State, TickRecord};
 use firmware::{Mode, ParameterBlock};
 use rig::Rig;
 
@@ -62,13 +62,13 @@ pub struct Soak {
     rig: Rig,
     rng: Rng,
     arm: Arm,
-    station: Station<Store<Flash>>,
+    runtime: BoardRuntime<Store<Flash>>,
     to_board: NoisyLine,
     to_host: NoisyLine,
     reader: FrameReader,
     number: u32,
     answer: Option<(u32, Result<Told, Refusal>)>,
-    true_records: VecDeque<Telemetry>,
+    true_records: VecDeque<TickRecord>,
     last_sequence: Option<u32>,
     committed: Option<Vec<u8>>,
     /// What the board is told to be wrong with it in the next tick.
@@ -92,7 +92,7 @@ impl Soak {
             rig: Rig::new(model::reference_robot::reference_robot()),
             rng: Rng::new(settings.seed),
             arm: Arm::hanging(settings.seed),
-            station: booted(RamFlash::new(bytes)).0,
+            runtime: booted(RamFlash::new(bytes)).0,
             to_board: line(1),
             to_host: line(2),
             reader: FrameReader::new(),
@@ -209,7 +209,7 @@ impl Soak {
         }
     }
 
-    fn arm_at(&self, record: &Telemetry) -> [firmware::Angle; 3] {
+    fn arm_at(&self, record: &TickRecord) -> [firmware::Angle; 3] {
         record.counts.map(|count| {
             let within = count.rem_euclid(super::arm::COUNTS_PER_TURN as i32) as f64;
             let units = within / f64::from(super::arm::COUNTS_PER_TURN) * 2f64.powi(32);
@@ -229,27 +229,27 @@ impl Soak {
     /// Power off and on; the arm stays where it is.
     fn reset(&mut self) {
         self.rest();
-        let kept = self.power_cycle();
-        assert_eq!((kept.fault, kept.corrupt), (None, false));
+        let boot_state = self.power_cycle();
+        assert_eq!((boot_state.fault, boot_state.corrupt), (None, false));
         self.tally.resets += 1;
     }
 
     /// Boots anew; what was committed last must be there.
-    fn power_cycle(&mut self) -> Kept {
+    fn power_cycle(&mut self) -> BootState {
         self.tally.records_dropped += u64::from(self.report().counters.telemetry_dropped);
         let empty = Store::new(RamFlash::new(Vec::new()), 0, Layout::G474);
-        let flash = std::mem::replace(self.station.handler.store(), empty).into_flash();
-        let (station, kept) = booted(flash);
-        self.station = station;
+        let flash = std::mem::replace(self.runtime.handler.store(), empty).into_flash();
+        let (runtime, boot_state) = booted(flash);
+        self.runtime = runtime;
         self.last_sequence = None;
         self.true_records.clear();
-        assert_eq!(Some(kept.encoded.to_vec()), self.committed, "the block committed last");
-        kept
+        assert_eq!(Some(boot_state.encoded.to_vec()), self.committed, "the block committed last");
+        boot_state
     }
 }
 
 /// A board that has just found this in its flash.
-fn booted(flash: Flash) -> (Station<Store<Flash>>, Kept) {
+fn booted(flash: Flash) -> (BoardRuntime<Store<Flash>>, BootState) {
     let store = Store::new(flash, Layout::G474.bank_start, Layout::G474);
-    Station::boot(store, "soak", [0; 16], false)
+    BoardRuntime::boot(store, "soak", [0; 16], false)
 }

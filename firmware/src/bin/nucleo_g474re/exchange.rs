@@ -8,8 +8,8 @@ use core::sync::atomic::{AtomicBool, AtomicU8, AtomicU32, Ordering::Relaxed};
 
 use cortex_m::singleton;
 use embassy_time::{Duration, Instant};
-use firmware::link::{Desk, Standing, Telemetry};
-use firmware::supervisor::{Denied, Order, State};
+use firmware::link::{SupervisorAccess, SupervisorStatus};
+use firmware::supervisor::{Order, OrderError, State, TickRecord};
 use firmware::{Controller, ParameterBlock};
 use heapless::spsc::{Consumer, Producer, Queue};
 
@@ -18,7 +18,7 @@ type Controllers = Queue<Controller, 2>;
 type Questions = Queue<Question, 2>;
 type Replies = Queue<Reply, 2>;
 /// 31 ms of records while the line sends something else.
-type Records = Queue<Telemetry, 32>;
+type Records = Queue<TickRecord, 32>;
 
 /// By then the tick has answered, whenever it was asked.
 const ANSWERED_AFTER: Duration = Duration::from_millis(4);
@@ -26,8 +26,8 @@ const ANSWERED_AFTER: Duration = Duration::from_millis(4);
 /// What the tick is asked.
 #[derive(Clone, Copy)]
 pub enum Question {
-    /// How things stand.
-    Standing,
+    /// What the supervisor's status is.
+    Status,
     /// To carry this out.
     Order(Order),
     /// To take the controller that waits.
@@ -37,9 +37,9 @@ pub enum Question {
 /// What the tick answers.
 pub struct Reply {
     /// Whether it was done.
-    pub outcome: Result<(), Denied>,
-    /// How things stand after it.
-    pub standing: Standing,
+    pub outcome: Result<(), OrderError>,
+    /// The status after it.
+    pub status: SupervisorStatus,
 }
 
 /// The tasks' end.
@@ -47,7 +47,7 @@ pub struct Remote {
     controllers: Producer<'static, Controller>,
     questions: Producer<'static, Question>,
     replies: Consumer<'static, Reply>,
-    standing: Standing,
+    status: SupervisorStatus,
 }
 
 /// The tick's end.
@@ -55,11 +55,11 @@ pub struct Inbox {
     pub controllers: Consumer<'static, Controller>,
     pub questions: Consumer<'static, Question>,
     pub replies: Producer<'static, Reply>,
-    pub records: Producer<'static, Telemetry>,
+    pub records: Producer<'static, TickRecord>,
 }
 
 /// Both ends and the tick's records; `None` the second time.
-pub fn channel() -> Option<(Remote, Consumer<'static, Telemetry>, Inbox)> {
+pub fn channel() -> Option<(Remote, Consumer<'static, TickRecord>, Inbox)> {
     let controllers = singleton!(: Controllers = Queue::new())?.split();
     let questions = singleton!(: Questions = Queue::new())?.split();
     let replies = singleton!(: Replies = Queue::new())?.split();
@@ -68,7 +68,7 @@ pub fn channel() -> Option<(Remote, Consumer<'static, Telemetry>, Inbox)> {
         controllers: controllers.0,
         questions: questions.0,
         replies: replies.1,
-        standing: Standing::default(),
+        status: SupervisorStatus::default(),
     };
     let inbox = Inbox {
         controllers: controllers.1,
@@ -81,46 +81,46 @@ pub fn channel() -> Option<(Remote, Consumer<'static, Telemetry>, Inbox)> {
 
 impl Remote {
     /// Waits for the next tick, 1 ms at most; the tick itself waits for nothing.
-    fn ask(&mut self, question: Question) -> Result<(), Denied> {
+    fn ask(&mut self, question: Question) -> Result<(), OrderError> {
         // An answer that came too late for an earlier question.
         while self.replies.dequeue().is_some() {}
         let asked = self.questions.enqueue(question).is_ok();
         let end = Instant::now() + ANSWERED_AFTER;
         while asked && Instant::now() < end {
             if let Some(reply) = self.replies.dequeue() {
-                self.standing = reply.standing;
+                self.status = reply.status;
                 return reply.outcome;
             }
         }
-        Err(Denied::NotNow { state: self.standing.state })
+        Err(OrderError::NotNow { state: self.status.state })
     }
 }
 
-impl Desk for Remote {
+impl SupervisorAccess for Remote {
     fn refresh(&mut self) {
-        // What is denied is told all the same.
-        let _ = self.ask(Question::Standing);
+        // If the tick does not answer, the last status stands.
+        let _ = self.ask(Question::Status);
     }
 
-    fn standing(&self) -> Standing {
-        self.standing
+    fn status(&self) -> SupervisorStatus {
+        self.status
     }
 
-    fn order(&mut self, order: Order) -> Result<(), Denied> {
+    fn order(&mut self, order: Order) -> Result<(), OrderError> {
         self.ask(Question::Order(order))
     }
 
-    fn replace(&mut self, block: &ParameterBlock) -> Result<(), Denied> {
+    fn replace(&mut self, block: &ParameterBlock) -> Result<(), OrderError> {
         let waits = self.controllers.enqueue(Controller::new(block.clone())).is_err();
         match waits {
-            true => Err(Denied::NotNow { state: self.standing.state }),
+            true => Err(OrderError::NotNow { state: self.status.state }),
             false => self.ask(Question::Replace),
         }
     }
 }
 
-/// What tick and tasks tell each other without a queue.
-pub struct Report {
+/// The values that tick and tasks share without a queue.
+pub struct Shared {
     pub ticks: AtomicU32,
     /// Ticks that were not done when the next one was due.
     pub overruns: AtomicU32,
@@ -136,7 +136,7 @@ pub struct Report {
 }
 
 /// Written by the tick, but for what the link writes.
-pub static REPORT: Report = Report {
+pub static SHARED: Shared = Shared {
     ticks: AtomicU32::new(0),
     overruns: AtomicU32::new(0),
     longest_tenth_us: AtomicU32::new(0),
@@ -146,7 +146,7 @@ pub static REPORT: Report = Report {
     host_heard: AtomicBool::new(false),
 };
 
-impl Report {
+impl Shared {
     /// What the supervisor does, for the lamp and the log.
     pub fn state(&self) -> State {
         let all = [State::Boot, State::Disarmed, State::Armed, State::Running, State::Faulted];
@@ -154,7 +154,7 @@ impl Report {
         all.into_iter().find(|state| *state as u8 == byte).unwrap_or_default()
     }
 
-    /// Tells what the supervisor does.
+    /// Publishes the supervisor's state.
     pub fn set_state(&self, state: State) {
         self.state.store(state as u8, Relaxed);
     }

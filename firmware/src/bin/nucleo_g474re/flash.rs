@@ -17,7 +17,7 @@ use embedded_storage::nor_flash::{
 };
 use firmware::store::{Layout, Store};
 
-use crate::exchange::REPORT;
+use crate::exchange::SHARED;
 use crate::safe_state::wait_for_reset;
 use crate::watchdog;
 
@@ -43,7 +43,7 @@ pub fn store(flash: Peri<'static, FLASH>) -> Store<BoardFlash> {
 impl BoardFlash {
     /// Before the thread waits or checks a block, 25 ms at most; only as long as the ticks go on.
     fn pet(&mut self) {
-        let ticks = REPORT.ticks.load(Relaxed);
+        let ticks = SHARED.ticks.load(Relaxed);
         if ticks != self.ticks_seen {
             watchdog::pet_before_waiting();
         }

@@ -8,7 +8,7 @@ use embassy_stm32::{Peri, pac};
 use embassy_time::Timer;
 use firmware::supervisor::State;
 
-use crate::exchange::REPORT;
+use crate::exchange::SHARED;
 
 /// Time on and time off [ms].
 fn rhythm_ms(state: State) -> (u64, u64) {
@@ -25,7 +25,7 @@ fn rhythm_ms(state: State) -> (u64, u64) {
 pub async fn show(pin: Peri<'static, PA5>) -> ! {
     let mut lamp = Output::new(pin, Level::Low, Speed::Low);
     loop {
-        let (on_ms, off_ms) = rhythm_ms(REPORT.state());
+        let (on_ms, off_ms) = rhythm_ms(SHARED.state());
         lamp.set_high();
         Timer::after_millis(on_ms).await;
         lamp.set_low();
@@ -54,10 +54,10 @@ pub fn forget_resets() {
 pub async fn log() -> ! {
     let mut logged = None;
     loop {
-        let state = REPORT.state();
-        let longest_us = REPORT.longest_tenth_us.load(Relaxed) / 10;
-        let overruns = REPORT.overruns.load(Relaxed);
-        let dropped = REPORT.records_dropped.load(Relaxed);
+        let state = SHARED.state();
+        let longest_us = SHARED.longest_tenth_us.load(Relaxed) / 10;
+        let overruns = SHARED.overruns.load(Relaxed);
+        let dropped = SHARED.records_dropped.load(Relaxed);
         let now = Some((state, longest_us, overruns));
         if now != logged {
             defmt::info!(

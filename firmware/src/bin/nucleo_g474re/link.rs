@@ -11,12 +11,13 @@ use embassy_stm32::peripherals::{DMA1_CH1, DMA1_CH2, LPUART1, PA2, PA3};
 use embassy_stm32::usart::{Config, InterruptHandler, RingBufferedUartRx, Uart, UartTx};
 use embassy_stm32::{Peri, bind_interrupts, dma};
 use embassy_time::{Duration, Instant, with_timeout};
-use firmware::link::{BAUD, Desk, Handler, MAX_FRAME_BYTES, Telemetry, ToHost};
+use firmware::link::{BAUD, Handler, MAX_FRAME_BYTES, SupervisorAccess, Telemetry, ToHost};
 use firmware::store::Store;
+use firmware::supervisor::TickRecord;
 use heapless::Vec;
 use heapless::spsc::Consumer;
 
-use crate::exchange::{REPORT, Remote};
+use crate::exchange::{Remote, SHARED};
 use crate::flash::BoardFlash;
 
 /// 11 ms of a line that never pauses.
@@ -25,8 +26,8 @@ const RING_BYTES: usize = 1024;
 const BATCH_BYTES: usize = 512;
 /// So long is waited for bytes before records are sent.
 const LISTEN: Duration = Duration::from_millis(1);
-/// How often a new fault is looked for, to be kept.
-const KEEP_EVERY: Duration = Duration::from_millis(20);
+/// How often a new fault is looked for, to be stored.
+const STORE_EVERY: Duration = Duration::from_millis(20);
 
 bind_interrupts!(struct Interrupts {
     LPUART1 => InterruptHandler<LPUART1>;
@@ -47,8 +48,8 @@ pub struct Link {
     sender: UartTx<'static, Async>,
     handler: Handler<Store<BoardFlash>>,
     remote: Remote,
-    records: Consumer<'static, Telemetry>,
-    kept_at: Instant,
+    records: Consumer<'static, TickRecord>,
+    stored_at: Instant,
     /// Records that the port did not take.
     records_lost: u32,
 }
@@ -61,7 +62,7 @@ impl Link {
         receive_dma: Peri<'static, DMA1_CH2>,
         handler: Handler<Store<BoardFlash>>,
         remote: Remote,
-        records: Consumer<'static, Telemetry>,
+        records: Consumer<'static, TickRecord>,
     ) -> Self {
         let mut config = Config::default();
         config.baudrate = BAUD;
@@ -70,14 +71,22 @@ impl Link {
         let (sender, receiver) = defmt::unwrap!(uart).split();
         let ring = defmt::unwrap!(singleton!(: [u8; RING_BYTES] = [0; RING_BYTES]));
         let receiver = receiver.into_ring_buffered(ring);
-        Self { receiver, sender, handler, remote, records, kept_at: Instant::MIN, records_lost: 0 }
+        Self {
+            receiver,
+            sender,
+            handler,
+            remote,
+            records,
+            stored_at: Instant::MIN,
+            records_lost: 0,
+        }
     }
 
     async fn listen(&mut self) {
         let mut bytes = [0; 64];
         let length = match with_timeout(LISTEN, self.receiver.read(&mut bytes)).await {
             Ok(Ok(length)) => length,
-            Ok(Err(_)) => return self.handler.lose(),
+            Ok(Err(_)) => return self.handler.discard(),
             Err(_) => return,
         };
         for &byte in bytes.iter().take(length) {
@@ -88,14 +97,14 @@ impl Link {
             // A request may have waited for ticks: the watchdog's task comes in between.
             yield_now().await;
         }
-        REPORT.streaming.store(self.handler.streaming(), Relaxed);
+        SHARED.streaming.store(self.handler.streaming(), Relaxed);
         if self.handler.take_heard() {
-            REPORT.host_heard.store(true, Relaxed);
+            SHARED.host_heard.store(true, Relaxed);
         }
     }
 
     async fn send_records(&mut self) {
-        let dropped = REPORT.records_dropped.load(Relaxed).wrapping_add(self.records_lost);
+        let dropped = SHARED.records_dropped.load(Relaxed).wrapping_add(self.records_lost);
         self.handler.set_telemetry_dropped(dropped);
         let mut batch = Vec::<u8, BATCH_BYTES>::new();
         let mut records = 0;
@@ -103,7 +112,7 @@ impl Link {
             let Some(record) = self.records.dequeue() else { break };
             records += 1;
             let mut buffer = [0; MAX_FRAME_BYTES];
-            let message = ToHost::Telemetry(Telemetry { dropped, ..record });
+            let message = ToHost::Telemetry(Telemetry::new(&record, dropped));
             // A frame is never longer than there is room for.
             let _ = batch.extend_from_slice(message.write(&mut buffer).unwrap_or_default());
         }
@@ -113,11 +122,11 @@ impl Link {
         }
     }
 
-    fn keep_fault(&mut self) {
-        if self.kept_at.elapsed() >= KEEP_EVERY {
-            self.kept_at = Instant::now();
+    fn store_fault(&mut self) {
+        if self.stored_at.elapsed() >= STORE_EVERY {
+            self.stored_at = Instant::now();
             self.remote.refresh();
-            if !self.handler.keep_fault(&self.remote) {
+            if !self.handler.store_fault(&self.remote) {
                 defmt::warn!("the fault could not be stored");
             }
         }
@@ -130,6 +139,6 @@ pub async fn serve(mut link: Link) -> ! {
     loop {
         link.listen().await;
         link.send_records().await;
-        link.keep_fault();
+        link.store_fault();
     }
 }

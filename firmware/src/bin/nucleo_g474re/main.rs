@@ -23,7 +23,7 @@ use embassy_executor::Spawner;
 use embassy_stm32::peripherals::RNG;
 use embassy_stm32::rng::{self, Rng};
 use embassy_stm32::{Peri, bind_interrupts};
-use firmware::link::Kept;
+use firmware::link::BootState;
 use firmware::supervisor::BootReport;
 use panic_probe as _;
 
@@ -45,7 +45,7 @@ async fn main(spawner: Spawner) {
     clocks::put_tick_above_all();
     let watchdog_reset = health::was_reset_by_watchdog();
     let mut store = flash::store(p.FLASH);
-    let kept = Kept::of(&mut store);
+    let boot_state = BootState::read(&mut store);
     let watchdog = Watchdog::start(p.IWDG);
     let encoders =
         Encoders::new((p.TIM2, p.PA0, p.PA1), (p.TIM3, p.PA6, p.PA7), (p.TIM1, p.PA8, p.PA9));
@@ -58,14 +58,14 @@ async fn main(spawner: Spawner) {
         load: p.PB11,
         clear: p.PB10,
     });
-    let handler = kept.handler(store, NAME, random(p.RNG));
+    let handler = boot_state.handler(store, NAME, random(p.RNG));
     let report = BootReport {
-        latched: kept.fault.or(latch::read()),
+        latched: boot_state.fault.or(latch::read()),
         watchdog_reset,
         position_lost: true,
-        ..kept.report()
+        ..boot_state.report()
     };
-    let supervisor = kept.supervisor();
+    let supervisor = boot_state.supervisor();
     let (remote, records) = tick::start(p.TIM6, encoders, converter, supervisor, report);
     // The fault is latched by now; another reset does not forget it.
     health::forget_resets();

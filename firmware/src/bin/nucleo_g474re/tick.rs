@@ -14,13 +14,15 @@ use embassy_stm32::peripherals::TIM6;
 use embassy_stm32::time::Hertz;
 use embassy_stm32::timer::low_level::Timer;
 use firmware::DacCode;
-use firmware::link::{Desk, Telemetry};
-use firmware::supervisor::{BootReport, CHECK_EVERY_TICKS, FaultRecord, Health, State, Supervisor};
+use firmware::link::SupervisorAccess;
+use firmware::supervisor::{
+    BootReport, CHECK_EVERY_TICKS, FaultRecord, Health, State, Supervisor, TickRecord,
+};
 use heapless::spsc::Consumer;
 
 use crate::converter::Converter;
 use crate::encoders::Encoders;
-use crate::exchange::{Inbox, Question, REPORT, Remote, Reply, channel};
+use crate::exchange::{Inbox, Question, Remote, Reply, SHARED, channel};
 use crate::latch;
 
 const TIMER_CLOCK: Hertz = Hertz(10_000_000);
@@ -49,7 +51,7 @@ pub fn start(
     mut converter: Converter,
     mut supervisor: Supervisor,
     report: BootReport,
-) -> (Remote, Consumer<'static, Telemetry>) {
+) -> (Remote, Consumer<'static, TickRecord>) {
     let set_up = converter.set_up();
     if let Err(fault) = set_up {
         defmt::error!("the converter does not answer: {}", fault);
@@ -99,15 +101,15 @@ impl Tick {
         self.timer.clear_update_interrupt();
         // First of all, so that the instant of sampling depends on nothing below.
         let counts = self.encoders.read();
-        self.health.host_heard = REPORT.host_heard.load(Relaxed);
-        REPORT.host_heard.store(false, Relaxed);
+        self.health.host_heard = SHARED.host_heard.load(Relaxed);
+        SHARED.host_heard.store(false, Relaxed);
         let record = self.supervisor.tick(&counts, self.health);
         self.put_out(&record);
         self.latch();
         self.answer();
-        self.look_at_parameters(record.sequence);
-        self.tell(record);
-        self.look_at_clock();
+        self.check_parameters(record.tick);
+        self.publish(record);
+        self.measure_tick_time();
     }
 
     /// Answers a question of the tasks, one a tick at most, once the codes are out: what the
@@ -115,18 +117,18 @@ impl Tick {
     fn answer(&mut self) {
         let Some(question) = self.inbox.questions.dequeue() else { return };
         let outcome = match question {
-            Question::Standing => Ok(()),
-            Question::Order(order) => self.supervisor.obey(order),
+            Question::Status => Ok(()),
+            Question::Order(order) => self.supervisor.execute(order),
             Question::Replace => match self.inbox.controllers.dequeue() {
                 Some(controller) => self.supervisor.replace(controller),
                 None => Ok(()),
             },
         };
         // There is room: the tasks ask one thing at a time.
-        let _ = self.inbox.replies.enqueue(Reply { outcome, standing: self.supervisor.standing() });
+        let _ = self.inbox.replies.enqueue(Reply { outcome, status: self.supervisor.status() });
     }
 
-    fn put_out(&mut self, record: &Telemetry) {
+    fn put_out(&mut self, record: &TickRecord) {
         if record.state != State::Running {
             self.converter.hold_at_zero();
             self.released = false;
@@ -153,31 +155,31 @@ impl Tick {
     }
 
     /// Once a second, after the codes are out, so that it delays nothing.
-    fn look_at_parameters(&mut self, tick: u32) {
+    fn check_parameters(&mut self, tick: u32) {
         if tick.is_multiple_of(CHECK_EVERY_TICKS) {
-            self.health.parameters_corrupt = !self.supervisor.parameters_are_whole();
+            self.health.parameters_corrupt = !self.supervisor.parameters_are_intact();
         }
     }
 
-    fn tell(&mut self, record: Telemetry) {
-        REPORT.set_state(record.state);
-        count(&REPORT.ticks);
-        if REPORT.streaming.load(Relaxed) && self.inbox.records.enqueue(record).is_err() {
-            count(&REPORT.records_dropped);
+    fn publish(&mut self, record: TickRecord) {
+        SHARED.set_state(record.state);
+        count(&SHARED.ticks);
+        if SHARED.streaming.load(Relaxed) && self.inbox.records.enqueue(record).is_err() {
+            count(&SHARED.records_dropped);
         }
     }
 
-    fn look_at_clock(&mut self) {
+    fn measure_tick_time(&mut self) {
         let mut taken = u32::from(self.timer.regs_core().cnt().read().cnt());
         // The timer's event has come again: the interrupt follows at once, late.
         self.health.overrun = self.timer.regs_core().sr().read().uif();
         if self.health.overrun {
             taken += u32::from(COUNTS_PER_PERIOD);
-            count(&REPORT.overruns);
+            count(&SHARED.overruns);
         }
         self.health.tick_time_tenth_us = taken.min(u32::from(u16::MAX)) as u16;
-        let longest = REPORT.longest_tenth_us.load(Relaxed).max(taken);
-        REPORT.longest_tenth_us.store(longest, Relaxed);
+        let longest = SHARED.longest_tenth_us.load(Relaxed).max(taken);
+        SHARED.longest_tenth_us.store(longest, Relaxed);
     }
 }
 

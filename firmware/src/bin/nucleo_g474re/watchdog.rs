@@ -11,7 +11,7 @@ use embassy_stm32::wdg::IndependentWatchdog;
 use embassy_stm32::{Peri, pac};
 use embassy_time::Timer;
 
-use crate::exchange::REPORT;
+use crate::exchange::SHARED;
 
 /// Its clock of 32 kHz is true to 5 %, and erasing a page of the flash takes up to 25 ms.
 const TIMEOUT_US: u32 = 32_000;
@@ -23,7 +23,7 @@ const TICKS_AT_LEAST: u32 = 3;
 pub struct Watchdog(IndependentWatchdog<'static, IWDG>);
 
 impl Watchdog {
-    /// From here on a reset follows unless [`watch`] is content.
+    /// Starts it: from here on a reset follows unless [`watch`] pets it in time.
     pub fn start(peripheral: Peri<'static, IWDG>) -> Self {
         let mut watchdog = IndependentWatchdog::new(peripheral, TIMEOUT_US);
         watchdog.unleash();
@@ -34,10 +34,10 @@ impl Watchdog {
 /// Pets the watchdog as long as the ticks go on.
 #[embassy_executor::task]
 pub async fn watch(mut watchdog: Watchdog) -> ! {
-    let mut seen = REPORT.ticks.load(Relaxed);
+    let mut seen = SHARED.ticks.load(Relaxed);
     loop {
         Timer::after_millis(CHECK_EVERY_MS).await;
-        let ticks = REPORT.ticks.load(Relaxed);
+        let ticks = SHARED.ticks.load(Relaxed);
         if ticks.wrapping_sub(seen) >= TICKS_AT_LEAST {
             watchdog.0.pet();
         }

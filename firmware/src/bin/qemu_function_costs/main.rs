@@ -68,7 +68,7 @@ fn roots() {
 fn parameters() {
     let controller = Controller::new(firmware::store::safe_defaults());
     let begin = timer::now();
-    black_box(black_box(&controller).is_whole());
+    black_box(black_box(&controller).is_intact());
     let instructions = timer::now().wrapping_sub(begin) as f32 / COUNTS_PER_INSTRUCTION;
     let bytes = controller.block().encode(&mut [0; MAX_BYTES]).map_or(0, <[u8]>::len);
     hprintln!("parameters in use checked, {} bytes: {:.0}", bytes, instructions);

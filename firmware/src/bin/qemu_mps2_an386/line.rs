@@ -4,7 +4,7 @@
 
 use core::ptr;
 
-use firmware::link::{BlockStore, Station};
+use firmware::link::{BlockStore, BoardRuntime};
 
 const DATA: *mut u32 = 0x4000_4000 as *mut u32;
 const STATE: *mut u32 = 0x4000_4004 as *mut u32;
@@ -36,16 +36,16 @@ impl Line {
     }
 
     /// Takes what has come and sends what waits, a bounded number of bytes; never waits.
-    pub fn serve(&mut self, station: &mut Station<impl BlockStore>) {
+    pub fn serve(&mut self, runtime: &mut BoardRuntime<impl BlockStore>) {
         for _ in 0..BYTES_PER_TICK {
             let Some(byte) = self.receive() else { break };
-            station.receive(byte);
+            runtime.receive(byte);
         }
         for _ in 0..BYTES_PER_TICK {
             if !self.can_send() {
                 break;
             }
-            let Some(byte) = station.send() else { break };
+            let Some(byte) = runtime.send() else { break };
             self.send(byte);
         }
     }

@@ -3,8 +3,9 @@
 use firmware::block::MAX_BYTES;
 use firmware::lockstep::{REQUEST_BYTES, Reply, Request, Responder, commit};
 
+use crate::board::Board;
 use crate::host_file::{HostFile, Mode};
-use crate::{Board, timer};
+use crate::timer;
 
 /// Requests come in here.
 const REQUESTS: &core::ffi::CStr = c"to-board";
@@ -43,7 +44,7 @@ impl Robot {
     }
 
     fn answer(&mut self, request: Request, board: &mut Board) -> Option<Reply> {
-        let store = board.station.handler.store();
+        let store = board.runtime.handler.store();
         let mut buffer = [0; MAX_BYTES];
         Some(match request {
             Request::Load { length } => {

@@ -5,7 +5,7 @@
 //! Ticks are six bytes: the count of all joints, what the board has of itself, and how many.
 
 use firmware::link::checked::{Kind, seal};
-use firmware::link::{Beginning, Handler, Kept, MAX_FRAME_BYTES};
+use firmware::link::{BootState, Handler, HandlerConfig, MAX_FRAME_BYTES};
 use firmware::reference::Reference;
 use firmware::store::{Layout, RamFlash, Store, safe_defaults};
 use firmware::supervisor::{BootReport, Health, State, Supervisor};
@@ -38,14 +38,14 @@ pub fn run(bytes: &[u8]) {
 pub fn reaches_a_run(bytes: &[u8]) -> bool {
     let Some((&first, rest)) = bytes.split_first() else { return false };
     let mut store = Store::new(RamFlash::new(vec![0xFF; BANK_BYTES]), LAYOUT.bank_start, LAYOUT);
-    let kept = Kept::of(&mut store);
+    let boot_state = BootState::read(&mut store);
     let key = (first & 1 == 1).then_some([0x5A; 32]);
-    let beginning = Beginning {
+    let config = HandlerConfig {
         board: "fuzz",
         limits: Default::default(),
         nonce_seed: [first; 16],
         key,
-        fault: kept.fault,
+        fault: boot_state.fault,
         in_use: None,
     };
     let mut supervisor = Supervisor::default();
@@ -58,7 +58,7 @@ pub fn reaches_a_run(bytes: &[u8]) -> bool {
     for _ in 0..SETTLING_TICKS * u32::from(has_parameters) {
         supervisor.tick(&[0; 3], Health::default());
     }
-    let mut handler = Handler::new(store, &beginning);
+    let mut handler = Handler::new(store, &config);
     converse(&mut handler, &mut supervisor, rest)
 }
 
@@ -77,7 +77,7 @@ fn converse(
             2 => say_sealed(handler, supervisor, Kind::Hello, piece),
             _ => has_run |= tick(handler, supervisor, piece),
         }
-        handler.keep_fault(supervisor);
+        handler.store_fault(supervisor);
     }
     has_run
 }

@@ -1,7 +1,7 @@
 //! Flash with anything at all in it: the board boots, and can commit afterwards.
 
 use firmware::block::MAX_BYTES;
-use firmware::link::Kept;
+use firmware::link::BootState;
 use firmware::store::{Layout, RamFlash, Source, Store, safe_defaults};
 
 use super::command_handler::BANK_BYTES;
@@ -14,7 +14,7 @@ const PAGES: [usize; 6] = [0, 0x1000, 0x2000, 0x3000, 0x4000, 0x5000];
 pub fn run(bytes: &[u8]) {
     let mut store = Store::new(RamFlash::new(bank(bytes)), LAYOUT.bank_start, LAYOUT);
     let boot = store.boot();
-    let _ = (boot.to_string(), Kept::of(&mut store));
+    let _ = (boot.to_string(), BootState::read(&mut store));
     let mut buffer = [0; MAX_BYTES];
     let block = safe_defaults();
     let encoded = block.encode(&mut buffer).expect("the safe defaults fit");

@@ -1,6 +1,6 @@
 //! Friction that differs between the directions.
 
-use model::effects::favour_a_direction;
+use model::effects::scale_asymmetric_friction;
 use model::friction::FrictionScale;
 
 use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
@@ -33,6 +33,6 @@ struct AsymmetricFriction {
 impl Effect for AsymmetricFriction {
     fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>; 3]) {
         let velocity = state.qd_rad_per_s[self.joint];
-        favour_a_direction(&mut scale[self.joint], self.relative_asymmetry, velocity);
+        scale_asymmetric_friction(&mut scale[self.joint], self.relative_asymmetry, velocity);
     }
 }

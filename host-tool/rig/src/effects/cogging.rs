@@ -1,6 +1,6 @@
 //! Torque of the magnets on the slots.
 
-use model::effects::{TurnWave, cogging_v};
+use model::effects::{AngularHarmonic, cogging_v};
 use model::vector::Vector3;
 
 use super::{Carrier, Definition, Effect, JointState, Parameter, Search, Size, Touches};
@@ -24,7 +24,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Box::new(Cogging {
             joint: usize::from(joint) - 1,
             amplitude_v: values[0],
-            wave: TurnWave { harmonic: values[1], phase_rad: values[2] },
+            wave: AngularHarmonic { order: values[1], phase_rad: values[2] },
         })
     },
 };
@@ -33,7 +33,7 @@ pub(super) const DEFINITION: Definition = Definition {
 struct Cogging {
     joint: usize,
     amplitude_v: f64,
-    wave: TurnWave<f64>,
+    wave: AngularHarmonic<f64>,
 }
 
 impl Effect for Cogging {

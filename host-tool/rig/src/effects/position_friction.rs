@@ -1,6 +1,6 @@
 //! Friction that varies over the turn.
 
-use model::effects::{TurnWave, vary_friction};
+use model::effects::{AngularHarmonic, scale_position_friction};
 use model::friction::FrictionScale;
 
 use super::{Carrier, Definition, Effect, JointState, Parameter, Search, Size, Touches};
@@ -24,7 +24,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Box::new(PositionFriction {
             joint: usize::from(joint) - 1,
             relative_amplitude: values[0],
-            wave: TurnWave { harmonic: values[1], phase_rad: values[2] },
+            wave: AngularHarmonic { order: values[1], phase_rad: values[2] },
         })
     },
 };
@@ -33,12 +33,12 @@ pub(super) const DEFINITION: Definition = Definition {
 struct PositionFriction {
     joint: usize,
     relative_amplitude: f64,
-    wave: TurnWave<f64>,
+    wave: AngularHarmonic<f64>,
 }
 
 impl Effect for PositionFriction {
     fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>; 3]) {
         let sine = self.wave.sine(state.q_rad[self.joint]);
-        vary_friction(&mut scale[self.joint], self.relative_amplitude, sine);
+        scale_position_friction(&mut scale[self.joint], self.relative_amplitude, sine);
     }
 }

@@ -1,6 +1,6 @@
 //! A torque constant that varies over the turn.
 
-use model::effects::{TurnWave, ripple_factor};
+use model::effects::{AngularHarmonic, ripple_factor};
 use model::vector::Vector3;
 
 use super::{Carrier, Definition, Effect, JointState, Parameter, Search, Size, Touches};
@@ -24,7 +24,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Box::new(TorqueRipple {
             joint: usize::from(joint) - 1,
             relative_amplitude: values[0],
-            wave: TurnWave { harmonic: values[1], phase_rad: values[2] },
+            wave: AngularHarmonic { order: values[1], phase_rad: values[2] },
         })
     },
 };
@@ -33,7 +33,7 @@ pub(super) const DEFINITION: Definition = Definition {
 struct TorqueRipple {
     joint: usize,
     relative_amplitude: f64,
-    wave: TurnWave<f64>,
+    wave: AngularHarmonic<f64>,
 }
 
 impl Effect for TorqueRipple {

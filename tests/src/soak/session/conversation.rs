@@ -12,7 +12,7 @@ impl Soak {
         let bytes = block.encode(&mut buffer).expect("the block fits").to_vec();
         for command in upload(&bytes) {
             let taken = self.ask(command);
-            assert!(taken.is_ok(), "{taken:?}: {:?}", self.station.supervisor.fault());
+            assert!(taken.is_ok(), "{taken:?}: {:?}", self.runtime.supervisor.fault());
         }
         self.ask(if commit { Command::Commit } else { Command::Use }).expect("a block is taken");
         self.tally.uploads += 1;

@@ -22,7 +22,7 @@ impl Soak {
         self.expected = Some(fault);
         let due_ticks = self.go_wrong(fault, which % 3);
         (0..due_ticks).for_each(|_| self.tick());
-        let found = self.station.supervisor.fault().expect("it is found");
+        let found = self.runtime.supervisor.fault().expect("it is found");
         assert_eq!(found.fault, fault);
         if fault == Fault::LinkLost {
             assert_eq!(found.tick, self.heard_at + u32::from(HOST_TIMEOUT) + 1);
@@ -44,7 +44,7 @@ impl Soak {
             Fault::Converter => self.injected.converter_fault = true,
             Fault::CorruptParameters => {
                 // The lowest bit of a gain.
-                self.station.supervisor.break_parameters(|block| {
+                self.runtime.supervisor.corrupt_parameters(|block| {
                     let gain = &mut block.gains[joint].proportional_v_per_rad;
                     *gain = f32::from_bits(gain.to_bits() ^ 1);
                 });

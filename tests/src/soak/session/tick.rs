@@ -1,7 +1,7 @@
 //! A millisecond: board, arm, and what the line carries.
 
 use firmware::link::{Refusal, Telemetry, ToHost};
-use firmware::supervisor::{Health, State};
+use firmware::supervisor::{Health, State, TickRecord};
 
 use super::{BYTES_PER_TICK, REMEMBERED, Soak, Told};
 
@@ -9,14 +9,14 @@ impl Soak {
     /// One millisecond of everything.
     pub(super) fn tick(&mut self) {
         let counts = self.arm.counts();
-        let heard = self.station.health();
+        let heard = self.runtime.health();
         let Health { overrun, converter_fault, .. } = std::mem::take(&mut self.injected);
         let health = Health { overrun, converter_fault, ..heard };
-        let record = self.station.supervisor.tick(&counts, health);
+        let record = self.runtime.supervisor.tick(&counts, health);
         if health.host_heard {
-            self.heard_at = record.sequence;
+            self.heard_at = record.tick;
         }
-        self.station.after_tick(&record);
+        self.runtime.after_tick(&record);
         self.assert_as_it_should_be(&record);
         self.arm.advance(record.codes.map(|code| f64::from(code.to_volts())));
         self.tally.ticks += 1;
@@ -27,15 +27,15 @@ impl Soak {
         self.carry();
     }
 
-    fn assert_as_it_should_be(&mut self, record: &Telemetry) {
+    fn assert_as_it_should_be(&mut self, record: &TickRecord) {
         let zero = record.codes.iter().all(|code| code.0 == 0);
         assert!(zero || record.state == State::Running, "voltage while {}", record.state);
-        let Some(found) = self.station.supervisor.fault() else { return };
+        let Some(found) = self.runtime.supervisor.fault() else { return };
         if self.expected.is_some() && self.expected != Some(found.fault) {
             self.tally.faults_otherwise += 1;
             panic!("instead of {:?}: {found}", self.expected);
         }
-        if self.expected.is_none() && record.sequence == found.tick {
+        if self.expected.is_none() && record.tick == found.tick {
             self.tally.faults_otherwise += 1;
             panic!("nobody injected it: {found}; {record:?}");
         }
@@ -45,10 +45,10 @@ impl Soak {
     fn carry(&mut self) {
         for _ in 0..BYTES_PER_TICK {
             let Some(byte) = self.to_board.pop() else { break };
-            self.station.receive(byte);
+            self.runtime.receive(byte);
         }
         for _ in 0..self.bytes_per_tick {
-            let Some(byte) = self.station.send() else { break };
+            let Some(byte) = self.runtime.send() else { break };
             self.to_host.push(byte);
         }
         while let Some(byte) = self.to_host.pop() {
@@ -65,9 +65,9 @@ impl Soak {
 
     /// A record that arrived is one that was sent, and those between were missed.
     fn note(&mut self, record: &Telemetry) {
-        let sent = self.true_records.iter().rev().find(|sent| sent.sequence == record.sequence);
+        let sent = self.true_records.iter().rev().find(|sent| sent.tick == record.sequence);
         let sent = sent.expect("nothing comes that was not sent a moment ago");
-        assert_eq!(Telemetry { dropped: 0, ..*record }, *sent, "what came is what was sent");
+        assert_eq!(*record, Telemetry::new(sent, record.dropped), "what came is what was sent");
         self.tally.records += 1;
         if let Some(last) = self.last_sequence {
             let missed = record.sequence.wrapping_sub(last).wrapping_sub(1);

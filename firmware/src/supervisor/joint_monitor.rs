@@ -1,22 +1,22 @@
-//! What is looked at in every tick, joint by joint.
+//! The checks of every tick, joint by joint.
 
 use core::f32::consts::TAU;
 
 use super::fault::{Fault, Implausible};
 use crate::{Angle, Mode, ParameterBlock};
 
-/// Ticks over which the velocity estimate is compared with the encoder's way.
+/// Ticks over which the velocity estimate is compared with the encoder's travel.
 const WINDOW_TICKS: u32 = 64;
-/// A joint at rest may seem to move so fast [rad/s].
+/// Largest velocity estimate of a joint that counts as at rest [rad/s].
 const REST_RAD_PER_S: f32 = 0.05;
-/// So far may the velocity estimate be from the encoder's way over a window [rad/s].
+/// Largest difference between the mean velocity estimate and the encoder's over a window [rad/s].
 const DISAGREEMENT_RAD_PER_S: f32 = 0.1;
-/// Counts by which an encoder may dither about a standing joint, and about a smooth motion.
+/// Dither of an encoder at a joint at rest, and about a smooth motion [counts].
 const DITHER_COUNTS: u32 = 3;
 
-/// What a joint does in a tick.
+/// What is measured and commanded at a joint in a tick.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
+pub(super) struct JointSample {
     pub count: i32,
     pub velocity_rad_per_s: f32,
     pub measured: Angle,
@@ -28,10 +28,17 @@ pub(super) struct Seen {
 
 /// A limit that was exceeded.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Excess {
+pub(super) struct LimitViolation {
     pub fault: Fault,
     pub value: f32,
     pub limit: f32,
+}
+
+impl LimitViolation {
+    /// A fault without figures.
+    pub fn of(fault: Fault) -> Self {
+        Self { fault, value: 0.0, limit: 0.0 }
+    }
 }
 
 /// The limits of one joint, in the units in which they are compared.
@@ -66,12 +73,12 @@ impl Limits {
     }
 }
 
-/// One joint under watch.
+/// The monitor of one joint.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct JointWatch {
+pub(super) struct JointMonitor {
     limits: Limits,
-    /// Whether the mode has a reference that the joint shall follow.
-    follows: bool,
+    /// Whether the mode tracks a reference.
+    has_reference: bool,
     radians_per_count: f32,
     rate_per_s: f32,
     sample_period_s: f32,
@@ -79,24 +86,24 @@ pub(super) struct JointWatch {
     last_move: i32,
     /// How far the last move differed from the one before.
     jump_counts: u32,
-    /// Ticks watched, up to where everything has settled.
+    /// Ticks seen so far, counted until the estimates have settled.
     ticks: u32,
     ticks_since_jump: u32,
     saturated_ticks: u32,
-    standing: Standing,
+    standstill: Standstill,
     window: Window,
 }
 
-/// Since when an encoder stands still.
+/// Since when an encoder has not moved.
 #[derive(Clone, Copy, Debug, Default)]
-struct Standing {
+struct Standstill {
     count: i32,
     reference: Angle,
     /// Ticks at a voltage that should have moved the joint, less those at a smaller one.
     pushed_ticks: u32,
 }
 
-/// The estimate against the encoder's way, over some ticks.
+/// The velocity estimate against the encoder's travel, over some ticks.
 #[derive(Clone, Copy, Debug, Default)]
 struct Window {
     ticks: u32,
@@ -105,13 +112,13 @@ struct Window {
     disagrees: bool,
 }
 
-impl JointWatch {
-    /// A watch over joint `index` (0 to 2) with a checked block.
+impl JointMonitor {
+    /// The monitor of joint `index` (0 to 2) with a checked block.
     pub fn new(block: &ParameterBlock, index: usize) -> Self {
         let period_s = block.sample_period_s;
         Self {
             limits: Limits::of(block, index),
-            follows: follows(block.mode[index]),
+            has_reference: has_reference(block.mode[index]),
             radians_per_count: TAU / block.encoder_counts_per_turn as f32,
             rate_per_s: 1.0 / period_s,
             sample_period_s: period_s,
@@ -121,7 +128,7 @@ impl JointWatch {
             ticks: 0,
             ticks_since_jump: WINDOW_TICKS,
             saturated_ticks: 0,
-            standing: Standing::default(),
+            standstill: Standstill::default(),
             window: Window::default(),
         }
     }
@@ -130,7 +137,7 @@ impl JointWatch {
     pub fn has_limits_of(&self, block: &ParameterBlock, index: usize) -> bool {
         let fresh = Self::new(block, index);
         self.limits == fresh.limits
-            && self.follows == fresh.follows
+            && self.has_reference == fresh.has_reference
             && self.radians_per_count == fresh.radians_per_count
             && self.rate_per_s == fresh.rate_per_s
             && self.sample_period_s == fresh.sample_period_s
@@ -141,41 +148,42 @@ impl JointWatch {
         self.last_count
     }
 
-    /// A run begins: what was counted in another one does not count.
-    pub fn begin(&mut self) {
+    /// Begins a run: resets what an earlier one has counted.
+    pub fn begin_run(&mut self) {
         self.saturated_ticks = 0;
         self.window.ticks = 0;
         self.window.sum_rad_per_s = 0.0;
-        self.standing.pushed_ticks = 0;
-        self.standing.count = self.last_count.wrapping_add(i32::MIN); // Never near: begins anew.
+        self.standstill.pushed_ticks = 0;
+        self.standstill.count = self.last_count.wrapping_add(i32::MIN); // Out of reach: the next count restarts it.
     }
 
-    /// Takes a tick in which nothing has to be followed: only a joint that cannot be is a fault.
+    /// Checks a tick outside a run: jump, speed, finiteness.
     #[inline]
-    pub fn rest(&mut self, seen: &Seen) -> Option<Fault> {
-        self.follow_count(seen.count);
-        self.compare(seen);
+    pub fn check_at_rest(&mut self, sample: &JointSample) -> Option<Fault> {
+        self.track_count(sample.count);
+        self.compare_velocity(sample);
         if self.jump_counts > self.limits.jump_counts {
             self.ticks_since_jump = 0;
             Some(Fault::EncoderJump)
-        } else if !(seen.finite && seen.velocity_rad_per_s.is_finite()) {
+        } else if !(sample.finite && sample.velocity_rad_per_s.is_finite()) {
             Some(Fault::NotFinite)
-        } else if seen.velocity_rad_per_s.abs() > self.limits.speed_rad_per_s {
+        } else if sample.velocity_rad_per_s.abs() > self.limits.speed_rad_per_s {
             Some(Fault::Speed)
         } else {
             None
         }
     }
 
-    /// Takes a tick of a run.
+    /// Checks a tick of a run.
     #[inline]
-    pub fn run(&mut self, seen: &Seen) -> Option<Fault> {
-        let rest = self.rest(seen);
-        self.count_saturation(seen.saturated);
-        let stuck = self.is_stuck(seen);
+    pub fn check_running(&mut self, sample: &JointSample) -> Option<Fault> {
+        let rest = self.check_at_rest(sample);
+        self.count_saturation(sample.saturated);
+        let stuck = self.is_stuck(sample);
         if rest.is_some() {
             rest
-        } else if self.follows && tracking_error_rad(seen) > self.limits.tracking_error_rad {
+        } else if self.has_reference && tracking_error_rad(sample) > self.limits.tracking_error_rad
+        {
             Some(Fault::TrackingError)
         } else if stuck {
             Some(Fault::EncoderStuck)
@@ -186,29 +194,29 @@ impl JointWatch {
         }
     }
 
-    /// The figures of a fault that this tick has brought.
+    /// Value and limit of a fault found in this tick.
     #[cold]
-    pub fn excess(&self, fault: Fault, seen: &Seen) -> Excess {
+    pub fn violation(&self, fault: Fault, sample: &JointSample) -> LimitViolation {
         let limits = &self.limits;
         let radians = |counts: u32| counts as f32 * self.radians_per_count;
         let seconds = |ticks: u32| ticks as f32 * self.sample_period_s;
         let (value, limit) = match fault {
             Fault::EncoderJump => (radians(self.jump_counts), radians(limits.jump_counts)),
-            Fault::Speed => (seen.velocity_rad_per_s.abs(), limits.speed_rad_per_s),
-            Fault::TrackingError => (tracking_error_rad(seen), limits.tracking_error_rad),
-            Fault::EncoderStuck if self.follows => {
-                (seen.reference.minus(self.standing.reference).abs(), limits.stuck_travel_rad)
+            Fault::Speed => (sample.velocity_rad_per_s.abs(), limits.speed_rad_per_s),
+            Fault::TrackingError => (tracking_error_rad(sample), limits.tracking_error_rad),
+            Fault::EncoderStuck if self.has_reference => {
+                (sample.reference.minus(self.standstill.reference).abs(), limits.stuck_travel_rad)
             }
-            Fault::EncoderStuck => (seen.command_v.abs(), limits.stuck_voltage_v),
+            Fault::EncoderStuck => (sample.command_v.abs(), limits.stuck_voltage_v),
             Fault::Saturation => (seconds(self.saturated_ticks), seconds(limits.saturated_ticks)),
             _ => (0.0, 0.0),
         };
-        Excess { fault, value, limit }
+        LimitViolation { fault, value, limit }
     }
 
-    /// Why the estimates must not be trusted, if so.
-    pub fn implausible(&self, seen: &Seen) -> Option<Implausible> {
-        if !seen.finite || !seen.velocity_rad_per_s.is_finite() {
+    /// Why the estimates are implausible, if they are.
+    pub fn implausible(&self, sample: &JointSample) -> Option<Implausible> {
+        if !sample.finite || !sample.velocity_rad_per_s.is_finite() {
             Some(Implausible::NotFinite)
         } else if self.ticks < 2 * WINDOW_TICKS {
             Some(Implausible::NotSettled)
@@ -216,16 +224,16 @@ impl JointWatch {
             Some(Implausible::Jumped)
         } else if self.window.disagrees {
             Some(Implausible::Disagrees)
-        } else if seen.velocity_rad_per_s.abs() > REST_RAD_PER_S {
+        } else if sample.velocity_rad_per_s.abs() > REST_RAD_PER_S {
             Some(Implausible::Moving)
         } else {
             None
         }
     }
 
-    /// How far the encoder's move differs from the one before, zero until one is known.
+    /// The change of the encoder's step from the one before, zero until one is known.
     #[inline]
-    fn follow_count(&mut self, count: i32) {
+    fn track_count(&mut self, count: i32) {
         let moved = count.wrapping_sub(self.last_count);
         let change = moved.wrapping_sub(self.last_move).unsigned_abs();
         self.last_count = count;
@@ -237,24 +245,24 @@ impl JointWatch {
         self.jump_counts = if self.ticks <= 2 { 0 } else { change };
     }
 
-    /// Holds the estimate against the encoder's way, once a window.
+    /// Compares the estimate with the encoder's travel, once a window.
     #[inline]
-    fn compare(&mut self, seen: &Seen) {
+    fn compare_velocity(&mut self, sample: &JointSample) {
         let window = &mut self.window;
         if window.ticks == WINDOW_TICKS {
-            let moved = seen.count.wrapping_sub(window.first_count) as f32;
-            let way_rad_per_s =
+            let moved = sample.count.wrapping_sub(window.first_count) as f32;
+            let encoder_rad_per_s =
                 moved * self.radians_per_count * self.rate_per_s * (1.0 / WINDOW_TICKS as f32);
             let mean = window.sum_rad_per_s * (1.0 / WINDOW_TICKS as f32);
             // A NaN disagrees.
-            let agrees = (mean - way_rad_per_s).abs() <= DISAGREEMENT_RAD_PER_S;
+            let agrees = (mean - encoder_rad_per_s).abs() <= DISAGREEMENT_RAD_PER_S;
             *window = Window { disagrees: !agrees, ..Window::default() };
         }
         if window.ticks == 0 {
-            window.first_count = seen.count;
+            window.first_count = sample.count;
         }
         window.ticks += 1;
-        window.sum_rad_per_s += seen.velocity_rad_per_s;
+        window.sum_rad_per_s += sample.velocity_rad_per_s;
     }
 
     #[inline]
@@ -262,36 +270,36 @@ impl JointWatch {
         self.saturated_ticks = if saturated { self.saturated_ticks.saturating_add(1) } else { 0 };
     }
 
-    /// Whether the encoder stands while its joint must move.
+    /// Whether the encoder does not move although its joint must.
     #[inline]
-    fn is_stuck(&mut self, seen: &Seen) -> bool {
-        let standing = &mut self.standing;
-        if seen.count.wrapping_sub(standing.count).unsigned_abs() > DITHER_COUNTS {
-            let (count, reference) = (seen.count, seen.reference);
-            *standing = Standing { count, reference, pushed_ticks: 0 };
+    fn is_stuck(&mut self, sample: &JointSample) -> bool {
+        let standstill = &mut self.standstill;
+        if sample.count.wrapping_sub(standstill.count).unsigned_abs() > DITHER_COUNTS {
+            let (count, reference) = (sample.count, sample.reference);
+            *standstill = Standstill { count, reference, pushed_ticks: 0 };
             return false;
         }
-        if self.follows {
-            let travel_rad = seen.reference.minus(standing.reference).abs();
+        if self.has_reference {
+            let travel_rad = sample.reference.minus(standstill.reference).abs();
             return travel_rad > self.limits.stuck_travel_rad;
         }
-        let pushed = seen.command_v.abs() > self.limits.stuck_voltage_v;
+        let pushed = sample.command_v.abs() > self.limits.stuck_voltage_v;
         // A voltage that swings to and fro pushes too.
-        standing.pushed_ticks = match pushed {
-            true => standing.pushed_ticks.saturating_add(1),
-            false => standing.pushed_ticks.saturating_sub(1),
+        standstill.pushed_ticks = match pushed {
+            true => standstill.pushed_ticks.saturating_add(1),
+            false => standstill.pushed_ticks.saturating_sub(1),
         };
-        standing.pushed_ticks > self.limits.stuck_ticks
+        standstill.pushed_ticks > self.limits.stuck_ticks
     }
 }
 
 #[inline]
-fn tracking_error_rad(seen: &Seen) -> f32 {
-    seen.reference.minus(seen.measured).abs()
+fn tracking_error_rad(sample: &JointSample) -> f32 {
+    sample.reference.minus(sample.measured).abs()
 }
 
-/// Whether a mode has a reference that the joint shall follow.
-pub(super) fn follows(mode: Mode) -> bool {
+/// Whether a mode tracks a reference.
+pub(super) fn has_reference(mode: Mode) -> bool {
     match mode {
         Mode::Pd | Mode::PdFriction | Mode::PdModel => true,
         Mode::FrictionOnly | Mode::OpenLoop => false,

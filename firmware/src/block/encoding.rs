@@ -1,19 +1,11 @@
-//! The parameter block: everything that the tick must know, in one checked piece.
-//!
-//! On the wire and in store: version, length, postcard, CRC-32. Nothing of it is
-//! compiled in; a board without a block puts out 0 V.
+//! A parameter block as bytes, and back: version, length, postcard, CRC-32.
 
-use crc::{CRC_32_ISO_HDLC, Crc};
-use model::{ParameterError, Robot};
-use serde::{Deserialize, Serialize};
+use model::ParameterError;
 
-use crate::compensation::{Compensations, Outside};
-use crate::link::checked::CHECKSUM as LINE_CHECKSUM;
-use crate::mode::Mode;
-use crate::reference::Reference;
-use crate::supervisor::SafetyLimits;
+use super::parameters::ParameterBlock;
+use crate::checksum::{CRC_32, CRC_32C};
 
-/// Version of the layout below; a block of another version is refused.
+/// Version of the layout of [`ParameterBlock`]; a block of another version is refused.
 ///
 /// Version 1 had no compensations, version 2 no safety limits.
 pub const VERSION: u16 = 3;
@@ -22,43 +14,6 @@ pub const MAX_BYTES: usize = 1024;
 
 const HEADER_BYTES: usize = 4;
 const CHECKSUM_BYTES: usize = 4;
-const CHECKSUM: Crc<u32> = Crc::<u32>::new(&CRC_32_ISO_HDLC);
-
-/// Model, gains, limits and reference.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ParameterBlock {
-    /// The model of the arm and its friction.
-    pub robot: Robot<f32>,
-    /// Encoder counts per turn of a joint.
-    pub encoder_counts_per_turn: u32,
-    /// Time from tick to tick [s].
-    pub sample_period_s: f32,
-    /// Feedback gains of each joint.
-    pub gains: [Gains; 3],
-    /// Bandwidth of each joint's velocity estimate [rad/s].
-    pub velocity_bandwidth_rad_per_s: [f32; 3],
-    /// Largest command [V], at most what the converter can put out.
-    pub command_limit_v: f32,
-    /// What each joint's command is made of.
-    pub mode: [Mode; 3],
-    /// What the board plays.
-    pub reference: Reference,
-    /// What is made up for at each joint beyond the model.
-    pub compensations: [Compensations; 3],
-    /// What is made up for from outside the arm.
-    pub outside: Option<Outside>,
-    /// Beyond which the supervisor ends a run.
-    pub safety: SafetyLimits,
-}
-
-/// PD gains of one joint, eq. (17).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Gains {
-    /// Proportional gain k_p [V/rad].
-    pub proportional_v_per_rad: f32,
-    /// Derivative gain k_d [V s/rad].
-    pub derivative_v_s_per_rad: f32,
-}
 
 /// Why a block was refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,9 +32,9 @@ pub enum BlockError {
     },
     /// The checksum does not fit the bytes.
     Checksum,
-    /// The bytes are not a block, though the checksum fits.
+    /// The checksum is right, but the bytes are not a block of this layout.
     Layout,
-    /// A value that no robot, or not this board, can have.
+    /// A value out of its bounds.
     Parameter(ParameterError),
 }
 
@@ -92,7 +47,7 @@ impl core::fmt::Display for BlockError {
             Self::Version { found } => {
                 write!(
                     f,
-                    "the block has version {found}, this build knows version {VERSION}: build it anew"
+                    "the block has version {found}, this build knows version {VERSION}: build it again"
                 )
             }
             Self::Checksum => write!(f, "the block's checksum does not fit its bytes"),
@@ -119,15 +74,15 @@ impl ParameterBlock {
         let end = HEADER_BYTES + body_length;
         buffer[0..2].copy_from_slice(&VERSION.to_le_bytes());
         buffer[2..4].copy_from_slice(&(body_length as u16).to_le_bytes());
-        let checksum = CHECKSUM.checksum(&buffer[..end]);
+        let checksum = CRC_32.checksum(&buffer[..end]);
         buffer[end..end + CHECKSUM_BYTES].copy_from_slice(&checksum.to_le_bytes());
         Ok(&buffer[..end + CHECKSUM_BYTES])
     }
 
-    /// [`LINE_CHECKSUM`] of the encoded block, which tells one from another; 0 without encoding.
+    /// [`CRC_32C`] of the encoded block, as its identity; 0 if it cannot be encoded.
     pub fn fingerprint(&self) -> u32 {
         let mut buffer = [0; MAX_BYTES];
-        self.encode(&mut buffer).map_or(0, |bytes| LINE_CHECKSUM.checksum(bytes))
+        self.encode(&mut buffer).map_or(0, |bytes| CRC_32C.checksum(bytes))
     }
 
     /// Reads a block and checks every value in it.
@@ -154,7 +109,7 @@ fn checked_body(bytes: &[u8]) -> Result<&[u8], BlockError> {
     if bytes.len() != announced {
         return Err(BlockError::Length { found: bytes.len(), announced });
     }
-    if CHECKSUM.checksum(content) != u32::from_le_bytes(*checksum) {
+    if CRC_32.checksum(content) != u32::from_le_bytes(*checksum) {
         return Err(BlockError::Checksum);
     }
     if version != VERSION {

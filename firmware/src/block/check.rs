@@ -1,16 +1,19 @@
-//! What a block's values must be.
+//! Bounds of a block's values.
 
 use model::ParameterError;
 use model::parameter::named;
 
-use crate::block::{Gains, ParameterBlock};
-use crate::compensation::Outside;
+use super::parameters::{Gains, ParameterBlock};
+use crate::compensation::ExternalLoad;
 use crate::dac::FULL_SCALE_V;
 use crate::encoder::COUNTS_PER_TURN;
 use crate::reference::{FadeIn, Injection, Motion};
 
 impl ParameterBlock {
-    /// Checks the block as a whole; the error names the first value that is wrong.
+    /// Checks every value of the block.
+    ///
+    /// # Errors
+    /// Names the first value that is out of its bounds, and the joint.
     pub fn check(&self) -> Result<(), ParameterError> {
         self.robot.checked()?;
         self.check_board()?;
@@ -28,7 +31,7 @@ impl ParameterBlock {
         for (joint, compensations) in (1..).zip(&self.compensations) {
             compensations.check(joint)?;
         }
-        self.outside.iter().try_for_each(Outside::check)?;
+        self.external_load.iter().try_for_each(ExternalLoad::check)?;
         self.safety.check()
     }
 
@@ -63,7 +66,7 @@ impl Gains {
     }
 }
 
-/// Angles beyond this lose more than an encoder count in `f32`.
+/// Above this the resolution of an `f32` is coarser than an encoder count.
 const LARGEST_ANGLE_RAD: f32 = 100.0;
 
 fn check_angle(name: &'static str, joint: u8, angle_rad: f32) -> Result<(), ParameterError> {

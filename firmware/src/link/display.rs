@@ -7,7 +7,7 @@ use super::answer::{BlockRefusal, Origin, Refusal, StoreRefusal};
 impl Display for Refusal {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
-            Self::HelloFirst => f.write_str("the board was reset; connect to it anew"),
+            Self::HelloFirst => f.write_str("the board was reset; connect to it again"),
             Self::OldNumber { newest } => {
                 write!(f, "the request's number is not above {newest}, which was answered already")
             }

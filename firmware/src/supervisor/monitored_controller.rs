@@ -1,58 +1,58 @@
-//! The controller with a watch over each of its joints.
+//! The controller with a monitor on each of its joints.
 
-use super::orders::Denied;
-use super::watch::{JointWatch, Seen, follows};
+use super::joint_monitor::{JointMonitor, JointSample, has_reference};
+use super::orders::OrderError;
 use crate::{Controller, DacCode, Mode, TickOutput};
 
-/// A controller and who watches its joints.
+/// A controller and the monitors of its joints.
 #[derive(Clone, Debug)]
-pub(super) struct Watched {
+pub(super) struct MonitoredController {
     pub controller: Controller,
-    pub joints: [JointWatch; 3],
+    pub joints: [JointMonitor; 3],
     pub mode: [Mode; 3],
     pub last: TickOutput,
 }
 
-impl Watched {
+impl MonitoredController {
     pub fn new(controller: Controller) -> Self {
         let block = controller.block();
         Self {
-            joints: [0, 1, 2].map(|index| JointWatch::new(block, index)),
+            joints: [0, 1, 2].map(|index| JointMonitor::new(block, index)),
             mode: block.mode,
             last: TickOutput::default(),
             controller,
         }
     }
 
-    /// The counts are others from now on.
-    pub fn begin_anew(&mut self) {
-        self.controller.begin_anew();
+    /// Resets estimators and monitors: the counts have another zero from now on.
+    pub fn reset(&mut self) {
+        self.controller.reset();
         let block = self.controller.block();
-        self.joints = [0, 1, 2].map(|index| JointWatch::new(block, index));
+        self.joints = [0, 1, 2].map(|index| JointMonitor::new(block, index));
     }
 
-    /// Whether what was computed of the block once still is what the block says.
-    pub fn is_whole(&self) -> bool {
+    /// Whether the block, and what was derived from it once, are unchanged.
+    pub fn is_intact(&self) -> bool {
         let block = self.controller.block();
         let has_limits = |index: usize| self.joints[index].has_limits_of(block, index);
-        self.controller.is_whole() && self.mode == block.mode && (0..3).all(has_limits)
+        self.controller.is_intact() && self.mode == block.mode && (0..3).all(has_limits)
     }
 
     /// Whether every joint is at rest and its estimates can be right.
-    pub fn is_plausible(&self) -> Result<(), Denied> {
+    pub fn is_plausible(&self) -> Result<(), OrderError> {
         for (joint, index) in (1..).zip(0..3) {
-            let seen = self.seen(index, self.joints[index].last_count());
-            if let Some(why) = self.joints[index].implausible(&seen) {
-                return Err(Denied::Implausible { joint, why });
+            let sample = self.sample(index, self.joints[index].last_count());
+            if let Some(why) = self.joints[index].implausible(&sample) {
+                return Err(OrderError::Implausible { joint, why });
             }
         }
         Ok(())
     }
 
     #[inline]
-    pub fn seen(&self, index: usize, count: i32) -> Seen {
+    pub fn sample(&self, index: usize, count: i32) -> JointSample {
         let output = &self.last;
-        Seen {
+        JointSample {
             count,
             velocity_rad_per_s: output.velocity_rad_per_s[index],
             measured: output.measured[index],
@@ -63,20 +63,20 @@ impl Watched {
         }
     }
 
-    /// Whether every joint that has a reference is where it begins.
-    pub fn is_near_start(&self) -> Result<(), Denied> {
+    /// Whether every joint that has a reference is near the reference's start.
+    pub fn is_near_start(&self) -> Result<(), OrderError> {
         let limits = self.controller.block().safety.tracking_error_rad;
         let start = self.controller.start_of_reference();
         for (number, index) in (1..).zip(0..3) {
             let distance_rad = start[index].minus(self.last.measured[index]);
-            if follows(self.mode[index]) && distance_rad.abs() > limits[index] {
-                return Err(Denied::FarFromStart { joint: number, distance_rad });
+            if has_reference(self.mode[index]) && distance_rad.abs() > limits[index] {
+                return Err(OrderError::FarFromStart { joint: number, distance_rad });
             }
         }
         Ok(())
     }
 
-    /// Takes the voltage away, in this tick too.
+    /// Sets the codes to 0 V, in this tick too.
     pub fn stop(&mut self) {
         self.controller.stop();
         self.last.codes = [DacCode(0); 3];

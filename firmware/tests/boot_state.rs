@@ -1,11 +1,11 @@
-//! What a boot takes from the flash, and what it does not believe.
+//! Which stored blocks, faults and keys a boot accepts.
 #![allow(missing_docs)]
 
 #[allow(dead_code)]
 mod common;
 
 use firmware::block::MAX_BYTES;
-use firmware::link::{BlockStore, Kept, Origin};
+use firmware::link::{BlockStore, BootState, Origin};
 use firmware::store::{Kind, Layout, RamFlash, Store, slot_record};
 use firmware::supervisor::{Fault, FaultRecord, State};
 use firmware::{Mode, ParameterBlock};
@@ -33,7 +33,7 @@ fn store(bytes: Vec<u8>) -> Store<RamFlash<Vec<u8>>> {
 }
 
 /// The state of a board that boots with this, as every board boots.
-fn state_after_boot(kept: &Kept) -> (State, Option<Fault>) {
+fn state_after_boot(kept: &BootState) -> (State, Option<Fault>) {
     let mut supervisor = kept.supervisor();
     supervisor.booted(kept.report());
     (supervisor.state(), supervisor.fault().map(|record| record.fault))
@@ -60,10 +60,10 @@ fn beyond() -> Vec<ParameterBlock> {
 #[test]
 fn a_block_beyond_the_hard_limits_is_not_used_however_it_came_there() {
     for wrong in beyond() {
-        let kept = Kept::of(&mut store(flash([Some(good()), Some(wrong.clone())])));
+        let kept = BootState::read(&mut store(flash([Some(good()), Some(wrong.clone())])));
         assert_eq!((kept.origin, kept.block.clone()), (Origin::Older, good()));
         assert_eq!(state_after_boot(&kept), (State::Disarmed, None));
-        let kept = Kept::of(&mut store(flash([Some(wrong), None])));
+        let kept = BootState::read(&mut store(flash([Some(wrong), None])));
         assert_eq!((kept.origin, kept.corrupt), (Origin::SafeDefaults, true));
         assert_eq!(state_after_boot(&kept), (State::Faulted, Some(Fault::CorruptParameters)));
     }
@@ -75,27 +75,30 @@ fn slots_that_are_both_damaged_are_a_fault_and_empty_ones_are_not() {
     for page in LAYOUT.pages(Kind::Parameters) {
         bytes[(page - LAYOUT.bank_start) as usize + 100] ^= 1;
     }
-    let kept = Kept::of(&mut store(bytes));
+    let kept = BootState::read(&mut store(bytes));
     assert_eq!(state_after_boot(&kept), (State::Faulted, Some(Fault::CorruptParameters)));
-    let kept = Kept::of(&mut store(flash([None, None])));
+    let kept = BootState::read(&mut store(flash([None, None])));
     assert_eq!(state_after_boot(&kept), (State::Disarmed, None));
 }
 
 #[test]
 fn a_fault_is_kept_in_the_flash_until_it_is_cleared() {
     let mut store = store(flash([Some(good()), None]));
-    store.keep_fault(Some(&FAULT)).unwrap();
-    assert_eq!(state_after_boot(&Kept::of(&mut store)), (State::Faulted, Some(Fault::Speed)));
-    assert_eq!(Kept::of(&mut store).fault, Some(FAULT));
-    store.keep_fault(None).unwrap();
-    assert_eq!(state_after_boot(&Kept::of(&mut store)), (State::Disarmed, None));
+    store.store_fault(Some(&FAULT)).unwrap();
+    assert_eq!(
+        state_after_boot(&BootState::read(&mut store)),
+        (State::Faulted, Some(Fault::Speed))
+    );
+    assert_eq!(BootState::read(&mut store).fault, Some(FAULT));
+    store.store_fault(None).unwrap();
+    assert_eq!(state_after_boot(&BootState::read(&mut store)), (State::Disarmed, None));
 }
 
 #[test]
 fn a_fault_that_another_firmware_kept_is_latched_all_the_same() {
     for record in [&[0][..], &[1, 99], &[2, 3, 2, 9], &[0xFF; 12]] {
         let mut store = store(flash([Some(good()), None]));
-        store.keep(Kind::Fault, record).unwrap();
-        assert_eq!(state_after_boot(&Kept::of(&mut store)).0, State::Faulted, "{record:?}");
+        store.write_note(Kind::Fault, record).unwrap();
+        assert_eq!(state_after_boot(&BootState::read(&mut store)).0, State::Faulted, "{record:?}");
     }
 }

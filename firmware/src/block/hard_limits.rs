@@ -1,84 +1,31 @@
-//! How far the joints may go before the supervisor ends a run.
+//! The board's own limits, which no parameter block may exceed.
 
 use model::ParameterError;
 use model::parameter::named;
-use serde::{Deserialize, Serialize};
 
-use crate::ParameterBlock;
+use super::parameters::ParameterBlock;
 use crate::dac::FULL_SCALE_V;
 
-/// The limits of a parameter block; beyond one of them is a fault.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct SafetyLimits {
-    /// Fastest that each joint may be [rad/s].
-    pub speed_rad_per_s: [f32; 3],
-    /// Furthest that each joint may be from its reference [rad]; also from where it begins.
-    pub tracking_error_rad: [f32; 3],
-    /// More than any joint can accelerate, pushed by the motor or by a person [rad/s^2].
-    pub acceleration_rad_per_s2: [f32; 3],
-    /// Longest that a command may stay at its limit without a pause [s].
-    pub saturation_s: f32,
-    /// So far may a reference go while the encoder stands still [rad].
-    pub stuck_travel_rad: f32,
-    /// So much voltage may an open-loop command have while the encoder stands still [V],
-    pub stuck_voltage_v: f32,
-    /// for so long [s].
-    pub stuck_s: f32,
-}
-
-impl Default for SafetyLimits {
-    /// Wide enough for the motions of the paper, narrow enough for a broken wire.
-    fn default() -> Self {
-        Self {
-            speed_rad_per_s: [15.0; 3],
-            tracking_error_rad: [0.5; 3],
-            acceleration_rad_per_s2: [5_000.0; 3],
-            saturation_s: 0.5,
-            stuck_travel_rad: 0.05,
-            stuck_voltage_v: 3.0,
-            stuck_s: 0.2,
-        }
-    }
-}
-
-impl SafetyLimits {
-    /// Checks that each limit is one.
-    pub fn check(&self) -> Result<(), ParameterError> {
-        for joint in 0..3 {
-            let number = joint as u8 + 1;
-            let of = |name, value: f32| named(name, value).of_joint(number).positive();
-            of("speed_limit_rad_per_s", self.speed_rad_per_s[joint])?;
-            of("tracking_error_limit_rad", self.tracking_error_rad[joint])?;
-            of("acceleration_limit_rad_per_s2", self.acceleration_rad_per_s2[joint])?;
-        }
-        named("saturation_limit_s", self.saturation_s).positive()?;
-        named("stuck_travel_rad", self.stuck_travel_rad).positive()?;
-        named("stuck_voltage_V", self.stuck_voltage_v).positive()?;
-        named("stuck_s", self.stuck_s).positive()?;
-        Ok(())
-    }
-}
-
-/// What no parameter block may exceed on a board, whoever sends it.
+/// The limits that no parameter block may exceed on a board, whoever sends it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HardLimits {
-    /// The board's time from tick to tick [s]; a block for another one is refused.
+    /// The board's sample period [s]; a block with another one is refused.
     pub sample_period_s: f32,
     /// Largest command [V].
     pub command_v: f32,
     /// Highest speed limit that a block may set [rad/s].
     pub speed_rad_per_s: f32,
-    /// Widest tracking error that a block may allow [rad].
+    /// Largest tracking error limit that a block may set [rad].
     pub tracking_error_rad: f32,
-    /// Most that a block may take for possible [rad/s^2].
+    /// Largest acceleration limit that a block may set [rad/s^2].
     pub acceleration_rad_per_s2: f32,
-    /// Longest saturation that a block may allow [s].
+    /// Longest saturation limit that a block may set [s].
     pub saturation_s: f32,
-    /// Furthest that a block may let a reference go while the encoder stands still [rad].
+    /// Largest `stuck_travel_rad` that a block may set [rad].
     pub stuck_travel_rad: f32,
-    /// Largest voltage that a block may put on a joint whose encoder stands still [V],
+    /// Largest `stuck_voltage_v` that a block may set [V].
     pub stuck_voltage_v: f32,
-    /// and longest time for more [s].
+    /// Longest `stuck_s` that a block may set [s].
     pub stuck_s: f32,
     /// Largest proportional gain [V/rad].
     pub proportional_gain_v_per_rad: f32,
@@ -142,17 +89,3 @@ impl HardLimits {
 }
 
 const BELOW: &str = "not exceed the board's hard limit";
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn limits_that_are_none_are_refused() {
-        let mut limits = SafetyLimits::default();
-        limits.speed_rad_per_s[2] = 0.0;
-        assert_eq!(limits.check().unwrap_err().name, "speed_limit_rad_per_s");
-        let limits = SafetyLimits { saturation_s: f32::NAN, ..SafetyLimits::default() };
-        assert_eq!(limits.check().unwrap_err().name, "saturation_limit_s");
-    }
-}

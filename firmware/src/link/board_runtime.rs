@@ -2,23 +2,23 @@
 
 use embedded_storage::nor_flash::NorFlash;
 
+use super::block_store::BlockStore;
+use super::boot_state::BootState;
 use super::checked::MAX_FRAME_BYTES;
-use super::desk::BlockStore;
 use super::handler::Handler;
-use super::kept::Kept;
 use super::messages::ToHost;
 use super::outbox::Outbox;
 use super::telemetry::Telemetry;
 use crate::store::Store;
-use crate::supervisor::{BootReport, CHECK_EVERY_TICKS, Health, Supervisor};
+use crate::supervisor::{BootReport, CHECK_EVERY_TICKS, Health, Supervisor, TickRecord};
 
 /// Room for what waits to be sent [bytes].
 const OUTBOX_BYTES: usize = 2048;
 
 /// A board from the line to the codes.
 #[derive(Debug)]
-pub struct Station<S> {
-    /// Who watches over the controller.
+pub struct BoardRuntime<S> {
+    /// The controller under supervision.
     pub supervisor: Supervisor,
     /// The board's end of the conversation.
     pub handler: Handler<S>,
@@ -27,8 +27,8 @@ pub struct Station<S> {
     parameters_corrupt: bool,
 }
 
-impl<F: NorFlash> Station<Store<F>> {
-    /// Boots with what the flash has kept, which is returned too.
+impl<F: NorFlash> BoardRuntime<Store<F>> {
+    /// Boots with what the flash holds, which is returned too.
     ///
     /// `position_lost`: the encoders count from zero, wherever the arm is.
     pub fn boot(
@@ -36,16 +36,16 @@ impl<F: NorFlash> Station<Store<F>> {
         board: &str,
         nonce_seed: [u8; 16],
         position_lost: bool,
-    ) -> (Self, Kept) {
-        let kept = Kept::of(&mut store);
-        let mut supervisor = kept.supervisor();
-        supervisor.booted(BootReport { position_lost, ..kept.report() });
-        (Self::new(supervisor, kept.handler(store, board, nonce_seed)), kept)
+    ) -> (Self, BootState) {
+        let boot_state = BootState::read(&mut store);
+        let mut supervisor = boot_state.supervisor();
+        supervisor.booted(BootReport { position_lost, ..boot_state.report() });
+        (Self::new(supervisor, boot_state.handler(store, board, nonce_seed)), boot_state)
     }
 }
 
-impl<S: BlockStore> Station<S> {
-    /// A station that has booted.
+impl<S: BlockStore> BoardRuntime<S> {
+    /// A board that has booted.
     pub fn new(supervisor: Supervisor, handler: Handler<S>) -> Self {
         Self {
             supervisor,
@@ -65,18 +65,18 @@ impl<S: BlockStore> Station<S> {
         }
     }
 
-    /// After a tick: sends its record if it is to be sent, keeps a new fault.
-    pub fn after_tick(&mut self, record: &Telemetry) {
+    /// After a tick: sends its record if telemetry is on, stores a new fault.
+    pub fn after_tick(&mut self, record: &TickRecord) {
         self.handler.set_telemetry_dropped(self.outbox.dropped());
         if self.handler.streaming() {
             let mut buffer = [0; MAX_FRAME_BYTES];
             let dropped = self.outbox.dropped();
-            let message = ToHost::Telemetry(Telemetry { dropped, ..*record });
+            let message = ToHost::Telemetry(Telemetry::new(record, dropped));
             self.outbox.push_telemetry(message.write(&mut buffer).unwrap_or_default());
         }
-        self.handler.keep_fault(&self.supervisor);
-        if record.sequence.is_multiple_of(CHECK_EVERY_TICKS) {
-            self.parameters_corrupt = !self.supervisor.parameters_are_whole();
+        self.handler.store_fault(&self.supervisor);
+        if record.tick.is_multiple_of(CHECK_EVERY_TICKS) {
+            self.parameters_corrupt = !self.supervisor.parameters_are_intact();
         }
     }
 

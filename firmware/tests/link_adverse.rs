@@ -73,10 +73,10 @@ fn a_flash_that_does_not_keep_a_fault_is_not_worn_out_by_it() {
     for _ in 0..102 {
         bench.supervisor.tick(&[0; 3], Health::default());
     }
-    let tried = (0..100).filter(|_| bench.handler.keep_fault(&bench.supervisor)).count();
+    let tried = (0..100).filter(|_| bench.handler.store_fault(&bench.supervisor)).count();
     assert_eq!(tried, 0);
     bench.handler.store().fails = false;
-    assert!(!bench.handler.keep_fault(&bench.supervisor), "three failures are enough");
+    assert!(!bench.handler.store_fault(&bench.supervisor), "three failures are enough");
     bench.ask(Command::ClearFault).unwrap();
     assert_eq!(bench.handler.store().fault, None);
 }
@@ -85,7 +85,7 @@ fn a_flash_that_does_not_keep_a_fault_is_not_worn_out_by_it() {
 fn a_fault_that_is_cleared_but_not_in_the_flash_is_told() {
     let mut bench = running(None);
     bench.stand(102);
-    assert!(bench.handler.keep_fault(&bench.supervisor));
+    assert!(bench.handler.store_fault(&bench.supervisor));
     bench.handler.store().fails = true;
     let refused = bench.ask(Command::ClearFault);
     assert_eq!(refused, Err(Refusal::Store(StoreRefusal::Write)));

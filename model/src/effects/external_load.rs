@@ -1,22 +1,22 @@
-//! Torques that reach the arm from outside: a leaning base, a force on the tip.
+//! Torques of external loads: a tilted base, a force on the tip.
 
 use serde::{Deserialize, Serialize};
 
 use crate::vector::Vector3;
 use crate::{BaseParameters, Geometry, Posture, Real};
 
-/// A base that leans.
+/// A tilted base.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Tilt<T> {
-    /// What leaning changes of gravity's direction, in the base's frame and in parts of g.
+    /// Change of the direction of gravity, in the base frame and in units of g.
     pub gravity_change: Vector3<T>,
-    /// First moments about axis 1, along the arm's reach and aside, that a level base hides:
-    /// the 16 base parameters do not hold them [kg m].
+    /// First moments about axis 1, along the arm's reach and across it [kg m]. With a level base
+    /// they have no effect, so they are not among the 16 base parameters.
     pub hidden_moment_kg_m: [T; 2],
 }
 
 impl<T: Real> Tilt<T> {
-    /// A base that leans by a about x and by b about y, under an arm with these moments:
+    /// A base tilted by a about x and by b about y, under an arm with these moments:
     /// gravity changes by (sin b, -sin a cos b, 1 - cos a cos b).
     pub fn new(tilt_x_rad: T, tilt_y_rad: T, hidden_moment_kg_m: [T; 2]) -> Self {
         let ((sin_a, cos_a), (sin_b, cos_b)) = (tilt_x_rad.sin_cos(), tilt_y_rad.sin_cos());
@@ -33,7 +33,7 @@ impl<T: Real> Tilt<T> {
         }
     }
 
-    /// Torques of gravity beyond those on a level base [Nm], with the sine and cosine of q1.
+    /// Torques of gravity less those on a level base [Nm], with the sine and cosine of q1.
     #[inline]
     pub fn torque(
         &self,
@@ -42,10 +42,10 @@ impl<T: Real> Tilt<T> {
         p: &BaseParameters<T>,
         geometry: &Geometry<T>,
     ) -> Vector3<T> {
-        let [along, across, up] = as_the_arm_sees(&self.gravity_change, sin_cos_q1);
+        let [along, across, up] = to_arm_frame(&self.gravity_change, sin_cos_q1);
         let Posture { s2, c2, s23, c23, .. } = *posture;
-        let arm = FirstMoment::turned(p.mx2r, p.my2r, (s2, c2));
-        let forearm = FirstMoment::turned(p.mx3r, p.my3r, (s23, c23));
+        let arm = FirstMoment::rotated(p.mx2r, p.my2r, (s2, c2));
+        let forearm = FirstMoment::rotated(p.mx3r, p.my3r, (s23, c23));
         let whole = arm.plus(forearm);
         let [reach, side] = self.hidden_moment_kg_m;
         let g = geometry.gravity_m_s2;
@@ -64,7 +64,7 @@ impl<T: Real> Posture<T> {
         geometry: &Geometry<T>,
         force_n: &Vector3<T>,
     ) -> Vector3<T> {
-        let [along, across, up] = as_the_arm_sees(force_n, sin_cos_q1);
+        let [along, across, up] = to_arm_frame(force_n, sin_cos_q1);
         let Geometry { d2_m, a2_m, d3_m, a3_m, .. } = *geometry;
         let reach_m = a2_m * self.c2 + a3_m * self.c23;
         let height_m = a2_m * self.s2 + a3_m * self.s23;
@@ -78,7 +78,7 @@ impl<T: Real> Posture<T> {
 
 /// A vector of the base frame along the arm's reach, across it and up.
 #[inline]
-fn as_the_arm_sees<T: Real>(&[x, y, up]: &Vector3<T>, (s1, c1): (T, T)) -> Vector3<T> {
+fn to_arm_frame<T: Real>(&[x, y, up]: &Vector3<T>, (s1, c1): (T, T)) -> Vector3<T> {
     [c1 * x + s1 * y, c1 * y - s1 * x, up]
 }
 
@@ -91,7 +91,7 @@ struct FirstMoment<T> {
 
 impl<T: Real> FirstMoment<T> {
     #[inline]
-    fn turned(x: T, y: T, (sine, cosine): (T, T)) -> Self {
+    fn rotated(x: T, y: T, (sine, cosine): (T, T)) -> Self {
         Self { level: x * cosine - y * sine, upright: x * sine + y * cosine }
     }
 

@@ -103,7 +103,7 @@ impl Display for Implausible {
             Self::Jumped => "the encoder has jumped a moment ago",
             Self::NotFinite => "an estimate is not a finite number",
             Self::NoHome => {
-                "nobody has told where the joint is, since power-on or since its encoder failed"
+                "its position has not been set since power-on or since its encoder failed"
             }
             Self::NeverMoved => "its encoder has not moved since power-on or since it failed",
         })

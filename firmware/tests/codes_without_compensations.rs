@@ -1,4 +1,4 @@
-//! A block without compensations gives the codes that the firmware gave before it knew any.
+//! A block without compensations gives the same codes as the firmware without compensations.
 #![allow(missing_docs)]
 
 mod common;

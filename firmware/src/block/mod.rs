@@ -1,0 +1,15 @@
+//! The parameter block: everything that the tick must know, in one checked piece.
+//!
+//! On the line and in the store it is version, length, postcard, CRC-32. None of its values is
+//! compiled in; a board without a block puts out 0 V.
+
+mod check;
+mod encoding;
+mod hard_limits;
+mod parameters;
+mod safety_limits;
+
+pub use encoding::{BlockError, MAX_BYTES, VERSION};
+pub use hard_limits::HardLimits;
+pub use parameters::{Gains, ParameterBlock};
+pub use safety_limits::SafetyLimits;

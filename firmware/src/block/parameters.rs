@@ -1,0 +1,45 @@
+//! The values of a parameter block.
+
+use model::Robot;
+use serde::{Deserialize, Serialize};
+
+use super::safety_limits::SafetyLimits;
+use crate::compensation::{Compensations, ExternalLoad};
+use crate::mode::Mode;
+use crate::reference::Reference;
+
+/// Model, gains, limits and reference of a run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ParameterBlock {
+    /// The model of the arm and its friction.
+    pub robot: Robot<f32>,
+    /// Encoder counts per turn of a joint.
+    pub encoder_counts_per_turn: u32,
+    /// Sample period [s].
+    pub sample_period_s: f32,
+    /// Feedback gains of each joint.
+    pub gains: [Gains; 3],
+    /// Bandwidth of each joint's velocity estimate [rad/s].
+    pub velocity_bandwidth_rad_per_s: [f32; 3],
+    /// Largest command [V], at most what the converter can put out.
+    pub command_limit_v: f32,
+    /// Control mode of each joint.
+    pub mode: [Mode; 3],
+    /// Reference motion and injected voltages.
+    pub reference: Reference,
+    /// Compensations of each joint.
+    pub compensations: [Compensations; 3],
+    /// Compensated load on the arm; `None` for none.
+    pub external_load: Option<ExternalLoad>,
+    /// Limits at which the supervisor ends a run.
+    pub safety: SafetyLimits,
+}
+
+/// Gains of the PD feedback of one joint, eq. (17).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Gains {
+    /// Proportional gain k_p [V/rad].
+    pub proportional_v_per_rad: f32,
+    /// Derivative gain k_d [V s/rad].
+    pub derivative_v_s_per_rad: f32,
+}

@@ -1,0 +1,72 @@
+//! The limits at which the supervisor ends a run.
+
+use model::ParameterError;
+use model::parameter::named;
+use serde::{Deserialize, Serialize};
+
+/// The limits of a parameter block; exceeding one is a fault.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SafetyLimits {
+    /// Speed limit of each joint [rad/s].
+    pub speed_rad_per_s: [f32; 3],
+    /// Tracking error limit of each joint [rad]; also of its distance from the reference's start.
+    pub tracking_error_rad: [f32; 3],
+    /// Acceleration limit [rad/s^2], above what the motor or a person can cause: a larger one
+    /// is an encoder error.
+    pub acceleration_rad_per_s2: [f32; 3],
+    /// Longest uninterrupted saturation of a command [s].
+    pub saturation_s: f32,
+    /// Largest travel of the reference while the encoder does not move [rad].
+    pub stuck_travel_rad: f32,
+    /// Largest open-loop command while the encoder does not move [V],
+    pub stuck_voltage_v: f32,
+    /// and the time for which a larger one is accepted [s].
+    pub stuck_s: f32,
+}
+
+impl Default for SafetyLimits {
+    /// Wide enough for the motions of the paper, narrow enough to detect a broken wire.
+    fn default() -> Self {
+        Self {
+            speed_rad_per_s: [15.0; 3],
+            tracking_error_rad: [0.5; 3],
+            acceleration_rad_per_s2: [5_000.0; 3],
+            saturation_s: 0.5,
+            stuck_travel_rad: 0.05,
+            stuck_voltage_v: 3.0,
+            stuck_s: 0.2,
+        }
+    }
+}
+
+impl SafetyLimits {
+    /// Checks that each limit is finite and above zero.
+    pub fn check(&self) -> Result<(), ParameterError> {
+        for joint in 0..3 {
+            let number = joint as u8 + 1;
+            let of = |name, value: f32| named(name, value).of_joint(number).positive();
+            of("speed_limit_rad_per_s", self.speed_rad_per_s[joint])?;
+            of("tracking_error_limit_rad", self.tracking_error_rad[joint])?;
+            of("acceleration_limit_rad_per_s2", self.acceleration_rad_per_s2[joint])?;
+        }
+        named("saturation_limit_s", self.saturation_s).positive()?;
+        named("stuck_travel_rad", self.stuck_travel_rad).positive()?;
+        named("stuck_voltage_V", self.stuck_voltage_v).positive()?;
+        named("stuck_s", self.stuck_s).positive()?;
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limits_that_are_none_are_refused() {
+        let mut limits = SafetyLimits::default();
+        limits.speed_rad_per_s[2] = 0.0;
+        assert_eq!(limits.check().unwrap_err().name, "speed_limit_rad_per_s");
+        let limits = SafetyLimits { saturation_s: f32::NAN, ..SafetyLimits::default() };
+        assert_eq!(limits.check().unwrap_err().name, "saturation_limit_s");
+    }
+}
