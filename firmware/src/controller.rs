@@ -148,6 +148,21 @@ impl Controller {
     }
 
     /// One tick: counts since power-on in, codes out.
+    ///
+    /// ```
+    /// use firmware::{Controller, Gains, Mode, ParameterBlock, store::safe_defaults};
+    ///
+    /// // Holds all joints at angle zero by feedback alone.
+    /// let mut controller = Controller::new(ParameterBlock {
+    ///     mode: [Mode::Pd; 3],
+    ///     gains: [Gains { proportional_v_per_rad: 80.0, derivative_v_s_per_rad: 4.0 }; 3],
+    ///     command_limit_v: 9.0,
+    ///     ..safe_defaults()
+    /// });
+    /// controller.start();
+    /// let output = controller.tick(&[0, 0, 655]); // joint 3 is at 6.28 mrad
+    /// assert!((output.codes[2].to_volts() + 80.0 * 0.00628).abs() < 1e-3);
+    /// ```
     #[inline(never)]
     pub fn tick(&mut self, counts: &[i32; 3]) -> TickOutput {
         let measured = self.measure(counts);

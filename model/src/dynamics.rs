@@ -106,6 +106,18 @@ impl<T: Real> Posture<T> {
     }
 
     /// Inverse dynamics, eq. (1): the torques [Nm] that give the accelerations.
+    ///
+    /// ```
+    /// use model::{Posture, reference_robot::reference_robot};
+    ///
+    /// let model::Robot { base, geometry, .. } = reference_robot::<f64>();
+    /// let posture = Posture::new(0.3, -0.5); // q2, q3 [rad]
+    /// let (qd, qdd) = ([0.0, 1.0, 0.5], [0.0, 0.0, 2.0]); // [rad/s], [rad/s^2]
+    ///
+    /// let torque_nm = posture.inverse_dynamics(&base, &geometry, &qd, &qdd);
+    /// let accelerations = posture.forward_dynamics(&base, &geometry, &qd, &torque_nm);
+    /// assert!((accelerations[2] - 2.0).abs() < 1e-9);
+    /// ```
     #[inline]
     pub fn inverse_dynamics(
         &self,

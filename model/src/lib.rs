@@ -31,20 +31,6 @@
 //! let fall = level.forward_dynamics(&robot.base, &robot.geometry, &still, &still);
 //! assert!(fall[1] < -20.0);
 //! ```
-//!
-//! Friction in volts, eq. (9): a joint that slides for a second at 1 rad/s has reached
-//! the steady friction of eq. (10).
-//!
-//! ```
-//! use model::{FrictionState, reference_robot::reference_robot};
-//!
-//! let friction = reference_robot::<f64>().friction[0];
-//! let mut state = FrictionState::default();
-//! for _ in 0..1000 {
-//!     state.step(&friction, 1.0, 1e-3);
-//! }
-//! assert!((state.step(&friction, 1.0, 1e-3) - friction.sliding(1.0)).abs() < 1e-12);
-//! ```
 #![no_std]
 #![forbid(unsafe_code)]
 

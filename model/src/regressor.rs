@@ -8,6 +8,21 @@ use crate::{BaseParameters, Geometry, Posture, Real};
 ///
 /// Column k is the inverse dynamics of a robot whose only parameter is the k-th,
 /// one: the closed form stands in one place, and eq. (5) holds by construction.
+///
+/// ```
+/// use model::{Posture, reference_robot::reference_robot, regressor::regressor};
+///
+/// let model::Robot { base, geometry, .. } = reference_robot::<f64>();
+/// let posture = Posture::new(0.3, -0.5); // q2, q3 [rad]
+/// let (qd, qdd) = ([0.0, 1.0, 0.5], [0.0, 0.0, 2.0]); // [rad/s], [rad/s^2]
+///
+/// let rows = regressor(&posture, &geometry, &qd, &qdd);
+/// let torque_nm = posture.inverse_dynamics(&base, &geometry, &qd, &qdd);
+/// let product = |joint: usize| -> f64 {
+///     rows[joint].iter().zip(base.to_array()).map(|(r, p)| r * p).sum()
+/// };
+/// assert!((product(1) - torque_nm[1]).abs() < 1e-12);
+/// ```
 pub fn regressor<T: Real>(
     posture: &Posture<T>,
     geometry: &Geometry<T>,

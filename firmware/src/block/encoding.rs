@@ -67,6 +67,9 @@ impl From<ParameterError> for BlockError {
 
 impl ParameterBlock {
     /// Writes the block into `buffer` (at least [`MAX_BYTES`]), returns the bytes written.
+    ///
+    /// # Errors
+    /// The buffer is too short.
     pub fn encode<'a>(&self, buffer: &'a mut [u8]) -> Result<&'a [u8], BlockError> {
         let room = buffer.len().saturating_sub(CHECKSUM_BYTES).max(HEADER_BYTES);
         let body = buffer.get_mut(HEADER_BYTES..room).ok_or(BlockError::Layout)?;
@@ -86,6 +89,9 @@ impl ParameterBlock {
     }
 
     /// Reads a block and checks every value in it.
+    ///
+    /// # Errors
+    /// The bytes are incomplete, damaged or of another version, or a value is out of its bounds.
     pub fn decode(bytes: &[u8]) -> Result<Self, BlockError> {
         let body = checked_body(bytes)?;
         let (block, rest): (Self, _) =

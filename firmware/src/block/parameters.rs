@@ -9,6 +9,25 @@ use crate::mode::Mode;
 use crate::reference::Reference;
 
 /// Model, gains, limits and reference of a run.
+///
+/// ```
+/// use firmware::block::{MAX_BYTES, ParameterBlock};
+/// use firmware::reference::Reference;
+/// use firmware::{Gains, Mode, store::safe_defaults};
+///
+/// let mut block = ParameterBlock {
+///     mode: [Mode::PdModel; 3],
+///     gains: [Gains { proportional_v_per_rad: 80.0, derivative_v_s_per_rad: 4.0 }; 3],
+///     command_limit_v: 9.0,
+///     reference: Reference::hold([0.0, -0.5, 0.5]), // [rad]
+///     ..safe_defaults()
+/// };
+/// let mut buffer = [0; MAX_BYTES];
+/// assert_eq!(ParameterBlock::decode(block.encode(&mut buffer).unwrap()), Ok(block.clone()));
+///
+/// block.command_limit_v = 11.0; // the converter ends at 10 V
+/// assert_eq!(block.check().unwrap_err().name, "command_limit_V");
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ParameterBlock {
     /// The model of the arm and its friction.
