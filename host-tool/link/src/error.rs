@@ -1,5 +1,6 @@
 //! Why a conversation with the board does not come about.
 
+use firmware::BlockError;
 use firmware::link::{Hello, PROTOCOL_VERSION, Refusal, Source, schema};
 
 /// Why a conversation with the board does not come about, or ends.
@@ -89,6 +90,12 @@ pub enum LinkError {
     /// An answer of another kind than the request's.
     #[error("the board's answer to {0} is of another kind")]
     OtherAnswer(&'static str),
+    /// A block that cannot be sent.
+    #[error("the parameter block: {0}")]
+    Encode(BlockError),
+    /// The board's block cannot be read.
+    #[error("the board's block: {0}")]
+    Decode(BlockError),
     /// A downloaded block is not the one that the board announced.
     #[error("the block came with CRC-32C {found:08X}, the board announced {announced:08X}")]
     Checksum {

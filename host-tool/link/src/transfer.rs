@@ -1,5 +1,6 @@
 //! Parameter blocks between host and board.
 
+use firmware::ParameterBlock;
 use firmware::block::MAX_BYTES;
 use firmware::link::checked::CHECKSUM;
 use firmware::link::{Command, PIECE_BYTES, Parameters, Source};
@@ -65,6 +66,23 @@ pub fn download(client: &mut Client, source: Source) -> Result<Vec<u8>, LinkErro
             };
         }
     }
+}
+
+/// A block as it goes over the line.
+///
+/// # Errors
+/// It has more bytes than a block may.
+pub fn encoded(block: &ParameterBlock) -> Result<Vec<u8>, LinkError> {
+    let mut buffer = [0; MAX_BYTES];
+    Ok(block.encode(&mut buffer).map_err(LinkError::Encode)?.to_vec())
+}
+
+/// Fetches a block and decodes it.
+///
+/// # Errors
+/// As of [`download`]; or a block of another build.
+pub fn download_block(client: &mut Client, source: Source) -> Result<ParameterBlock, LinkError> {
+    ParameterBlock::decode(&download(client, source)?).map_err(LinkError::Decode)
 }
 
 /// Fetches both of the board's blocks and holds them byte for byte against what was sent.

@@ -6,8 +6,9 @@ use std::thread::ScopedJoinHandle;
 
 use clap::Args;
 
-use super::{Failure, create_directory};
-use crate::progress::Progress;
+use crate::failure::Failure;
+use crate::output_files::create_directory;
+use crate::terminal::progress::Progress;
 use blind_trial::{
     Case, DrawSettings, Kind, Outcome, Results, RunSettings, Seal, TrialError, diagnose_case, draw,
     logs, seal, table,

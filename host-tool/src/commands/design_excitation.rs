@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use clap::Args;
 
-use super::Failure;
-use crate::progress::Progress;
+use crate::failure::Failure;
+use crate::terminal::progress::Progress;
 use files::RobotFile;
 use files::excitation_file::{ExcitationFile, JointTable};
 use identification::excitation_design::{Design, Effort, Settings, design};

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::Args;
 use model::{BaseParameters, Geometry, Pendulum, Posture};
 
-use super::Failure;
+use crate::failure::Failure;
 use files::replace::replace_file;
 use files::table::{Kind, Table};
 use files::{FileError, Problem, RobotFile};

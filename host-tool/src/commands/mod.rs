@@ -3,15 +3,11 @@
 //! A new one is a module with an `Arguments` struct and a `run` function, a variant
 //! of [`Command`] and a line in [`Command::run`].
 
-use std::path::Path;
+use clap::{CommandFactory, Parser, Subcommand};
 
-use clap::{Parser, Subcommand};
-
-use files::FileError;
-use simulation::board::BoardError;
+use crate::failure::Failure;
 
 pub mod blind_trial;
-pub mod block_choice;
 pub mod clear_fault;
 pub mod completions;
 pub mod connect;
@@ -23,12 +19,8 @@ pub mod export_block;
 pub mod flash;
 pub mod home;
 pub mod identify;
-pub mod interrupt;
 pub mod inverse_dynamics;
-pub mod key_file;
-pub mod link_choice;
 pub mod monitor;
-pub mod output;
 pub mod run;
 pub mod set_key;
 pub mod simulate;
@@ -119,73 +111,9 @@ impl Command {
             Self::ExportBlock(arguments) => export_block::run(&arguments),
             Self::Flash(arguments) => flash::run(&arguments),
             Self::Demo(arguments) => demo::run(&arguments),
-            Self::Completions(arguments) => completions::run(&arguments),
+            Self::Completions(arguments) => {
+                completions::run(&arguments, &mut CommandLine::command())
+            }
         }
-    }
-}
-
-/// The exit status after bad input, of clap's as well, and after whatever went wrong.
-pub const BAD_INPUT: u8 = 2;
-/// The exit status after Ctrl-C, by custom 128 and the signal's number.
-pub const INTERRUPTED: u8 = 130;
-
-/// What a user is told when a command fails: what is wrong, and what to do about it.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{message}")]
-pub struct Failure {
-    /// What is wrong, with the place and the offending value.
-    pub message: String,
-    /// What to do about it.
-    pub hint: String,
-    /// The exit status.
-    pub status: u8,
-}
-
-impl Failure {
-    /// A failure in words.
-    pub fn new(message: impl Into<String>, hint: impl Into<String>) -> Self {
-        Self { message: message.into(), hint: hint.into(), status: BAD_INPUT }
-    }
-
-    /// The user ended the command with Ctrl-C; what it has come to so far.
-    pub fn interrupted(message: impl Into<String>) -> Self {
-        Self { message: message.into(), hint: String::new(), status: INTERRUPTED }
-    }
-
-    /// The lines that go to the terminal.
-    pub fn report(&self) -> String {
-        match self.hint.as_str() {
-            _ if self.status == INTERRUPTED => format!("interrupted: {}", self.message),
-            "" => format!("error: {}", self.message),
-            hint => format!("error: {}\nhint: {hint}", self.message),
-        }
-    }
-}
-
-/// Makes a directory for what a command writes, and those above it.
-///
-/// # Errors
-/// It cannot be made.
-pub fn create_directory(directory: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(directory).map_err(|error| {
-        let message = format!("{}: cannot be made a directory: {error}", directory.display());
-        Failure::new(message, "give another --out")
-    })
-}
-
-impl From<FileError> for Failure {
-    fn from(error: FileError) -> Self {
-        Self::new(error.to_string(), error.cure())
-    }
-}
-
-impl From<BoardError> for Failure {
-    fn from(error: BoardError) -> Self {
-        let hint = match &error {
-            BoardError::Block(_) => "correct the value in the model file",
-            BoardError::Start { .. } => "`cargo xtask setup` installs QEMU and builds what it runs",
-            _ => "rebuild the image with `cargo xtask firmware qemu`",
-        };
-        Self::new(error.to_string(), hint)
     }
 }

@@ -1,8 +1,8 @@
 //! `rrr stop`: 0 V now, and disarmed.
 
-use super::Failure;
-pub use super::link_choice::LinkChoice as Arguments;
-use super::output::say;
+use crate::failure::Failure;
+pub use crate::options::board::BoardOptions as Arguments;
+use crate::terminal::output::print_line;
 use link::session::halt;
 
 /// Runs the command; it needs no key, and looks at none.
@@ -11,5 +11,5 @@ use link::session::halt;
 /// A board that does not answer.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let state = halt(&mut arguments.connect_to_stop()?)?;
-    say(format_args!("the board is {state}"))
+    print_line(format_args!("the board is {state}"))
 }

@@ -10,8 +10,10 @@ use clap::Args;
 use firmware::Mode;
 use model::reference_robot::reference_robot;
 
-use super::{Failure, create_directory, identify, simulate};
-use crate::progress::Progress;
+use super::{identify, simulate};
+use crate::failure::Failure;
+use crate::output_files::create_directory;
+use crate::terminal::progress::Progress;
 use files::{EffectTable, RobotFile};
 use recordings::tracking::Tracking;
 use report::tracking_page::{Run, error_charts, tracking_page};

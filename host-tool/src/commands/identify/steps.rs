@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand};
 use serde::Serialize;
 
-use super::super::{Failure, create_directory};
+use crate::failure::Failure;
+use crate::output_files::{create_directory, json, write_text};
 use files::{Dataset, Experiment, RobotFile, Role};
 use identification::base_parameters::friction::FrictionKnowledge;
 use identification::presliding::Prior;
@@ -124,7 +125,8 @@ impl StepArguments {
 
     fn write(&self, name: &str, numbers: &impl Serialize, page: &Page) -> Result<(), Failure> {
         create_directory(&self.out)?;
-        super::write_json(numbers, &self.out.join(format!("{name}.json")))?;
+        let path = self.out.join(format!("{name}.json"));
+        write_text(&json(numbers, &path)?, &path)?;
         let path = self.out.join(format!("{name}.html"));
         page.write(&path)?;
         println!("Figures: {}", path.display());

@@ -7,14 +7,14 @@ use clap::Args;
 use firmware::ParameterBlock;
 use firmware::link::{Command, Source};
 
-use self::choice::{Choice, Limits};
-use self::save::Folder;
-use self::told::{Part, say};
-use super::Failure;
-use super::interrupt::interrupt;
-use super::link_choice::{LinkChoice, openness};
-use super::upload::{downloaded, encoded};
-use crate::progress::Progress;
+use self::experiment::{ExperimentOptions, Limits};
+use self::log_folder::LogFolder;
+use self::summary::Phase;
+use crate::failure::Failure;
+use crate::options::board::{BoardOptions, access};
+use crate::terminal::interrupt::interrupt;
+use crate::terminal::output::try_print_line;
+use crate::terminal::progress::Progress;
 use files::Role;
 use link::approach::approach;
 use link::session::{self, Ending};
@@ -22,16 +22,16 @@ use link::{Client, Patience, Recorder, transfer};
 use rig::Plan;
 use rig::joints;
 
-mod choice;
-mod save;
-mod told;
+mod experiment;
+mod log_folder;
+mod summary;
 
 /// Arguments of `rrr run`.
 #[derive(Debug, Args)]
 pub struct Arguments {
     /// What is played.
     #[command(flatten)]
-    pub choice: Choice,
+    pub experiment: ExperimentOptions,
     /// Limits for this run.
     #[command(flatten)]
     pub limits: Limits,
@@ -50,7 +50,7 @@ pub struct Arguments {
     pub host_timeout_ms: u16,
     /// Which board.
     #[command(flatten)]
-    pub link: LinkChoice,
+    pub board: BoardOptions,
 }
 
 fn role_named(name: &str) -> Result<Role, String> {
@@ -75,14 +75,14 @@ fn speed(text: &str) -> Result<f32, String> {
 /// An experiment that there is not, a board that does not answer or refuses, a fault, or
 /// files that cannot be written; what was recorded before a fault is kept.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    arguments.choice.check()?;
-    let mut folder = Folder::open(&arguments.out)?;
-    let mut client = arguments.link.connect()?;
+    arguments.experiment.check()?;
+    let mut folder = LogFolder::open(&arguments.out)?;
+    let mut client = arguments.board.connect()?;
     let report = client.report()?;
     if let Some(fault) = report.fault {
-        return Err(Failure::new(format!("the board is faulted: {fault}"), told::FAULT_HINT));
+        return Err(Failure::new(format!("the board is faulted: {fault}"), summary::FAULT_HINT));
     }
-    say(&format!("link        {}", openness(&report)));
+    try_print_line(format_args!("link        {}", access(&report)));
     let result = arguments.record(&mut client, &mut folder, interrupt());
     // A board that streams to nobody would go on for ever.
     client.set_patience(Patience::SHORT);
@@ -92,7 +92,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 /// What was played last, and how it ended.
 struct Played {
-    part: Part,
+    part: Phase,
     recorder: Recorder,
     ending: Ending,
 }
@@ -102,7 +102,7 @@ impl Arguments {
     fn record(
         &self,
         client: &mut Client,
-        folder: &mut Folder,
+        folder: &mut LogFolder,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let (plan, block) = self.prepare(client, interrupted)?;
@@ -110,12 +110,12 @@ impl Arguments {
         let plan = Plan { role: self.role.unwrap_or(plan.role), ..plan };
         folder.prepare(&plan, counts_per_rev)?;
         let Played { part, recorder, ending } = self.play_all(client, &block, interrupted)?;
-        let told = told::ending(part, ending, &recorder, client.tally());
+        let told = summary::ending(part, ending, &recorder, client.tally());
         let saved = match part {
-            Part::Experiment => folder.save(&plan, counts_per_rev, &recorder),
-            Part::Approach => folder.save_approach(&plan, &recorder),
+            Phase::Experiment => folder.save(&plan, counts_per_rev, &recorder),
+            Phase::Approach => folder.save_approach(&plan, &recorder),
         };
-        told::worse(told, saved)
+        summary::worse(told, saved)
     }
 
     /// The experiment, and the board's own parameters with it.
@@ -124,10 +124,10 @@ impl Arguments {
         client: &mut Client,
         interrupted: &AtomicBool,
     ) -> Result<(Plan, ParameterBlock), Failure> {
-        let stored = downloaded(client, Source::Stored)?;
+        let stored = transfer::download_block(client, Source::Stored)?;
         client.order(Command::Stream { on: true })?;
         let now = session::rest(client, stored.encoder_counts_per_turn, interrupted)?;
-        let plan = self.choice.plan(&stored, &now)?;
+        let plan = self.experiment.plan(&stored, &now)?;
         let joints = joints::present(&stored);
         if let Some(joint) = plan.joint.filter(|joint| !joints.contains(joint)) {
             let message = format!("joint {joint} is moved by {}, but not there", plan.name);
@@ -155,8 +155,8 @@ impl Arguments {
         if let Some(on_the_way) = self.go_there(client, block, interrupted)? {
             return Ok(on_the_way);
         }
-        transfer::put_into_use(client, &encoded(block)?)?;
-        self.play(client, Part::Experiment, block, interrupted)
+        transfer::put_into_use(client, &transfer::encoded(block)?)?;
+        self.play(client, Phase::Experiment, block, interrupted)
     }
 
     /// Moves the joints to where the reference begins; what was played, if they are not there.
@@ -168,15 +168,15 @@ impl Arguments {
     ) -> Result<Option<Played>, Failure> {
         let now = session::next_record(client)?;
         let Some(way) = approach(block, &now, self.approach_speed) else { return Ok(None) };
-        transfer::put_into_use(client, &encoded(&way)?)?;
-        let played = self.play(client, Part::Approach, &way, interrupted)?;
+        transfer::put_into_use(client, &transfer::encoded(&way)?)?;
+        let played = self.play(client, Phase::Approach, &way, interrupted)?;
         Ok(Some(played).filter(|played| !matches!(played.ending, Ending::Finished)))
     }
 
     fn play(
         &self,
         client: &mut Client,
-        part: Part,
+        part: Phase,
         block: &ParameterBlock,
         interrupted: &AtomicBool,
     ) -> Result<Played, Failure> {

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use firmware::link::Key;
 use tempfile::NamedTempFile;
 
-use super::Failure;
+use crate::failure::Failure;
 use files::Problem;
 
 /// The key in a file.

@@ -1,10 +1,9 @@
-//! What came of a run, in words and as the exit status.
-
-use std::io::Write;
+//! How a run ended, on the terminal and as the exit status.
 
 use firmware::supervisor::FaultRecord;
 
-use crate::commands::Failure;
+use crate::failure::Failure;
+use crate::terminal::output::try_print_line;
 use link::session::Ending;
 use link::{LinkError, Recorder, Tally};
 
@@ -13,14 +12,14 @@ pub const FAULT_HINT: &str = "docs/safety.md says what it means; then `rrr clear
 
 /// What is played.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum Phase {
     /// The way to where the experiment begins.
     Approach,
     /// The experiment.
     Experiment,
 }
 
-impl Part {
+impl Phase {
     /// The name that messages use.
     pub fn name(self) -> &'static str {
         match self {
@@ -30,17 +29,12 @@ impl Part {
     }
 }
 
-/// A line on the terminal, as long as there is one: an arm that moves does not depend on it.
-pub fn say(line: &str) {
-    let _ = writeln!(std::io::stdout(), "{line}");
-}
-
 /// Tells how a part ended, at once: writing its log takes a while.
 ///
 /// # Errors
 /// Whatever is not the part's own end; Ctrl-C too.
 pub fn ending(
-    part: Part,
+    part: Phase,
     ending: Ending,
     recorder: &Recorder,
     tally: Tally,
@@ -48,8 +42,8 @@ pub fn ending(
     figures(recorder, tally);
     let failure = failure(part.name(), ending, recorder);
     match &failure {
-        None => say("played to its end; 0 V, disarmed"),
-        Some(failure) => say(&format!("ended       {}", failure.message)),
+        None => try_print_line("played to its end; 0 V, disarmed"),
+        Some(failure) => try_print_line(format_args!("ended       {}", failure.message)),
     }
     failure.map_or(Ok(()), Err)
 }
@@ -76,18 +70,18 @@ fn failure(part: &str, ending: Ending, recorder: &Recorder) -> Option<Failure> {
 /// How much of it was recorded.
 fn figures(recorder: &Recorder, tally: Tally) {
     let [first, second, third] = recorder.saturated;
-    say(&format!(
+    try_print_line(format_args!(
         "samples     {} of {}, {} missing, {} of them dropped by the board",
         recorder.log.len(),
         recorder.ticks_done(),
         recorder.missed(),
         recorder.dropped()
     ));
-    say(&format!(
+    try_print_line(format_args!(
         "line        {} frames came broken, {} requests were asked again",
         tally.broken, tally.asked_again
     ));
-    say(&format!(
+    try_print_line(format_args!(
         "limits      commands cut {first} / {second} / {third}, longest tick {:.1} us",
         f64::from(recorder.longest_tick_tenth_us) / 10.0
     ));

@@ -3,17 +3,22 @@
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 
-use super::Failure;
+use crate::failure::Failure;
 
 /// Writes a line; that nobody reads it any more is no failure.
 ///
 /// # Errors
 /// The system does not take it, as on a full disk.
-pub fn say(line: impl Display) -> Result<(), Failure> {
+pub fn print_line(line: impl Display) -> Result<(), Failure> {
     match write(&format!("{line}\n")) {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         written => Ok(written?),
     }
+}
+
+/// Writes a line if the output takes it: an arm that moves does not depend on the terminal.
+pub fn try_print_line(line: impl Display) {
+    let _ = write(&format!("{line}\n"));
 }
 
 /// Writes a text as it is.
