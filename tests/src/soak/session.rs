@@ -13,11 +13,11 @@ use firmware::supervisor::{Fault, Health, State};
 use firmware::{Mode, ParameterBlock};
 use rig::Rig;
 
-use super::Settings;
 use super::arm::Arm;
 use super::draw;
 use super::noisy_line::NoisyLine;
 use super::rng::Rng;
+use super::settings::Settings;
 use super::tally::Tally;
 
 type Flash = RamFlash<Vec<u8>>;
