@@ -82,7 +82,7 @@ fn a_key_that_the_board_does_not_take_is_not_left_in_a_file() {
 /// Arms the board as soon as its estimates have settled.
 fn arm(client: &mut Client) {
     let begin = Instant::now();
-    while client.order(Command::Arm).is_err() {
+    while client.execute(Command::Arm).is_err() {
         assert!(begin.elapsed() < Duration::from_secs(10));
         std::thread::sleep(Duration::from_millis(20));
     }

@@ -28,21 +28,21 @@ pub enum LinkError {
     },
     /// Reading or writing failed.
     #[error("{port}: the line broke: {source}")]
-    Broke {
+    Line {
         /// The port.
         port: String,
         /// What the system said.
         source: std::io::Error,
     },
     /// Nothing that is an answer has come.
-    #[error("{port}: no answer to {what}, asked {tries} times in {waited_s:.1} s{}", seen(*.bytes))]
-    Silent {
+    #[error("{port}: no answer to {what}, asked {attempts} times in {waited_s:.1} s{}", seen(*.bytes))]
+    NoAnswer {
         /// The port.
         port: String,
         /// What was asked.
         what: &'static str,
         /// How often.
-        tries: u32,
+        attempts: u32,
         /// For how long [s].
         waited_s: f64,
         /// Bytes that came, and were no answer.
@@ -54,7 +54,7 @@ pub enum LinkError {
          {PROTOCOL_VERSION}: the {} is older",
         .0.board.as_str(), .0.build_id.as_str(), .0.protocol_version, older(.0)
     )]
-    OtherProtocol(Box<Hello>),
+    ProtocolMismatch(Box<Hello>),
     /// The board's messages have other types.
     #[error(
         "the board ({}, build {}) has messages of another build ({:08X}) than this tool \
@@ -62,7 +62,7 @@ pub enum LinkError {
         .0.board.as_str(), .0.build_id.as_str(), .0.schema_hash, firmware::link::BUILD_ID,
         schema::HASH
     )]
-    OtherMessages(Box<Hello>),
+    SchemaMismatch(Box<Hello>),
     /// The board said no.
     #[error("{what}: {why}")]
     Refused {
@@ -89,7 +89,7 @@ pub enum LinkError {
     },
     /// An answer of another kind than the request's.
     #[error("the board's answer to {0} is of another kind")]
-    OtherAnswer(&'static str),
+    UnexpectedAnswer(&'static str),
     /// A block that cannot be sent.
     #[error("the parameter block: {0}")]
     Encode(BlockError),

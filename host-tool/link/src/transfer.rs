@@ -7,7 +7,7 @@ use firmware::link::{Command, PIECE_BYTES, Parameters, Source};
 
 use super::client::Client;
 use super::error::LinkError;
-use super::told::Told;
+use super::reply::OwnedReply;
 
 /// Sends an encoded block and has the board store it for good, read it back and use it.
 ///
@@ -29,18 +29,18 @@ pub fn put_into_use(client: &mut Client, encoded: &[u8]) -> Result<Parameters, L
 
 fn send(client: &mut Client, encoded: &[u8]) -> Result<(), LinkError> {
     let checksum = CHECKSUM.checksum(encoded);
-    client.order(Command::UploadBegin { length: encoded.len() as u16, checksum })?;
+    client.execute(Command::UploadBegin { length: encoded.len() as u16, checksum })?;
     for (index, bytes) in encoded.chunks(PIECE_BYTES).enumerate() {
         let offset = (index * PIECE_BYTES) as u16;
-        client.order(Command::UploadPiece { offset, bytes })?;
+        client.execute(Command::UploadPiece { offset, bytes })?;
     }
     Ok(())
 }
 
 fn finish(client: &mut Client, command: Command<'_>) -> Result<Parameters, LinkError> {
-    match client.ask(command)? {
-        Told::InUse(parameters) => Ok(parameters),
-        _ => Err(LinkError::OtherAnswer("the end of an upload")),
+    match client.request(command)? {
+        OwnedReply::InUse(parameters) => Ok(parameters),
+        _ => Err(LinkError::UnexpectedAnswer("the end of an upload")),
     }
 }
 
@@ -52,9 +52,9 @@ pub fn download(client: &mut Client, source: Source) -> Result<Vec<u8>, LinkErro
     let mut block = Vec::new();
     loop {
         let offset = block.len() as u16;
-        let told = client.ask(Command::Download { source, offset })?;
-        let Told::Piece { length, checksum: announced, bytes } = told else {
-            return Err(LinkError::OtherAnswer("a download"));
+        let reply = client.request(Command::Download { source, offset })?;
+        let OwnedReply::Piece { length, checksum: announced, bytes } = reply else {
+            return Err(LinkError::UnexpectedAnswer("a download"));
         };
         block.extend_from_slice(&bytes);
         let is_whole = bytes.is_empty() || block.len() >= usize::from(length);

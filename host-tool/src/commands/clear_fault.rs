@@ -14,7 +14,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut client = arguments.connect()?;
     match client.report()?.fault {
         Some(fault) => {
-            client.order(Command::ClearFault)?;
+            client.execute(Command::ClearFault)?;
             print_line(format_args!("cleared: {fault}"))?;
         }
         None => print_line("there is no fault")?,

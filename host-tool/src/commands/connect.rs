@@ -12,7 +12,7 @@ use crate::terminal::output::print_line;
 /// # Errors
 /// No line, no board, or one of another build.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let mut client = arguments.connect_to_look()?;
+    let mut client = arguments.connect_to_read()?;
     let report = client.report()?;
     print_line(format_args!("line        {}", client.name()))?;
     print_line(format_args!("board       {}", board(client.hello())))?;

@@ -35,7 +35,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let out = &arguments.out;
     let write = writer_for(out)?;
-    let mut client = arguments.board.connect_to_look()?;
+    let mut client = arguments.board.connect_to_read()?;
     let source = if arguments.in_use { Source::InUse } else { Source::Stored };
     let bytes = transfer::download(&mut client, source)?;
     write(out, &bytes)?;

@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::options::board::BoardOptions;
 use crate::terminal::interrupt::interrupt;
 use crate::terminal::output::print_line;
-use link::{Client, session, transfer};
+use link::{Client, settling, transfer};
 
 /// Arguments of `rrr home`.
 #[derive(Debug, Args)]
@@ -47,7 +47,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     wait_for_rest(&mut client)?;
     let Angles(at_rad) = arguments.at;
     let position = at_rad.map(Angle::from_radians);
-    if !session::patiently(&mut client, Command::Home { position }, interrupt())? {
+    if !settling::execute_once_settled(&mut client, Command::Home { position }, interrupt())? {
         return Err(stopped());
     }
     for (joint, (known, at_rad)) in (1..).zip(client.report()?.position_known.iter().zip(at_rad)) {
@@ -69,9 +69,9 @@ fn stopped() -> Failure {
 
 fn wait_for_rest(client: &mut Client) -> Result<(), Failure> {
     let block = transfer::download_block(client, Source::InUse)?;
-    client.order(Command::Stream { on: true })?;
-    let rest = session::rest(client, block.encoder_counts_per_turn, interrupt());
-    client.order(Command::Stream { on: false })?;
+    client.execute(Command::Stream { on: true })?;
+    let rest = settling::wait_for_rest(client, block.encoder_counts_per_turn, interrupt());
+    client.execute(Command::Stream { on: false })?;
     rest?;
     if interrupt().load(Ordering::Relaxed) {
         return Err(stopped());

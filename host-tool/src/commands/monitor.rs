@@ -14,7 +14,7 @@ use crate::failure::Failure;
 use crate::options::board::{BoardOptions, access};
 use crate::terminal::interrupt::interrupt;
 use crate::terminal::output;
-use link::session::next_record;
+use link::settling::next_record;
 use link::{Client, LinkError, transfer};
 
 /// Time between two tables.
@@ -37,13 +37,13 @@ pub struct Arguments {
 /// # Errors
 /// A board that does not answer, or an output that does not take the table.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let mut client = arguments.board.connect_to_look()?;
+    let mut client = arguments.board.connect_to_read()?;
     let block = transfer::download_block(&mut client, Source::InUse)?;
     let counts_per_turn = f64::from(block.encoder_counts_per_turn);
     let interrupted = interrupt();
     let shown = arguments.show(&mut client, counts_per_turn, interrupted);
     // A board that streams to nobody would go on for ever.
-    let ended = client.order(Command::Stream { on: false });
+    let ended = client.execute(Command::Stream { on: false });
     shown?;
     Ok(ended?)
 }
@@ -56,7 +56,7 @@ impl Arguments {
         counts_per_turn: f64,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
-        client.order(Command::Stream { on: true })?;
+        client.execute(Command::Stream { on: true })?;
         let mut lines = 0;
         while !interrupted.load(Ordering::Relaxed) {
             let record = next_record(client)?;
@@ -79,7 +79,7 @@ impl Arguments {
 fn pause(client: &mut Client, interrupted: &AtomicBool) -> Result<(), LinkError> {
     let drawn = Instant::now();
     while drawn.elapsed() < PERIOD && !interrupted.load(Ordering::Relaxed) {
-        client.listen()?;
+        client.receive()?;
         client.take_records();
     }
     Ok(())

@@ -34,9 +34,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.file.as_deref();
     // What is wrong with the file is said before a board is looked for.
     let known = file.filter(|path| path.exists()).map(read_key).transpose()?;
-    let mut client = arguments.board.connect_to_look()?;
+    let mut client = arguments.board.connect_to_read()?;
     if client.report()?.has_key {
-        client.use_key(arguments.board.key()?);
+        client.set_key(arguments.board.key()?);
     }
     match file {
         Some(path) if known.is_none() => give_new(&mut client, path)?,
@@ -47,17 +47,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 /// Gives the board a key, or takes its key away.
 fn give(client: &mut Client, key: Option<Key>) -> Result<(), LinkError> {
-    client.order(Command::SetKey { key })?;
-    client.use_key(key);
+    client.execute(Command::SetKey { key })?;
+    client.set_key(key);
     Ok(())
 }
 
 /// Gives the board a new key, which is in the file once the board has it.
 fn give_new(client: &mut Client, path: &Path) -> Result<(), Failure> {
     let new = NewKey::make(path)?;
-    let asked_again = client.tally().asked_again;
+    let asked_again = client.counters().retries;
     if let Err(error) = give(client, Some(new.key)) {
-        let once = client.tally().asked_again == asked_again;
+        let once = client.counters().retries == asked_again;
         return Err(if once && is_untouched(&error) { error.into() } else { doubt(&error, new) });
     }
     new.rename()?;

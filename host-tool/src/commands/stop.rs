@@ -3,13 +3,13 @@
 use crate::failure::Failure;
 pub use crate::options::board::BoardOptions as Arguments;
 use crate::terminal::output::print_line;
-use link::session::halt;
+use link::stop::stop_and_disarm;
 
 /// Runs the command; it needs no key, and looks at none.
 ///
 /// # Errors
 /// A board that does not answer.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let state = halt(&mut arguments.connect_to_stop()?)?;
-    print_line(format_args!("the board is {state}"))
+    let report = stop_and_disarm(&mut arguments.connect_without_key()?)?;
+    print_line(format_args!("the board is {}", report.state))
 }

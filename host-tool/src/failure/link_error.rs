@@ -23,18 +23,18 @@ fn hint(error: &LinkError) -> &'static str {
         LinkError::ManyPorts(_) => "name the board's with --port",
         LinkError::Ports(_) => "name the board's line with --port",
         LinkError::Open { source, .. } => open_hint(source.kind()),
-        LinkError::Broke { .. } => "look at the cable and the board's power, then try again",
-        LinkError::Silent { .. } | LinkError::NoTelemetry { .. } => {
+        LinkError::Line { .. } => "look at the cable and the board's power, then try again",
+        LinkError::NoAnswer { .. } | LinkError::NoTelemetry { .. } => {
             "look whether the board is powered and runs this firmware (lamp LD2 flashes), and \
              whether --port names its line"
         }
-        LinkError::OtherProtocol(_) | LinkError::OtherMessages(_) => {
+        LinkError::ProtocolMismatch(_) | LinkError::SchemaMismatch(_) => {
             "build tool and firmware from the same sources; `cargo xtask firmware nucleo` and \
              `rrr flash` bring the firmware up to date"
         }
         LinkError::Refused { why, .. } => refusal_hint(why),
         LinkError::NotAtRest { .. } => "hold the arm still, or look at the encoder's wiring",
-        LinkError::OtherAnswer(_) | LinkError::Decode(_) => {
+        LinkError::UnexpectedAnswer(_) | LinkError::Decode(_) => {
             "build tool and firmware from the same sources"
         }
         LinkError::Encode(_) => "use fewer effects in the model file",

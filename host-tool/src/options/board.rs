@@ -39,16 +39,16 @@ impl BoardOptions {
     ///
     /// # Errors
     /// As of [`BoardOptions::connect`], where --key names the file.
-    pub fn connect_to_look(&self) -> Result<Client, Failure> {
+    pub fn connect_to_read(&self) -> Result<Client, Failure> {
         self.key.as_deref().map(read_key).transpose()?;
-        self.connect_to_stop()
+        self.connect_without_key()
     }
 
     /// The same to stop the arm: no key file keeps one from that.
     ///
     /// # Errors
     /// No line, no board, or one of another build.
-    pub fn connect_to_stop(&self) -> Result<Client, Failure> {
+    pub fn connect_without_key(&self) -> Result<Client, Failure> {
         Ok(Client::connect(&self.address()?, None)?)
     }
 

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use files::{Dataset, Log};
 use firmware::link::Command;
-use link::session::{self, Ending};
+use link::run::{self, RunOutcome};
 use link::{Address, Client, Recorder};
 use model::reference_robot::reference_robot;
 use rig::{Rig, plan};
@@ -146,8 +146,8 @@ fn ctrl_c_while_the_board_is_armed_keeps_it_from_running() {
     });
     let mut client = Client::connect(&Address::of(&line.port), None).unwrap();
     let mut recorder = Recorder::new(&plan::hold(1.0).block(&Rig::new(reference_robot())), 1000);
-    let ending = session::run(&mut client, 8000, &mut recorder, &interrupted, &mut |_| {});
-    assert!(matches!(ending, Ok(Ending::Interrupted)), "{ending:?}");
+    let ending = run::run(&mut client, 8000, &mut recorder, &interrupted, &mut |_| {});
+    assert!(matches!(ending, Ok(RunOutcome::Interrupted)), "{ending:?}");
     drop(client);
     let asked: Vec<String> = asked.iter().collect();
     assert_eq!(asked, ["Arm", "Stop", "Disarm", "Query"]);

@@ -4,16 +4,16 @@ use firmware::supervisor::FaultRecord;
 
 use crate::failure::Failure;
 use crate::terminal::output::try_print_line;
-use link::session::Ending;
-use link::{LinkError, Recorder, Tally};
+use link::run::RunOutcome;
+use link::{LineCounters, LinkError, Recorder};
 
 /// What to do about a fault.
 pub const FAULT_HINT: &str = "docs/safety.md says what it means; then `rrr clear-fault`";
 
-/// What is played.
+/// One of the two motions of an experiment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Phase {
-    /// The way to where the experiment begins.
+    /// The motion to where the experiment begins.
     Approach,
     /// The experiment.
     Experiment,
@@ -23,24 +23,24 @@ impl Phase {
     /// The name that messages use.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Approach => "way to the beginning",
+            Self::Approach => "approach",
             Self::Experiment => "run",
         }
     }
 }
 
-/// Tells how a part ended, at once: writing its log takes a while.
+/// Prints how a phase ended, at once: writing its log takes a while.
 ///
 /// # Errors
-/// Whatever is not the part's own end; Ctrl-C too.
-pub fn ending(
-    part: Phase,
-    ending: Ending,
+/// Every outcome but [`RunOutcome::Finished`].
+pub fn print(
+    phase: Phase,
+    outcome: RunOutcome,
     recorder: &Recorder,
-    tally: Tally,
+    counters: LineCounters,
 ) -> Result<(), Failure> {
-    figures(recorder, tally);
-    let failure = failure(part.name(), ending, recorder);
+    print_figures(recorder, counters);
+    let failure = failure(phase.name(), outcome, recorder);
     match &failure {
         None => try_print_line("played to its end; 0 V, disarmed"),
         Some(failure) => try_print_line(format_args!("ended       {}", failure.message)),
@@ -48,27 +48,29 @@ pub fn ending(
     failure.map_or(Ok(()), Err)
 }
 
-fn failure(part: &str, ending: Ending, recorder: &Recorder) -> Option<Failure> {
+fn failure(phase: &str, outcome: RunOutcome, recorder: &Recorder) -> Option<Failure> {
     let done = format!("in tick {} of {}", recorder.ticks_done(), recorder.ticks());
-    Some(match ending {
-        Ending::Finished => return None,
-        Ending::Interrupted => {
-            Failure::interrupted(format!("the {part} was stopped {done}; 0 V, disarmed"))
+    Some(match outcome {
+        RunOutcome::Finished => return None,
+        RunOutcome::Interrupted => {
+            Failure::interrupted(format!("the {phase} was stopped {done}; 0 V, disarmed"))
         }
-        Ending::Board(_, Some(fault)) => {
-            Failure::new(format!("the board ended the {part}: {fault}"), FAULT_HINT)
+        RunOutcome::EndedByBoard(_, Some(fault)) => {
+            Failure::new(format!("the board ended the {phase}: {fault}"), FAULT_HINT)
         }
-        Ending::Board(state, None) => Failure::new(
-            format!("the {part} was ended by somebody else {done}: the board was {state}"),
+        RunOutcome::EndedByBoard(state, None) => Failure::new(
+            format!("another host ended the {phase} {done}: the board was {state}"),
             "the board is disarmed now",
         ),
-        Ending::Reset(report) => reset(part, &done, report.and_then(|report| report.fault)),
-        Ending::Broke(error) => broke(part, &done, error),
+        RunOutcome::BoardReset(report) => {
+            reset(phase, &done, report.and_then(|report| report.fault))
+        }
+        RunOutcome::LinkLost(error) => link_lost(phase, &done, error),
     })
 }
 
-/// How much of it was recorded.
-fn figures(recorder: &Recorder, tally: Tally) {
+/// Prints how much of it was recorded.
+fn print_figures(recorder: &Recorder, counters: LineCounters) {
     let [first, second, third] = recorder.saturated;
     try_print_line(format_args!(
         "samples     {} of {}, {} missing, {} of them dropped by the board",
@@ -78,8 +80,8 @@ fn figures(recorder: &Recorder, tally: Tally) {
         recorder.dropped()
     ));
     try_print_line(format_args!(
-        "line        {} frames came broken, {} requests were asked again",
-        tally.broken, tally.asked_again
+        "line        {} frames came broken, {} requests were repeated",
+        counters.broken_frames, counters.retries
     ));
     try_print_line(format_args!(
         "limits      commands cut {first} / {second} / {third}, longest tick {:.1} us",
@@ -87,8 +89,8 @@ fn figures(recorder: &Recorder, tally: Tally) {
     ));
 }
 
-fn reset(part: &str, done: &str, fault: Option<FaultRecord>) -> Failure {
-    let message = format!("the board was reset {done} of the {part}, which ended it");
+fn reset(phase: &str, done: &str, fault: Option<FaultRecord>) -> Failure {
+    let message = format!("the board was reset {done} of the {phase}, which ended it");
     match fault {
         Some(fault) => Failure::new(format!("{message}; it is faulted: {fault}"), FAULT_HINT),
         None => Failure::new(
@@ -99,31 +101,31 @@ fn reset(part: &str, done: &str, fault: Option<FaultRecord>) -> Failure {
     }
 }
 
-fn broke(part: &str, done: &str, error: LinkError) -> Failure {
-    let is_line = matches!(error, LinkError::Broke { .. } | LinkError::Silent { .. });
+fn link_lost(phase: &str, done: &str, error: LinkError) -> Failure {
+    let is_line = matches!(error, LinkError::Line { .. } | LinkError::NoAnswer { .. });
     let failure = Failure::from(error);
     let message = failure.message;
     match is_line {
         true => Failure::new(
-            format!("the link broke {done} of the {part}: {message}"),
+            format!("the link broke {done} of the {phase}: {message}"),
             "the board stops by itself when it hears nothing; look at the cable, then let \
              `rrr connect` tell how the board is",
         ),
-        false => Failure::new(format!("the {part} was given up {done}: {message}"), failure.hint),
+        false => Failure::new(format!("the {phase} was given up {done}: {message}"), failure.hint),
     }
 }
 
-/// The ending, unless only the log is lost; both where both went wrong.
+/// The failure of the run or of saving its log, or one of both.
 ///
 /// # Errors
-/// The worse of the two, the ending first.
-pub fn worse(told: Result<(), Failure>, saved: Result<(), Failure>) -> Result<(), Failure> {
-    match (told, saved) {
+/// At least one of them failed.
+pub fn both(run: Result<(), Failure>, saved: Result<(), Failure>) -> Result<(), Failure> {
+    match (run, saved) {
         (Ok(()), saved) => saved,
-        (told, Ok(())) => told,
-        (Err(told), Err(saved)) => Err(Failure::new(
-            format!("{}; and then: {}", told.message, saved.message),
-            format!("{}; {}", told.hint, saved.hint).trim_start_matches("; "),
+        (run, Ok(())) => run,
+        (Err(run), Err(saved)) => Err(Failure::new(
+            format!("{}; and then: {}", run.message, saved.message),
+            format!("{}; {}", run.hint, saved.hint).trim_start_matches("; "),
         )),
     }
 }
