@@ -21,7 +21,7 @@ use serialport::TTYPort;
 use simulation::simulated_board::{BoardSettings, SimulatedBoard};
 
 mod common;
-use common::at_board::{assert_tells, board, client, refused, rrr, said};
+use common::simulated_board::{assert_tells, board, client, refused, rrr, said};
 use common::{directory, with_model};
 
 /// Whether the board sends telemetry to whoever listens.

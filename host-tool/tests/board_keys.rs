@@ -17,7 +17,7 @@ use link::Client;
 use simulation::simulated_board::SimulatedBoard;
 
 mod common;
-use common::at_board::{assert_tells, board, client, refused, rrr, said, stdout};
+use common::simulated_board::{assert_tells, board, client, refused, rrr, said, stdout};
 use common::{directory, with_model};
 
 /// The names of a directory's files.

@@ -7,7 +7,7 @@ use firmware::link::{Hello, PROTOCOL_VERSION, Refusal, Source, schema};
 #[derive(Debug, thiserror::Error)]
 pub enum LinkError {
     /// No port was named, and none was found at USB.
-    #[error("no USB serial port is there{}", also(.others))]
+    #[error("no USB serial port was found{}", also(.others))]
     NoPort {
         /// Ports of other kinds, which can be named.
         others: Vec<String>,
@@ -16,7 +16,7 @@ pub enum LinkError {
     #[error("the serial ports cannot be listed: {0}")]
     Ports(std::io::Error),
     /// No port was named, and there is more than one.
-    #[error("{} serial ports are there: {}", .0.len(), .0.join(", "))]
+    #[error("{} serial ports were found: {}", .0.len(), .0.join(", "))]
     ManyPorts(Vec<String>),
     /// The port cannot be opened.
     #[error("{port}: cannot be opened: {source}")]
@@ -27,7 +27,7 @@ pub enum LinkError {
         source: std::io::Error,
     },
     /// Reading or writing failed.
-    #[error("{port}: the line broke: {source}")]
+    #[error("{port}: the line failed: {source}")]
     Line {
         /// The port.
         port: String,
@@ -35,7 +35,7 @@ pub enum LinkError {
         source: std::io::Error,
     },
     /// Nothing that is an answer has come.
-    #[error("{port}: no answer to {what}, asked {attempts} times in {waited_s:.1} s{}", seen(*.bytes))]
+    #[error("{port}: no answer to {what}, sent {attempts} times in {waited_s:.1} s{}", seen(*.bytes))]
     NoAnswer {
         /// The port.
         port: String,

@@ -68,7 +68,7 @@ impl Motion {
     }
 
     /// Moves the positions on by half a step, returns the velocities expected there.
-    fn drift_to_the_middle(&mut self, half_s: f64) -> Vector3<f64> {
+    fn drift_to_midpoint(&mut self, half_s: f64) -> Vector3<f64> {
         for i in 0..3 {
             self.q_rad[i] += half_s * self.qd_rad_per_s[i];
         }
@@ -144,8 +144,8 @@ impl SimulatedRobot {
         self.time_s = time_s;
     }
 
-    /// Lets effects that remember commands feel those of one sample period, the robot at rest.
-    pub fn feel(&mut self, command_v: &Vector3<f64>) {
+    /// Gives effects with memory the commands of one sample period, the robot at rest.
+    pub fn update_effects_at_rest(&mut self, command_v: &Vector3<f64>) {
         for _ in 0..self.substeps {
             let joint_state = self.joint_state(&[0.0; 3]);
             let mut driving_v = *command_v;
@@ -189,15 +189,15 @@ impl SimulatedRobot {
 
     fn substep(&mut self, voltage_v: &Vector3<f64>) {
         let half_s = 0.5 * self.step_s;
-        let link_qd = self.link.drift_to_the_middle(half_s);
+        let link_qd = self.link.drift_to_midpoint(half_s);
         let elastic = self.transmissions.iter().any(Option::is_some);
         if !elastic {
             self.motor = self.link;
         }
-        let motor_qd = if elastic { self.motor.drift_to_the_middle(half_s) } else { link_qd };
+        let motor_qd = if elastic { self.motor.drift_to_midpoint(half_s) } else { link_qd };
         let torque_nm = self.motor_torque(voltage_v, &motor_qd);
         if elastic {
-            self.move_elastic(&torque_nm, &link_qd, &motor_qd);
+            self.advance_elastic(&torque_nm, &link_qd, &motor_qd);
         } else {
             let qdd = self.link_acceleration(&link_qd, &torque_nm);
             self.link.kick_and_drift(qdd, half_s);
@@ -255,7 +255,7 @@ impl SimulatedRobot {
     }
 
     /// Ends a step in which some motors move apart from their links.
-    fn move_elastic(
+    fn advance_elastic(
         &mut self,
         motor_torque_nm: &Vector3<f64>,
         link_qd: &Vector3<f64>,

@@ -106,7 +106,7 @@ impl Arguments {
         });
         let mut outcomes = Vec::with_capacity(cases.len());
         for some in all {
-            let stopped = |_| Failure::new("a diagnosis has ended unasked", "");
+            let stopped = |_| Failure::new("a diagnosis was aborted", "");
             outcomes.extend(some.map_err(stopped)??);
         }
         outcomes.sort_by_key(|outcome| outcome.case);

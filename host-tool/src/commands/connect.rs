@@ -44,7 +44,7 @@ fn unknown_positions(known: [bool; 3]) -> Option<String> {
     let unknown = (1..).zip(known).filter(|(_, known)| !known);
     let joints: Vec<String> = unknown.map(|(joint, _)| joint.to_string()).collect();
     let joints = (!joints.is_empty()).then(|| joints.join(", "))?;
-    Some(format!("position    not known of joint {joints}: `rrr home` tells it"))
+    Some(format!("position    unknown for joint {joints}: `rrr home` sets it"))
 }
 
 fn ticks(counters: &Counters) -> String {

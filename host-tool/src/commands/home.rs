@@ -56,7 +56,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
                 "joint {joint} is at {at_rad} rad, until the board is reset"
             ))?,
             false => print_line(format_args!(
-                "joint {joint} has an encoder that has not moved yet: turn it by hand, then tell again"
+                "joint {joint}: the encoder has not moved yet; turn it by hand, then run `rrr home` again"
             ))?,
         }
     }
@@ -64,7 +64,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 fn stopped() -> Failure {
-    Failure::interrupted("stopped before the board was told")
+    Failure::interrupted("stopped before the position was set")
 }
 
 fn wait_for_rest(client: &mut Client) -> Result<(), Failure> {

@@ -28,7 +28,7 @@ pub mod stop;
 pub mod upload;
 pub mod validate;
 
-/// Simulates the RRR robot, identifies it from its logs and judges the model.
+/// Simulates, identifies, controls and diagnoses the RRR robot.
 #[derive(Debug, Parser)]
 #[command(name = "rrr", version, about, propagate_version = true)]
 pub struct CommandLine {
@@ -40,48 +40,48 @@ pub struct CommandLine {
 /// What the tool can do.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Find the model of an unknown robot from its recorded experiments.
+    /// Identify the model of an unknown robot from its recorded experiments.
     Identify(identify::Arguments),
     /// Compute joint torques and voltages from a model and a table of motions.
     InverseDynamics(inverse_dynamics::Arguments),
     /// Record experiments of the simulated robot.
     Simulate(simulate::Arguments),
-    /// Judge a model on the logs held out: the command and the motion that it reconstructs.
+    /// Validate a model on the held-out logs: the command and the motion that it reconstructs.
     Validate(validate::Arguments),
     /// Find what causes the gap between a real robot and its model.
     Diagnose(diagnose::Arguments),
     /// Design the motion that identifies the base parameters best.
     DesignExcitation(design_excitation::Arguments),
-    /// Judge the diagnosis on robots whose hidden effects it is not told.
+    /// Score the diagnosis on simulated robots with hidden effects.
     BlindTrial(blind_trial::Arguments),
-    /// Tell what is at the board's line, and how it is.
+    /// Show which board is connected, and its state.
     Connect(connect::Arguments),
     /// Store a model on the board, for this and every later power-on.
     Upload(upload::Arguments),
     /// Fetch the board's parameters.
     Download(download::Arguments),
-    /// Do an experiment with the arm and record it.
+    /// Run an experiment on the arm and record it.
     ///
     /// Ctrl-C stops the arm before anything else and keeps the log. The exit status is 0 after
-    /// the experiment's own end, 130 after Ctrl-C, and 2 after a fault or whatever went wrong.
+    /// a complete experiment, 130 after Ctrl-C, and 2 after a fault or any other failure.
     Run(Box<run::Arguments>),
-    /// Look at positions, voltages, errors, ticks and faults as they change, until Ctrl-C.
+    /// Show positions, voltages, errors, tick times and faults live, until Ctrl-C.
     Monitor(monitor::Arguments),
-    /// Take the voltage away and disarm the board.
+    /// Output 0 V and disarm the board.
     Stop(stop::Arguments),
-    /// Tell the board where the arm is, after each of its resets.
+    /// Set the position of the arm, after each reset of the board.
     Home(home::Arguments),
-    /// Let the board leave a fault whose cause is gone.
+    /// Clear a fault whose cause is gone.
     ClearFault(clear_fault::Arguments),
-    /// Give the board a key, change it or take it away.
+    /// Set, change or remove the board's key.
     SetKey(set_key::Arguments),
     /// Write a model as the image of a parameter slot.
     ExportBlock(export_block::Arguments),
-    /// Put firmware and parameters onto the board through a debug probe.
+    /// Write firmware and parameters to the board through a debug probe.
     Flash(flash::Arguments),
     /// Record, identify and control a simulated robot with the firmware in QEMU.
     Demo(demo::Arguments),
-    /// Write what a shell needs to complete this tool's command line.
+    /// Print the completion script of a shell.
     Completions(completions::Arguments),
 }
 

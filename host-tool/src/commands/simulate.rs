@@ -31,7 +31,7 @@ pub struct Arguments {
     /// Play this motion, as `rrr design-excitation` writes it, for the excitation.
     #[arg(long, value_name = "EXCITATION.toml")]
     pub excitation: Option<PathBuf>,
-    /// What the commands are made of, instead of what the data set asks for:
+    /// The control mode, instead of the data set's own:
     /// pd, pd-friction, pd-model, friction-only or open-loop.
     #[arg(long)]
     pub mode: Option<String>,
@@ -41,12 +41,12 @@ pub struct Arguments {
     /// Run the firmware's image in QEMU instead of in this process.
     #[arg(long, value_name = "ELF")]
     pub qemu: Option<PathBuf>,
-    /// Something that the robot does and its model does not know, such as
+    /// An effect of the robot that its model does not have, such as
     /// cogging:3:amplitude_V=0.1,harmonic=8,phase_rad=0; may be given several times.
     #[arg(long, value_name = "EFFECT:JOINT:NAME=VALUE,...")]
     pub effect: Vec<String>,
-    /// The board makes up for the effects that the model file holds, as far as it can, in
-    /// the modes that know the model; not for those of --effect.
+    /// The board compensates for the effects in the model file, as far as it can, in the
+    /// modes that use the model; not for those of --effect.
     #[arg(long)]
     pub compensate: bool,
     /// Seed of all noises.

@@ -41,7 +41,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     print_line(format_args!("parameters  {}", parameters(Some(&in_use))))?;
     if client.report()?.position_known != report.position_known {
         print_line(
-            "position    void: the encoder counts another number a turn; `rrr home` tells it again",
+            "position    unknown: the counts per turn have changed; `rrr home` sets it again",
         )?;
     }
     print_line(format_args!("link        {}", access(&report)))

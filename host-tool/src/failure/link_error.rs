@@ -25,8 +25,8 @@ fn hint(error: &LinkError) -> &'static str {
         LinkError::Open { source, .. } => open_hint(source.kind()),
         LinkError::Line { .. } => "look at the cable and the board's power, then try again",
         LinkError::NoAnswer { .. } | LinkError::NoTelemetry { .. } => {
-            "look whether the board is powered and runs this firmware (lamp LD2 flashes), and \
-             whether --port names its line"
+            "check that the board is powered and runs this firmware (LED LD2 flashes), and that \
+             --port names its line"
         }
         LinkError::ProtocolMismatch(_) | LinkError::SchemaMismatch(_) => {
             "build tool and firmware from the same sources; `cargo xtask firmware nucleo` and \
@@ -48,7 +48,7 @@ fn open_hint(kind: ErrorKind) -> &'static str {
     match kind {
         ErrorKind::ResourceBusy => {
             "if another `rrr` has it, press Ctrl-C there, or `kill -INT` it: `rrr run` stops the \
-             arm first; `fuser` with the port's name tells which program it is"
+             arm first; `fuser` with the port's name shows which program it is"
         }
         _ => "look at the name; on Linux your user must be in the group that owns the port",
     }
@@ -61,28 +61,28 @@ fn refusal_hint(why: &Refusal) -> &'static str {
             "`rrr stop` stops and disarms the board; `rrr clear-fault` leaves a fault"
         }
         Refusal::HelloFirst | Refusal::OldNumber { .. } => {
-            "the board was reset, or somebody else talks to it; try again"
+            "the board was reset, or another host talks to it; try again"
         }
         Refusal::NoParameters | Refusal::Store(StoreRefusal::Empty) => {
             "`rrr upload model.toml` gives it some"
         }
         Refusal::Implausible { why: Implausible::NoHome, .. } => {
-            "bring the arm to a place that you know, then `rrr home --at Q1,Q2,Q3`"
+            "bring the arm to a known posture, then `rrr home --at Q1,Q2,Q3`"
         }
         Refusal::Implausible { why: Implausible::NeverMoved, .. } => {
-            "turn the joint to and fro by hand, then `rrr home`; `rrr monitor` shows whether its \
+            "turn the joint back and forth by hand, then `rrr home`; `rrr monitor` shows whether its \
              encoder counts; a rig without this joint: `rrr upload --joints` names those it has"
         }
         Refusal::Implausible { .. } => "let the arm come to rest; look at the encoder's wiring",
         Refusal::FarFromStart { .. } => {
-            "the arm is at 0 V before it runs: let the reference begin where it rests by itself, hanging"
+            "before a run the arm hangs at 0 V: let the reference begin where it comes to rest"
         }
         Refusal::FaultPersists => "remove the cause first; docs/safety.md lists the faults",
         Refusal::Block(BlockRefusal::Value { .. }) => "correct the value in the model file",
         Refusal::Block(BlockRefusal::Version { .. }) => {
             "build tool and firmware from the same sources"
         }
-        Refusal::StoredNotInUse => "`rrr connect` tells the fault; then reset the board",
+        Refusal::StoredNotInUse => "`rrr connect` shows the fault; then reset the board",
         Refusal::Upload { .. } | Refusal::Block(_) => "try again",
         Refusal::Store(_) => "try again; if it comes back, the flash is worn",
     }

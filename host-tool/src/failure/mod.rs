@@ -47,7 +47,7 @@ impl Failure {
 
 impl From<FileError> for Failure {
     fn from(error: FileError) -> Self {
-        Self::new(error.to_string(), error.cure())
+        Self::new(error.to_string(), error.hint())
     }
 }
 

@@ -21,7 +21,7 @@ pub struct BlockOptions {
     /// The control mode: pd, pd-friction, pd-model, friction-only or open-loop.
     #[arg(long, default_value = "pd-model")]
     pub mode: String,
-    /// What the board plays: hold (hanging down, 10 s), task (20 s) or excitation (30 s).
+    /// The reference: hold (hanging down, 10 s), task (20 s) or excitation (30 s).
     #[arg(long, default_value = "hold", value_name = "NAME")]
     pub reference: String,
     /// Play this motion, as `rrr design-excitation` writes it; 30 s.
@@ -30,10 +30,10 @@ pub struct BlockOptions {
     /// The joints that the rig has, as in 3 or 1,3; the others get no voltage, and need no encoder.
     #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u8).range(1..=3))]
     pub joints: Vec<u8>,
-    /// The board compensates for the effects that the model file holds, as far as it can.
+    /// The board compensates for the effects in the model file, as far as it can.
     #[arg(long)]
     pub compensate: bool,
-    /// Cut commands at this voltage, which must be below the model file's.
+    /// Limit commands to this voltage, which must be below the model file's.
     #[arg(long, value_name = "VOLTS")]
     pub command_limit_v: Option<f64>,
 }

@@ -70,7 +70,7 @@ impl BoardOptions {
 /// Whether the board keeps its key to itself, in words.
 pub fn access(report: &Report) -> &'static str {
     match report.has_key {
-        true => "needs the key to upload, tell home, arm, run and clear faults",
-        false => "open: whoever has the line may upload and arm; `rrr set-key` changes that",
+        true => "needs the key to upload, home, arm, run and clear faults",
+        false => "open: anybody on the line may upload and arm; `rrr set-key` changes that",
     }
 }

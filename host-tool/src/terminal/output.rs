@@ -44,6 +44,6 @@ impl NotWritten {
 
 impl From<NotWritten> for Failure {
     fn from(error: NotWritten) -> Self {
-        Self::new(error.to_string(), "send it to where there is room")
+        Self::new(error.to_string(), "send it to a disk that has room")
     }
 }

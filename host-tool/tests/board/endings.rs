@@ -97,7 +97,7 @@ fn after_ctrl_c_on_the_way_to_the_beginning_its_log_is_kept_but_not_listed() {
     rrr(at, &board, "upload model.toml").success();
     let output = interrupted(at, &board, 1, "run task --out logs --approach-speed 0.1");
     assert_eq!(output.status.code(), Some(130));
-    assert_tells(&words(&output.stderr), &["the way to the beginning was stopped"]);
+    assert_tells(&words(&output.stderr), &["the approach was stopped"]);
     let log = Log::read(at.join("logs/task-approach.csv.gz")).unwrap();
     assert!(log.len() > 500, "{}", log.len());
     assert_all_ticks_are_told(&words(&output.stdout), &log);
@@ -206,7 +206,7 @@ fn a_fault_on_the_way_to_the_beginning_keeps_that_log_unlisted() {
     let assert = rrr(at, &board, line);
     let told = words(&assert.get_output().stdout);
     let text = refused(assert);
-    assert_tells(&text, &["the board ended the way to the beginning: speed", "rrr clear-fault"]);
+    assert_tells(&text, &["the board ended the approach: speed", "rrr clear-fault"]);
     let log = Log::read(at.join("logs/task-approach.csv.gz")).unwrap();
     assert_all_ticks_are_told(&told, &log);
     let last = board_messages(&at.join("logs/task-approach.mcap")).pop().unwrap();

@@ -7,7 +7,7 @@ use files::{JointLog, Log, Position, RobotFile};
 use model::reference_robot::reference_robot;
 
 #[cfg(unix)]
-pub mod at_board;
+pub mod simulated_board;
 
 /// A file of the collected data, or `None`, with a note on stderr, where it is absent.
 pub fn data(name: &str) -> Option<PathBuf> {

@@ -5,27 +5,27 @@
 //! in some the board is reset. What must hold is asserted as it goes.
 
 mod arm;
+mod counters;
 mod draw;
 mod noisy_line;
 mod rng;
 mod session;
 mod settings;
-mod tally;
 
+pub use counters::SoakCounters;
 pub use session::Soak;
 pub use settings::Settings;
-pub use tally::Tally;
 
 /// Runs a soak; `progress` is told the sessions done.
 ///
 /// # Panics
 /// Something did not hold: the message says what and where.
-pub fn soak(settings: &Settings, mut progress: impl FnMut(u32)) -> Tally {
+pub fn soak(settings: &Settings, mut progress: impl FnMut(u32)) -> SoakCounters {
     let mut soak = Soak::new(settings);
     for session in 0..settings.sessions {
         soak.session(session);
         progress(session + 1);
     }
     soak.rest_until_the_end();
-    soak.tally()
+    soak.counters()
 }

@@ -30,7 +30,7 @@ impl Log {
     /// Reads a `.csv`, `.csv.gz` or `.mcap` file; columns of other names are ignored.
     ///
     /// # Errors
-    /// Names the file, the line and column, what is wrong, and the cure.
+    /// Names the file, the line and column, what is wrong, and a remedy.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
         let path = path.as_ref();
         Self::of(Format::of(path)?, path, &bytes::read(path)?)

@@ -29,7 +29,7 @@ impl RobotFile {
     /// Reads a file.
     ///
     /// # Errors
-    /// Names the file and line, what is wrong, and the cure.
+    /// Names the file and line, what is wrong, and a remedy.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
         of(TomlSource::read(path.as_ref())?)
     }

@@ -50,12 +50,12 @@ pub struct ExperimentOptions {
     /// The joint, for constant-velocity and presliding-noise.
     #[arg(long, value_parser = clap::value_parser!(u8).range(1..=3))]
     pub joint: Option<u8>,
-    /// How long, for hold, excitation, slow, driven-noise and task, instead of 10, 30, 20, 12
+    /// Duration of hold, excitation, slow, driven-noise and task, instead of 10, 30, 20, 12
     /// and 20 s.
     #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u16).range(1..=3600))]
     pub duration: Option<u16>,
-    /// What the commands are made of, instead of what the experiment asks for (hold and task:
-    /// what was uploaded): pd, pd-friction, pd-model, friction-only or open-loop.
+    /// The control mode, instead of the experiment's own (hold and task: that of the
+    /// uploaded block): pd, pd-friction, pd-model, friction-only or open-loop.
     #[arg(long)]
     pub mode: Option<String>,
     /// Play this motion, as `rrr design-excitation` writes it, for the excitation.
@@ -92,7 +92,7 @@ impl ExperimentOptions {
                 refused("--excitation: not with this experiment", "only excitation plays a file")
             }
             _ if self.duration.is_some() && self.experiment.has_own_duration() => refused(
-                "--duration: not with this experiment, which takes as long as it takes",
+                "--duration: not with this experiment, whose duration is fixed",
                 "hold, excitation, slow, driven-noise and task take one",
             ),
             _ => Ok(()),
@@ -157,13 +157,13 @@ fn rig(block: &ParameterBlock) -> Rig {
 /// Limits for one run, below those that were uploaded.
 #[derive(Clone, Debug, Default, Args)]
 pub struct Limits {
-    /// Cut commands at this voltage.
+    /// Limit commands to this voltage.
     #[arg(long, value_name = "VOLTS")]
     pub command_limit_v: Option<f32>,
-    /// A joint that is faster is a fault.
+    /// A joint that is faster causes a fault.
     #[arg(long, value_name = "RAD_PER_S")]
     pub speed_limit: Option<f32>,
-    /// A joint that is further from its reference is a fault.
+    /// A joint that is further from its reference causes a fault.
     #[arg(long, value_name = "RAD")]
     pub tracking_limit: Option<f32>,
 }

@@ -70,7 +70,7 @@ impl LogFolder {
         self.write_mcap(&entry.file, recorder)
     }
 
-    /// Writes the log of the way to the beginning, which is no experiment of the data set.
+    /// Writes the log of the approach, which is no experiment of the data set.
     ///
     /// # Errors
     /// Files that cannot be written.
@@ -79,7 +79,7 @@ impl LogFolder {
         if !self.write_csv(&file, recorder)? {
             return Ok(());
         }
-        self.print_log(&file, ", the way to the beginning; not in dataset.toml");
+        self.print_log(&file, ", the approach; not in dataset.toml");
         self.write_mcap(&file, recorder)
     }
 

@@ -62,7 +62,7 @@ fn role_named(name: &str) -> Result<Role, String> {
 }
 
 fn speed(text: &str) -> Result<f32, String> {
-    let speed: f32 = text.parse().map_err(|_| "it is no number".to_owned())?;
+    let speed: f32 = text.parse().map_err(|_| "it is not a number".to_owned())?;
     match speed > 0.0 && speed <= 3.0 {
         true => Ok(speed),
         false => Err("it must be above 0 and at most 3 rad/s".to_owned()),

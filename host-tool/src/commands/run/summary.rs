@@ -80,7 +80,7 @@ fn print_figures(recorder: &Recorder, counters: LineCounters) {
         recorder.dropped()
     ));
     try_print_line(format_args!(
-        "line        {} frames came broken, {} requests were repeated",
+        "line        {} damaged frames, {} requests repeated",
         counters.broken_frames, counters.retries
     ));
     try_print_line(format_args!(
@@ -95,7 +95,7 @@ fn reset(phase: &str, done: &str, fault: Option<FaultRecord>) -> Failure {
         Some(fault) => Failure::new(format!("{message}; it is faulted: {fault}"), FAULT_HINT),
         None => Failure::new(
             message,
-            "0 V since then; look at its supply and who pressed its button, and mind that \
+            "its output is 0 V since then; look at its supply and its reset button; incremental \
              encoders count from zero again",
         ),
     }
@@ -107,11 +107,11 @@ fn link_lost(phase: &str, done: &str, error: LinkError) -> Failure {
     let message = failure.message;
     match is_line {
         true => Failure::new(
-            format!("the link broke {done} of the {phase}: {message}"),
+            format!("the link was lost {done} of the {phase}: {message}"),
             "the board stops by itself when it hears nothing; look at the cable, then let \
-             `rrr connect` tell how the board is",
+             `rrr connect` show the board's state",
         ),
-        false => Failure::new(format!("the {phase} was given up {done}: {message}"), failure.hint),
+        false => Failure::new(format!("the {phase} was aborted {done}: {message}"), failure.hint),
     }
 }
 
