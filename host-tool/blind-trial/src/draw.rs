@@ -40,7 +40,7 @@ const MOTION_TRIES: u32 = 20;
 const CAUSE_TRIES: u32 = 12;
 const SIZE_TRIES: u32 = 16;
 
-/// Draws all cases, on as many threads as there are cores; `progress` hears of each.
+/// Draws all cases, on as many threads as there are cores; `progress` is called after each.
 ///
 /// # Errors
 /// An unknown name among `only`, or a case for which nothing fit was drawn.

@@ -171,7 +171,7 @@ impl Outcome {
         self.truth.iter().filter(is_found).count()
     }
 
-    /// Whether all is as a perfect diagnosis says it, nothing more and nothing less.
+    /// Whether the answer is exactly that of a perfect diagnosis.
     pub fn is_right(&self) -> bool {
         match self.kind {
             Kind::None => self.answer.label() == "none",

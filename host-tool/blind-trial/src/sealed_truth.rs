@@ -96,7 +96,7 @@ impl SealedTruth {
     /// Writes the truth to `truth.json` and reads it back.
     ///
     /// # Errors
-    /// The file cannot be written, or its hash is not the one that was told.
+    /// The file cannot be written, or its hash is not the one that was announced.
     pub fn reveal(&self, directory: &Path) -> Result<(), TrialError> {
         let path = directory.join("truth.json");
         write_text(&path, &self.text)?;

@@ -40,7 +40,7 @@ impl Address {
     /// The board's USB port, where no other can be meant.
     ///
     /// # Errors
-    /// There is none, or more than one, or the system does not tell its ports.
+    /// There is none, or more than one, or the system cannot list its ports.
     pub fn find() -> Result<Self, LinkError> {
         found(listed())
     }
@@ -54,7 +54,7 @@ fn listed() -> std::io::Result<Vec<SerialPortInfo>> {
     Ok(serialport::available_ports()?)
 }
 
-/// The port to take, if the system tells which there are.
+/// The port to take, if the system can list them.
 fn found(ports: std::io::Result<Vec<SerialPortInfo>>) -> Result<Address, LinkError> {
     among(&ports.map_err(LinkError::Ports)?)
 }

@@ -12,7 +12,7 @@ pub enum LinkError {
         /// Ports of other kinds, which can be named.
         others: Vec<String>,
     },
-    /// No port was named, and the system does not tell which there are.
+    /// No port was named, and the system cannot list them.
     #[error("the serial ports cannot be listed: {0}")]
     Ports(std::io::Error),
     /// No port was named, and there is more than one.
@@ -63,7 +63,7 @@ pub enum LinkError {
         schema::HASH
     )]
     SchemaMismatch(Box<Hello>),
-    /// The board said no.
+    /// The board refused.
     #[error("{what}: {why}")]
     Refused {
         /// What was asked.
@@ -101,7 +101,7 @@ pub enum LinkError {
     Checksum {
         /// Of the bytes that came.
         found: u32,
-        /// As the board told.
+        /// As the board announced.
         announced: u32,
     },
     /// What is on the board is not what was sent.

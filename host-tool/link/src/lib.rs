@@ -1,4 +1,4 @@
-//! The host's ways to the board: its serial line, as `firmware::link` describes it, and its
+//! How the host reaches the board: its serial line, as `firmware::link` describes it, and its
 //! debug probe.
 //!
 //! | module | what it holds |

@@ -15,7 +15,7 @@ use signal::Unwrapper;
 pub struct Recorder {
     /// The log so far; a record that is missing is a gap in its times.
     pub log: Log,
-    /// What the board told beside the joints, row by row of the log; then the tick that ended
+    /// What the board reported beside the joints, row by row of the log; then the tick that ended
     /// the run, if its record or one after it has come.
     pub board: Vec<BoardSample>,
     /// Longest tick [0.1 us].
@@ -80,12 +80,12 @@ impl Recorder {
         self.dropped.before = Some(report.counters.telemetry_dropped);
     }
 
-    /// The board is told to run: what it tells from now on is of the run or after it.
+    /// The run command is sent: what the board reports from now on is of the run or after it.
     pub fn expect_run(&mut self) {
         self.run_expected = true;
     }
 
-    /// Takes a report from within the run or after it; it tells ticks whose records are lost.
+    /// Takes a report from within the run or after it; it also counts ticks whose records are lost.
     pub fn add_report(&mut self, report: &Report) {
         let ticks = report.counters.ticks;
         if !self.run_expected {
@@ -99,7 +99,7 @@ impl Recorder {
         self.dropped.see(report.counters.telemetry_dropped, true);
     }
 
-    /// Takes a record; those from before the run only tell when it began.
+    /// Takes a record; those from before the run only mark its beginning.
     pub fn add_record(&mut self, record: &Telemetry) {
         if self.tick_range.is_past(record.sequence) {
             return;
@@ -155,7 +155,7 @@ impl Recorder {
         self.unwrapped = Some(unwrapped);
     }
 
-    /// Keeps the first record after a run that ended early: it tells what ended it.
+    /// Keeps the first record after a run that ended early: it shows what ended it.
     fn add_end(&mut self, record: &Telemetry) {
         self.tick_range.ended_before(record.sequence);
         self.dropped.see(record.dropped, true);

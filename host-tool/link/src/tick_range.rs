@@ -1,4 +1,4 @@
-//! Which of the board's ticks a run took, as far as their numbers tell.
+//! Which of the board's ticks a run took, from their sequence numbers.
 
 /// The ticks of a run. Numbers wrap as the board's do.
 ///

@@ -86,7 +86,7 @@ impl Motion {
 }
 
 impl SimulatedRobot {
-    /// A checked robot at rest, as the model says.
+    /// A robot at rest, exactly as its model.
     pub fn at_rest(robot: Robot<f64>, q_rad: Vector3<f64>, settings: &Settings) -> Self {
         Self::with_effects(robot, Vec::new(), q_rad, settings)
     }

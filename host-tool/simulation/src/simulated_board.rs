@@ -34,7 +34,7 @@ pub struct BoardSettings {
     pub flash: Vec<u8>,
     /// Seconds of the board in a second of this machine.
     pub speed: f64,
-    /// One byte in so many is broken on its way, both ways; none without.
+    /// one byte in so many is broken, in both directions; none without.
     pub bytes_per_error: Option<u32>,
     /// The encoders count from zero at power-on, wherever the robot is; within the second after
     /// it somebody turns each joint by hand, and back.

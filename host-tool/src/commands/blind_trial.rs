@@ -1,4 +1,4 @@
-//! `rrr blind-trial`: how well the diagnosis does on robots that nobody told it of.
+//! `rrr blind-trial`: how well the diagnosis does on robots with hidden effects.
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
@@ -49,7 +49,7 @@ pub struct Arguments {
     /// could be closed; takes twice as long.
     #[arg(long)]
     pub ceiling: bool,
-    /// Draw and record the cases and tell the truth, without a diagnosis.
+    /// Draw and record the cases and write the truth, without a diagnosis.
     #[arg(long)]
     pub draw_only: bool,
 }
@@ -95,7 +95,7 @@ impl Arguments {
         })
     }
 
-    /// Diagnoses the cases, one on each core, and tells each answer as it comes.
+    /// Diagnoses the cases, one on each core, and prints each answer as it comes.
     fn diagnose_all(&self, cases: &[Case]) -> Result<Vec<Outcome>, Failure> {
         let workers = std::thread::available_parallelism().map_or(1, usize::from);
         let next = AtomicUsize::new(0);

@@ -57,7 +57,7 @@ fn writer_for(out: &Path) -> Result<Writer, Failure> {
     }
 }
 
-/// The model of a block, with what a model file tells of the board.
+/// The model of a block, with the board's data that a model file has.
 fn model_of(bytes: &[u8]) -> Result<RobotFile, Failure> {
     let block = ParameterBlock::decode(bytes).map_err(|error| {
         let hint = "build tool and firmware from the same sources, or download to a .bin file";

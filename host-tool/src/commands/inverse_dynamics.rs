@@ -139,7 +139,7 @@ fn header(joints: &[u8]) -> String {
     torques.chain(voltages).collect::<Vec<_>>().join(",")
 }
 
-/// Torques and voltages with as many digits as tell them from their neighbours.
+/// Torques and voltages with as many digits as the values have.
 fn line(body: &Body, torques_nm: &[f64]) -> String {
     let constants = &body.torque_constant_nm_per_v;
     let voltages = torques_nm.iter().zip(constants).map(|(torque, constant)| torque / constant);

@@ -89,7 +89,7 @@ impl Command {
     /// Runs the command.
     ///
     /// # Errors
-    /// What the user is told before the tool ends with the failure's exit status.
+    /// The message for the user, and the exit status.
     pub fn run(self) -> Result<(), Failure> {
         match self {
             Self::Identify(arguments) => identify::run(&arguments),

@@ -1,4 +1,4 @@
-//! What a user is told when a command fails, and with which exit status.
+//! Failures of commands: message, hint and exit status.
 
 use files::FileError;
 use simulation::board::BoardError;
@@ -12,7 +12,7 @@ pub const BAD_INPUT: u8 = 2;
 /// The exit status after Ctrl-C, by custom 128 and the signal's number.
 pub const INTERRUPTED: u8 = 130;
 
-/// What a user is told when a command fails: what is wrong, and what to do about it.
+/// The message when a command fails: what is wrong, and what to do about it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{message}")]
 pub struct Failure {

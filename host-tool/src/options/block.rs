@@ -54,7 +54,7 @@ fn beyond_limit(model: &Path, error: &ParameterError) -> Failure {
     }
 }
 
-/// The hard limits that their error does not tell, in the unit of the parameter's name.
+/// The hard limit of a parameter whose error does not state it, in the unit of its name.
 fn hard_limit(name: &str) -> Option<f32> {
     let limits = HardLimits::default();
     match name {

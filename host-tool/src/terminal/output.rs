@@ -36,7 +36,7 @@ pub fn write(text: &str) -> Result<(), NotWritten> {
 pub struct NotWritten(std::io::Error);
 
 impl NotWritten {
-    /// The kind that the system tells.
+    /// The kind of the system's error.
     pub fn kind(&self) -> ErrorKind {
         self.0.kind()
     }

@@ -71,7 +71,7 @@ pub struct Soak {
     true_records: VecDeque<Telemetry>,
     last_sequence: Option<u32>,
     committed: Option<Vec<u8>>,
-    /// What the board is told to be wrong with it in the next tick.
+    /// The faults injected into the next tick.
     injected: Health,
     /// The tick in which the board heard the host last.
     heard_at: u32,
@@ -234,7 +234,7 @@ impl Soak {
         self.counters.resets += 1;
     }
 
-    /// Boots anew; what was committed last must be there.
+    /// Boots again; what was committed last must be there.
     fn power_cycle(&mut self) -> Kept {
         self.counters.records_dropped += u64::from(self.report().counters.telemetry_dropped);
         let empty = Store::new(RamFlash::new(Vec::new()), 0, Layout::G474);

@@ -1,4 +1,4 @@
-//! A log as a file, in the format that the ending of its name tells.
+//! A log as a file, in the format given by its file extension.
 
 use std::path::Path;
 
@@ -6,7 +6,7 @@ use super::{BoardSample, Log, check, from_table, read_mcap, write_csv, write_mca
 use crate::bytes;
 use crate::error::{FileError, Problem};
 
-/// The formats of a log, which its name's ending tells.
+/// The formats of a log, by file extension.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Format {
     Csv,
@@ -60,7 +60,7 @@ impl Log {
         self.write_with_board(path, &[])
     }
 
-    /// [`Log::write`] with what the board told beside its joints, which only `.mcap` holds.
+    /// [`Log::write`] with what the board reported beside its joints, which only `.mcap` holds.
     ///
     /// # Errors
     /// As of [`Log::write`].

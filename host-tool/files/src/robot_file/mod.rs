@@ -20,7 +20,7 @@ pub use tables::{EffectTable, FrictionTable, PendulumTable, RobotTable};
 /// keys that are not known here are kept in `extra` and written back.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RobotFile {
-    /// What the manufacturer tells.
+    /// The manufacturer's data.
     pub robot: RobotTable,
     /// Base parameters of a rig of three joints.
     pub base: Option<BaseParameters<f64>>,

@@ -127,7 +127,7 @@ fn a_run_that_took_no_tick_has_none_missing() {
     (100..200).for_each(|sequence| recorder.add_record(&record(sequence, State::Faulted)));
     recorder.add_report(&report(200, State::Disarmed));
     assert_eq!((recorder.ticks_done(), recorder.missed()), (0, 0));
-    // Ctrl-C before the order: what the board tells then is of no run.
+    // Ctrl-C before the run command: what the board reports then is of no run.
     let mut recorder = Recorder::new(&block(), 20);
     recorder.begins_after(&report(98, State::Armed));
     recorder.add_record(&record(96, State::Armed));

@@ -36,7 +36,7 @@ pub struct Whole {
     /// The data set: a directory with dataset.toml and its logs.
     #[arg(value_name = "DATASET", required = true)]
     pub dataset: PathBuf,
-    /// What the manufacturer tells.
+    /// The manufacturer's data.
     #[arg(long, value_name = "ROBOT.toml", required = true)]
     pub robot: PathBuf,
     /// Where the model goes; identification.json and identification.html go beside it.

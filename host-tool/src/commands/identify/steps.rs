@@ -34,7 +34,7 @@ pub struct StepArguments {
     /// The data set: a directory with dataset.toml and its logs.
     #[arg(value_name = "DATASET")]
     pub dataset: PathBuf,
-    /// What the manufacturer tells, or a model with what earlier steps found.
+    /// The manufacturer's data, or a model with what earlier steps found.
     #[arg(long, value_name = "ROBOT.toml")]
     pub robot: PathBuf,
     /// Directory for the step's .json and .html.

@@ -35,7 +35,7 @@ pub enum ExperimentName {
 }
 
 impl ExperimentName {
-    /// Whether the experiment itself says how long it takes.
+    /// Whether the duration of the experiment is fixed.
     fn has_own_duration(self) -> bool {
         matches!(self, Self::ConstantVelocity | Self::FrictionExcitation | Self::PreslidingNoise)
     }

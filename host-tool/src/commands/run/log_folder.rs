@@ -83,7 +83,7 @@ impl LogFolder {
         self.write_mcap(&file, recorder)
     }
 
-    /// False, and it says so, if there is nothing to write.
+    /// Writes the CSV log; false, with a line on the terminal, if there is nothing to write.
     fn write_csv(&self, file: &str, recorder: &Recorder) -> Result<bool, Failure> {
         if recorder.log.len() < 2 {
             try_print_line("log         none, nothing was recorded");

@@ -50,7 +50,7 @@ impl Soak {
                 });
                 return u64::from(CHECK_EVERY_TICKS) + 1;
             }
-            // Nothing is said from now on; the last sign of life is at most 100 ticks old.
+            // Nothing is sent from now on; the last heartbeat is at most 100 ticks old.
             _ => {
                 (0..u64::from(HOST_TIMEOUT) - 2 * HEARTBEAT_TICKS).for_each(|_| self.tick());
                 return 3 * HEARTBEAT_TICKS;

@@ -83,7 +83,7 @@ enum Received {
     Record(Telemetry),
 }
 
-/// What a frame says; `None` if it is broken.
+/// The message in a frame; `None` if it is broken.
 fn received(content: &[u8]) -> Option<Received> {
     Some(match ToHost::read(content).ok()? {
         ToHost::Answer(answer) => {
