@@ -3,8 +3,9 @@
 use firmware::ParameterBlock;
 use model::Robot;
 
-use super::robot::{Settings, SimulatedRobot};
+use super::robot::SimulatedRobot;
 use super::sensor::counts;
+use super::settings::Settings;
 use crate::board::{Board, BoardError};
 use files::{JointLog, Log, Position};
 use signal::Unwrapper;

@@ -6,27 +6,9 @@ use model::{FrictionState, Posture, Robot};
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
 
-use rig::effects::Transmission;
-use rig::effects::{Effect, JointState};
-
-/// How the robot is simulated.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
-    /// Time between commands [s].
-    pub sample_period_s: f64,
-    /// Integration steps per command.
-    pub substeps: u32,
-    /// Amplifier noise, one sample per command [V rms].
-    pub noise_v: f64,
-    /// Same seed, same noise.
-    pub seed: u64,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self { sample_period_s: 1e-3, substeps: 10, noise_v: 4e-3, seed: 1 }
-    }
-}
+use super::leapfrog::Motion;
+use super::settings::Settings;
+use rig::effects::{Effect, JointState, Transmission};
 
 /// A robot in motion.
 ///
@@ -52,37 +34,6 @@ pub struct SimulatedRobot {
     /// The side of the encoders and of friction; the links' where the joint is stiff.
     motor: Motion,
     friction: [FrictionState<f64>; 3],
-}
-
-/// Positions, velocities and accelerations of three joints.
-#[derive(Clone, Copy, Debug)]
-struct Motion {
-    q_rad: Vector3<f64>,
-    qd_rad_per_s: Vector3<f64>,
-    qdd_rad_per_s2: Vector3<f64>,
-}
-
-impl Motion {
-    fn at_rest(q_rad: Vector3<f64>) -> Self {
-        Self { q_rad, qd_rad_per_s: [0.0; 3], qdd_rad_per_s2: [0.0; 3] }
-    }
-
-    /// Moves the positions on by half a step, returns the velocities expected there.
-    fn drift_to_midpoint(&mut self, half_s: f64) -> Vector3<f64> {
-        for i in 0..3 {
-            self.q_rad[i] += half_s * self.qd_rad_per_s[i];
-        }
-        [0, 1, 2].map(|i| self.qd_rad_per_s[i] + half_s * self.qdd_rad_per_s2[i])
-    }
-
-    /// Takes the accelerations of the middle and moves on to the end of the step.
-    fn kick_and_drift(&mut self, qdd_rad_per_s2: Vector3<f64>, half_s: f64) {
-        for i in 0..3 {
-            self.qd_rad_per_s[i] += 2.0 * half_s * qdd_rad_per_s2[i];
-            self.q_rad[i] += half_s * self.qd_rad_per_s[i];
-        }
-        self.qdd_rad_per_s2 = qdd_rad_per_s2;
-    }
 }
 
 impl SimulatedRobot {
@@ -282,40 +233,4 @@ impl SimulatedRobot {
 }
 
 #[cfg(test)]
-mod tests {
-    use model::reference_robot::reference_robot;
-
-    use super::*;
-
-    /// Angles after a second of open-loop voltage that slides and reverses all joints.
-    fn after_a_second(substeps: u32) -> Vector3<f64> {
-        let settings = Settings { substeps, noise_v: 0.0, ..Settings::default() };
-        let start = [0.0, -std::f64::consts::FRAC_PI_2, 0.0];
-        let mut robot = SimulatedRobot::at_rest(reference_robot(), start, &settings);
-        for tick in 0..1000 {
-            let phase = 0.012 * f64::from(tick);
-            robot.advance(&[1.5 * phase.sin(), 2.0 * phase.cos(), 1.2 * (1.7 * phase).sin()]);
-        }
-        *robot.q_rad()
-    }
-
-    #[test]
-    fn ten_substeps_are_converged_to_a_fifth_of_a_count() {
-        let (coarse, fine) = (after_a_second(10), after_a_second(320));
-        let error = (0..3).map(|i| (coarse[i] - fine[i]).abs()).fold(0.0, f64::max);
-        assert!(error < 1.9e-6, "{error:e} rad");
-        assert!(fine.iter().all(|q| q.abs() > 1e-3), "{fine:?} moved");
-    }
-
-    #[test]
-    fn friction_holds_the_arm_below_its_static_level() {
-        let settings = Settings { noise_v: 0.0, ..Settings::default() };
-        let start = [0.3, -std::f64::consts::FRAC_PI_2 + 0.03, 0.0];
-        let mut robot = SimulatedRobot::at_rest(reference_robot(), start, &settings);
-        for _ in 0..5000 {
-            robot.advance(&[0.2, 0.0, 0.1]);
-        }
-        let moved = (0..3).map(|i| (robot.q_rad()[i] - start[i]).abs()).fold(0.0, f64::max);
-        assert!(moved < 3e-3, "{moved} rad is bristle deflection, not sliding");
-    }
-}
+mod tests;

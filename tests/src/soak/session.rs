@@ -2,17 +2,20 @@
 
 mod conversation;
 mod faults;
+mod reply;
 mod tick;
+mod tracking;
 
 use std::collections::VecDeque;
 
 use firmware::frame::FrameReader;
-use firmware::link::{Command, Kept, Refusal, Reply, Report, Station, Telemetry};
+use firmware::link::{Command, Kept, Refusal, Station, Telemetry};
 use firmware::store::{Layout, RamFlash, Store};
 use firmware::supervisor::{Fault, Health, State};
 use firmware::{Mode, ParameterBlock};
 use rig::Rig;
 
+use self::reply::OwnedReply;
 use super::arm::Arm;
 use super::counters::SoakCounters;
 use super::draw;
@@ -36,24 +39,6 @@ const HEARTBEAT_TICKS: u64 = 100;
 const HISTORY_RECORDS: usize = 1024;
 /// Ticks of a run until all motions have swollen.
 const SETTLED_TICKS: u64 = 3000;
-
-/// An answer without what it borrows.
-#[derive(Clone, Debug)]
-enum OwnedReply {
-    Done,
-    Report(Report),
-    Piece(Vec<u8>),
-}
-
-impl OwnedReply {
-    fn of(reply: Reply<'_>) -> Self {
-        match reply {
-            Reply::Report(report) => Self::Report(report),
-            Reply::Piece { bytes, .. } => Self::Piece(bytes.to_vec()),
-            Reply::Done | Reply::InUse(_) | Reply::Challenge { .. } => Self::Done,
-        }
-    }
-}
 
 /// Everything of a soak.
 #[derive(Debug)]
@@ -196,34 +181,6 @@ impl Soak {
         self.assert_no_drift(first, last, quarter);
         let report = self.report();
         assert_eq!((report.state, report.fault), (State::Running, None));
-    }
-
-    /// Adds the squares of tracking errors in the mode that knows the model.
-    fn add_squares(&mut self, block: &ParameterBlock, sums: &mut [f64; 3]) {
-        let Some(record) = self.true_records.back() else { return };
-        let seen = self.arm_at(record);
-        for joint in (0..3).filter(|joint| block.mode[*joint] == Mode::PdModel) {
-            let error_rad = f64::from(record.reference[joint].minus(seen[joint]));
-            sums[joint] += error_rad * error_rad;
-            self.counters.worst_error_rad = self.counters.worst_error_rad.max(error_rad.abs());
-        }
-    }
-
-    fn arm_at(&self, record: &Telemetry) -> [firmware::Angle; 3] {
-        record.counts.map(|count| {
-            let within = count.rem_euclid(super::arm::COUNTS_PER_TURN as i32) as f64;
-            let units = within / f64::from(super::arm::COUNTS_PER_TURN) * 2f64.powi(32);
-            firmware::Angle(units as u32 as i32)
-        })
-    }
-
-    fn assert_no_drift(&mut self, first: [f64; 3], last: [f64; 3], ticks: u64) {
-        for joint in 0..3 {
-            let [before, after] = [first, last].map(|sums| (sums[joint] / ticks as f64).sqrt());
-            let drift = (after - before).abs();
-            self.counters.worst_drift_rad = self.counters.worst_drift_rad.max(drift);
-            assert!(after <= 1.3 * before + 5e-4, "joint {}: {before} to {after} rad", joint + 1);
-        }
     }
 
     /// Power off and on; the arm stays where it is.

@@ -3,7 +3,8 @@
 use firmware::ParameterBlock;
 use firmware::link::{Command, Refusal, Report, Request, Source, ToBoard};
 
-use super::{OwnedReply, RETRY_TICKS, Soak};
+use super::reply::OwnedReply;
+use super::{RETRY_TICKS, Soak};
 use crate::operator::{frame, upload};
 
 impl Soak {

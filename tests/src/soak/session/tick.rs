@@ -3,7 +3,8 @@
 use firmware::link::{Refusal, Telemetry, ToHost};
 use firmware::supervisor::{Health, State};
 
-use super::{BYTES_PER_TICK, HISTORY_RECORDS, OwnedReply, Soak};
+use super::reply::OwnedReply;
+use super::{BYTES_PER_TICK, HISTORY_RECORDS, Soak};
 
 impl Soak {
     /// One millisecond of everything.
