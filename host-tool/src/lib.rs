@@ -1,5 +1,8 @@
-//! The command `rrr`; what it stands on has a crate for each floor beside it.
+//! The command `rrr`; the crates beside it hold what its subcommands call.
 #![forbid(unsafe_code)]
 
 pub mod commands;
-pub mod progress;
+pub mod failure;
+pub mod options;
+pub mod output_files;
+pub mod terminal;

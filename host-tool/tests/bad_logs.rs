@@ -24,7 +24,7 @@ fn assert_says(text: impl AsRef<[u8]>, parts: &[&str]) {
     for part in [&["bad.csv"], parts].concat() {
         assert!(message.contains(part), "no `{part}` in: {message}");
     }
-    assert!(!error.cure().is_empty());
+    assert!(!error.hint().is_empty());
 }
 
 /// The same with the usual header before the lines.

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use assert_cmd::Command;
 use blind_trial::{
-    Case, DrawSettings, Kind, Results, RunSettings, Seal, diagnose_case, draw, logs,
+    Case, DrawSettings, Kind, Results, RunSettings, SealedTruth, diagnose_case, draw, logs, output,
 };
 use diagnosis::{Cause, Gap, Report, Verdict};
 use files::RobotFile;
@@ -83,12 +83,12 @@ fn the_logs_are_those_of_the_gap_and_say_nothing_of_the_truth() {
 fn the_seal_is_told_before_and_fits_after() {
     let directory = tempfile::tempdir().unwrap();
     let cases = drawn(&settings(1, Some(Kind::None), &[]));
-    let seal = Seal::new(&cases);
+    let seal = SealedTruth::new(&cases);
     assert_eq!(seal.hash().len(), 64);
-    assert!(seal.hash() != Seal::new(&cases).hash(), "another random number, another hash");
+    assert!(seal.hash() != SealedTruth::new(&cases).hash(), "another random number, another hash");
     seal.write_hash(directory.path()).unwrap();
     assert!(!directory.path().join("truth.json").exists());
-    seal.open(directory.path()).unwrap();
+    seal.reveal(directory.path()).unwrap();
     let told = std::fs::read_to_string(directory.path().join("seal.txt")).unwrap();
     assert!(told.starts_with(seal.hash()));
     assert!(directory.path().join("truth.json").exists());
@@ -133,7 +133,7 @@ fn answers_are_scored_and_written() {
     let panics = diagnose_case(case, &run, &|_| panic!("as a diagnosis must not")).unwrap();
     let results = Results::new(5, 1, "0", vec![outcome, panics]);
     assert_eq!((results.score.singles.right.of, results.score.failed.count), (2, 1));
-    results.write(&out).unwrap();
+    output::write(&results, &out).unwrap();
     let page = std::fs::read_to_string(out.join("blind-trial.md")).unwrap();
     assert!(page.contains("| dac_offset") && page.contains("cogging of joint 3 (0.90)"), "{page}");
     let json = std::fs::read_to_string(out.join("blind-trial.json")).unwrap();

@@ -21,7 +21,7 @@ use serialport::TTYPort;
 use simulation::simulated_board::{BoardSettings, SimulatedBoard};
 
 mod common;
-use common::at_board::{assert_tells, board, client, refused, rrr, said};
+use common::simulated_board::{assert_tells, board, client, refused, rrr, said};
 use common::{directory, with_model};
 
 /// Whether the board sends telemetry to whoever listens.
@@ -29,7 +29,7 @@ fn is_streaming(board: &SimulatedBoard) -> bool {
     let mut client = client(board);
     let begin = Instant::now();
     while begin.elapsed() < Duration::from_millis(200) {
-        client.listen().unwrap();
+        client.receive().unwrap();
     }
     !client.take_records().is_empty()
 }
@@ -148,7 +148,7 @@ fn tick(table: &str) -> u32 {
 #[test]
 fn a_board_that_streams_is_seen_to_stream() {
     let board = board();
-    client(&board).order(Command::Stream { on: true }).unwrap();
+    client(&board).execute(Command::Stream { on: true }).unwrap();
     assert!(is_streaming(&board), "else the tests of this file show nothing");
 }
 

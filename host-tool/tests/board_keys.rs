@@ -17,7 +17,7 @@ use link::Client;
 use simulation::simulated_board::SimulatedBoard;
 
 mod common;
-use common::at_board::{assert_tells, board, client, refused, rrr, said, stdout};
+use common::simulated_board::{assert_tells, board, client, refused, rrr, said, stdout};
 use common::{directory, with_model};
 
 /// The names of a directory's files.
@@ -82,7 +82,7 @@ fn a_key_that_the_board_does_not_take_is_not_left_in_a_file() {
 /// Arms the board as soon as its estimates have settled.
 fn arm(client: &mut Client) {
     let begin = Instant::now();
-    while client.order(Command::Arm).is_err() {
+    while client.execute(Command::Arm).is_err() {
         assert!(begin.elapsed() < Duration::from_secs(10));
         std::thread::sleep(Duration::from_millis(20));
     }

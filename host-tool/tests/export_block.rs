@@ -163,7 +163,7 @@ fn a_sequence_number_that_bars_later_uploads_is_refused() {
     assert_eq!(next_slot(bank).unwrap(), (Slot::B, 2_147_483_648));
 }
 
-// The model has an effect that no board makes up for, which is said before the block is made.
+// The model has an effect that no board compensates for, which is said before the block is made.
 #[cfg(target_os = "linux")]
 #[test]
 fn full_outputs_end_in_status_2_and_not_in_a_panic() {

@@ -166,7 +166,7 @@ fn files_that_are_no_firmware_are_refused_before_a_probe_is_looked_for() {
 #[cfg(feature = "probe")]
 #[test]
 fn without_a_probe_it_says_so_and_what_to_do() {
-    let failure = host_tool::commands::Failure::from(FlashError::NoProbe);
+    let failure = host_tool::failure::Failure::from(FlashError::NoProbe);
     assert_eq!(failure.message, "no debug probe is connected");
     assert!(failure.hint.contains("rrr export-block"), "{}", failure.hint);
     // With a probe, the command would write to whatever hangs there.

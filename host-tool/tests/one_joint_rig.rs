@@ -3,12 +3,12 @@
 #![allow(missing_docs)]
 
 #[allow(dead_code)]
-#[path = "common/at_board.rs"]
-mod at_board;
+#[path = "common/simulated_board.rs"]
+mod simulated_board;
 
-use at_board::{assert_tells, refused, rrr, said};
 use files::{Dataset, Log, Position, RobotFile};
 use model::reference_robot::reference_robot;
+use simulated_board::{assert_tells, refused, rrr, said};
 use simulation::simulated_board::{BoardSettings, SimulatedBoard};
 
 #[test]
@@ -26,7 +26,7 @@ fn joint_3_alone_is_homed_run_and_recorded() {
     std::thread::sleep(std::time::Duration::from_millis(1100));
     let text = said(at, &board, "home --at 0,-1.5708,0");
     assert_tells(&text, &["joint 1 has an encoder that has not", "joint 3 is at 0 rad"]);
-    assert_tells(&said(at, &board, "connect"), &["not known of joint 1, 2: "]);
+    assert_tells(&said(at, &board, "connect"), &["unknown for joint 1, 2: "]);
 
     said(at, &board, "upload model.toml --mode pd");
     let why = refused(rrr(at, &board.port(), "run hold --out all").assert());
@@ -36,7 +36,7 @@ fn joint_3_alone_is_homed_run_and_recorded() {
     let text = said(at, &board, "run hold --duration 1 --out one");
     assert_tells(&text, &["played to its end"]);
     let why = refused(rrr(at, &board.port(), "run presliding-noise --joint 1 --out one").assert());
-    assert_tells(&why, &["joint 1 is moved by presliding-noise-1, but not there"]);
+    assert_tells(&why, &["presliding-noise-1 moves joint 1, which the rig does not have"]);
     let entry = Dataset::read(at.join("one")).unwrap().entries.remove(0);
     let log = Log::read(at.join("one").join(entry.file)).unwrap();
     assert_eq!(log.joints.iter().map(|joint| joint.joint).collect::<Vec<_>>(), [3]);

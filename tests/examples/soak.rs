@@ -15,10 +15,10 @@ fn main() {
     };
     println!("{settings:?}");
     let begin = Instant::now();
-    let tally = soak(&settings, |done| {
+    let counters = soak(&settings, |done| {
         if done % 10 == 0 {
             eprintln!("{done} of {} sessions", settings.sessions);
         }
     });
-    println!("{tally}in {:.0} s", begin.elapsed().as_secs_f64());
+    println!("{counters}in {:.0} s", begin.elapsed().as_secs_f64());
 }

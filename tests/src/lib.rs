@@ -83,7 +83,7 @@ pub fn simulated(effects: &[EffectTable]) -> Vec<Box<dyn Effect>> {
     effects.iter().map(|table| rig::effects::effect_of(table).expect("its values fit")).collect()
 }
 
-/// The rig with the reference robot, making up for effects.
+/// The rig with the reference robot, compensating for effects.
 ///
 /// # Panics
 /// One of them cannot be compensated.

@@ -125,7 +125,7 @@ impl Line {
     }
 
     /// Says Hello; `tick` keeps the board going until it answers.
-    pub fn greet(&mut self, tick: impl FnMut()) {
+    pub fn handshake(&mut self, tick: impl FnMut()) {
         self.number = 0;
         let hello = frame(&ToBoard::Hello { protocol_version: 1 });
         self.send(&hello);
@@ -133,7 +133,7 @@ impl Line {
     }
 
     /// Asks and has the answer; `tick` keeps the board going until it comes.
-    pub fn ask(&mut self, command: Command<'_>, tick: impl FnMut()) -> Result<(), Refusal> {
+    pub fn request(&mut self, command: Command<'_>, tick: impl FnMut()) -> Result<(), Refusal> {
         self.number += 1;
         let bytes = request(self.number, command);
         self.send(&bytes);

@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use blind_trial::Rng;
-use blind_trial::robots::given_model;
+use blind_trial::robots::nominal_model;
 use diagnosis::fit::fit::fit_held;
 use diagnosis::fit::preparation::prepared;
 use diagnosis::logs::stretch::Stretch;
@@ -29,13 +29,13 @@ use tests::{image, qemu, simulated, tables};
 /// A robot with effects; what is written of it is a model that is 2 % off and knows none.
 struct Case {
     effects: Vec<EffectTable>,
-    given: Robot<f64>,
+    nominal: Robot<f64>,
 }
 
 impl Case {
     fn new(effects: &[&str]) -> Self {
-        let given = given_model(&reference_robot(), &mut Rng::new(1, 2));
-        Self { effects: tables(effects), given }
+        let nominal = nominal_model(&reference_robot(), &mut Rng::new(1, 2));
+        Self { effects: tables(effects), nominal }
     }
 
     /// What a board of this rig makes the robot do.
@@ -44,9 +44,9 @@ impl Case {
         recorded(board, rig, plan, reference_robot(), &self.effects, &settings)
     }
 
-    /// The recipe `gap`, with the model given.
+    /// The recipe `gap`, with the nominal model.
     fn campaign(&self) -> Campaign {
-        let rig = Rig::new(self.given);
+        let rig = Rig::new(self.nominal);
         let plans = Recipe::by_name("gap").unwrap().plans(&rig, 1);
         let counts = f64::from(rig.encoder_counts_per_turn);
         let trace = |(plan, seed): (&Plan, u64)| {
@@ -54,7 +54,7 @@ impl Case {
             Trace::of_log(log, plan.entry("csv"), counts)
         };
         let traces = plans.iter().zip(1..).map(trace).collect();
-        let file = RobotFile::from_robot(&self.given);
+        let file = RobotFile::from_robot(&self.nominal);
         Campaign::new(file, Some(counts), traces).unwrap()
     }
 
@@ -69,7 +69,7 @@ impl Case {
     /// How far a simulated robot of this model moves from where the robot does, both behind
     /// the same controller without a model, on the motion held out, rms [mrad].
     fn motion_gap_mrad(&self, model: Robot<f64>, effects: &[EffectTable]) -> [f64; 3] {
-        let rig = Rig::new(self.given);
+        let rig = Rig::new(self.nominal);
         let quiet = Settings { noise_v: 0.0, ..Settings::default() };
         let moved = |robot, effects: &[EffectTable]| {
             let plan = excitation(2, 10.0);
@@ -117,7 +117,7 @@ fn amended(diagnosis: &Diagnosis, name: &str) -> RobotFile {
     RobotFile::read(directory.join(MODEL)).unwrap()
 }
 
-/// Errors with the model as given, retuned, and amended; of the motion, likewise.
+/// Errors with the nominal model, retuned, and amended; of the motion, likewise.
 struct Found {
     diagnosis: Diagnosis,
     tracking_mrad: [[f64; 3]; 3],
@@ -132,15 +132,15 @@ fn found(case: &Case, board: &mut dyn Board, name: &str) -> Found {
     assert_eq!(left_out, []);
     let refitted = refitted(&campaign);
     let knowing = Rig::of_file(&file).unwrap().with_compensations(compensations);
-    let tracking_mrad = [Rig::new(case.given), Rig::new(refitted), knowing]
+    let tracking_mrad = [Rig::new(case.nominal), Rig::new(refitted), knowing]
         .map(|rig| case.errors_mrad(board, &rig));
     let motion_mrad = [
-        case.motion_gap_mrad(case.given, &[]),
+        case.motion_gap_mrad(case.nominal, &[]),
         case.motion_gap_mrad(refitted, &[]),
         case.motion_gap_mrad(file.robot().unwrap(), &file.effects),
     ];
     println!(
-        "{name}\njoint  tracking: given refitted amended; motion: given refitted amended [mrad]"
+        "{name}\njoint  tracking: nominal refitted amended; motion: nominal refitted amended [mrad]"
     );
     for joint in 0..3 {
         let [a, b, c] = tracking_mrad.map(|errors| errors[joint]);
@@ -165,16 +165,16 @@ impl Found {
         assert_eq!(named, causes);
     }
 
-    /// Asserts that a joint's errors shrink so many times, against the model as given and
+    /// Asserts that a joint's errors shrink so many times, against the nominal model and
     /// against the model retuned without effects, and that little is left of its tracking.
     fn shrinks(&self, joint: usize, times: f64) {
         let gap = &self.diagnosis.report.gap;
         let drift = [gap.refitted_rad[joint - 1], gap.with_effects_rad[joint - 1]];
         assert!(drift[1] < drift[0] / times, "joint {joint}: drift {drift:?} rad");
         for errors in [self.tracking_mrad, self.motion_mrad] {
-            let [given, retuned, amended] = errors.map(|errors| errors[joint - 1]);
-            let most = given.min(retuned) / times;
-            assert!(amended < most, "joint {joint}: {given} {retuned} {amended} mrad");
+            let [nominal, retuned, amended] = errors.map(|errors| errors[joint - 1]);
+            let most = nominal.min(retuned) / times;
+            assert!(amended < most, "joint {joint}: {nominal} {retuned} {amended} mrad");
         }
         // That of an exact model, a count or two.
         assert!(self.tracking_mrad[2][joint - 1] < 0.03, "{:?}", self.tracking_mrad);

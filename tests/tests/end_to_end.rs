@@ -23,12 +23,12 @@ use tests::image;
 const COUNTS_PER_TURN: u32 = 655_360;
 
 /// The board in QEMU at the simulated robot, in real time, until its power is cut.
-struct Powered {
+struct EmulatedBoard {
     off: Arc<AtomicBool>,
     thread: JoinHandle<[f64; 3]>,
 }
 
-impl Powered {
+impl EmulatedBoard {
     /// The robot hangs at rest here [rad]; `flash.bin` and the line's socket are in `directory`.
     fn on(image: &Path, directory: &Path, position_rad: [f64; 3]) -> Self {
         let socket = directory.join("line");
@@ -104,13 +104,13 @@ fn an_identified_model_survives_the_reboot_and_its_run_is_validated() {
     record_campaign(at);
     rrr(at, "identify DIR/campaign --robot DIR/robot.toml --out DIR/model.toml");
 
-    let board = Powered::on(&image, at, HANGING_RAD);
+    let board = EmulatedBoard::on(&image, at, HANGING_RAD);
     rrr(at, "connect --port unix:DIR/line");
     rrr(at, "upload DIR/model.toml --port unix:DIR/line");
     rrr(at, "download --out DIR/before.bin --port unix:DIR/line");
     let position_rad = board.cut();
 
-    let board = Powered::on(&image, at, position_rad);
+    let board = EmulatedBoard::on(&image, at, position_rad);
     rrr(at, "download --out DIR/after.bin --port unix:DIR/line");
     let [before, after] =
         ["before.bin", "after.bin"].map(|name| std::fs::read(at.join(name)).unwrap());

@@ -72,14 +72,14 @@ fn ticks_with(load: Load, image: &Path) -> (Counted, Line) {
 
     let mut buffer = [0; MAX_BYTES];
     let encoded = block.encode(&mut buffer).unwrap();
-    line.greet(|| counted.tick());
+    line.handshake(|| counted.tick());
     for command in upload(encoded).into_iter().chain([Command::Use]) {
-        line.ask(command, || counted.tick()).unwrap();
+        line.request(command, || counted.tick()).unwrap();
     }
-    line.ask(Command::Stream { on: load != Load::Idle }, || counted.tick()).unwrap();
+    line.request(Command::Stream { on: load != Load::Idle }, || counted.tick()).unwrap();
     (0..300).for_each(|_| counted.tick());
-    line.ask(Command::Arm, || counted.tick()).unwrap();
-    line.ask(Command::Run { host_timeout_ms: None }, || counted.tick()).unwrap();
+    line.request(Command::Arm, || counted.tick()).unwrap();
+    line.request(Command::Run { host_timeout_ms: None }, || counted.tick()).unwrap();
 
     let mut number = 1000;
     while counted.run.len() < TICKS {
@@ -109,8 +109,8 @@ fn the_tick_costs_the_same_whatever_the_line_carries() {
             counted.tick();
             line.exchange();
         }
-        line.greet(|| counted.tick());
-        line.ask(Command::Query, || counted.tick()).unwrap();
+        line.handshake(|| counted.tick());
+        line.request(Command::Query, || counted.tick()).unwrap();
         let report = line.report.unwrap();
         let counters = report.counters;
         assert_eq!((report.state, report.fault), (State::Running, None), "{load:?}");

@@ -50,7 +50,7 @@ fn the_model_cuts_the_error_to_a_fifth_in_qemu() {
 }
 
 /// Effects that the model does not hold cost ten times and more what remains once the board
-/// makes up for them, and then the arm tracks as if it had none.
+/// compensates for them, and then the arm tracks as if it had none.
 #[test]
 fn hidden_effects_are_made_up_for_in_qemu() {
     let Some(image) = image() else { return };

@@ -1,7 +1,7 @@
 //! What is fuzzed: a function of bytes each, which must neither panic nor hang.
 //!
 //! cargo-fuzz calls them with bytes that cover more and more of the code (`fuzz/`); the plain
-//! runner of this crate damages good inputs by rng, on any compiler.
+//! runner of this crate damages good inputs at random, on any compiler.
 #![forbid(unsafe_code)]
 
 pub mod mutate;

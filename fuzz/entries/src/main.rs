@@ -15,7 +15,7 @@ use fuzz_entries::rng::Rng;
 use fuzz_entries::{TARGETS, Target};
 
 /// What is asked for on the command line.
-struct Wish {
+struct Options {
     name: String,
     runs: u64,
     seed: u64,
@@ -28,13 +28,13 @@ fn main() -> ExitCode {
     {
         return write_seeds(Path::new(directory));
     }
-    let Some(wish) = parse(&arguments) else {
+    let Some(options) = parse(&arguments) else {
         let names = TARGETS.map(|target| target.name).join(", ");
         eprintln!("fuzz-entries TARGET|all [--runs N] [--seed N], or seeds DIR; targets: {names}");
         return ExitCode::from(2);
     };
-    let wanted = |target: &&Target| wish.name == "all" || wish.name == target.name;
-    let fine = TARGETS.iter().filter(wanted).all(|target| fuzz(target, wish.runs, wish.seed));
+    let wanted = |target: &&Target| options.name == "all" || options.name == target.name;
+    let fine = TARGETS.iter().filter(wanted).all(|target| fuzz(target, options.runs, options.seed));
     if fine { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
@@ -53,21 +53,21 @@ fn write_seeds(directory: &Path) -> ExitCode {
     ExitCode::SUCCESS
 }
 
-fn parse(arguments: &[String]) -> Option<Wish> {
-    let (name, options) = arguments.split_first()?;
+fn parse(arguments: &[String]) -> Option<Options> {
+    let (name, rest) = arguments.split_first()?;
     if name != "all" && TARGETS.iter().all(|target| target.name != name) {
         return None;
     }
-    let mut wish = Wish { name: name.clone(), runs: 100_000, seed: 1 };
-    for option in options.chunks(2) {
+    let mut options = Options { name: name.clone(), runs: 100_000, seed: 1 };
+    for option in rest.chunks(2) {
         let number = option.get(1)?.replace('_', "").parse().ok()?;
         match option[0].as_str() {
-            "--runs" => wish.runs = number,
-            "--seed" => wish.seed = number,
+            "--runs" => options.runs = number,
+            "--seed" => options.seed = number,
             _ => return None,
         }
     }
-    Some(wish)
+    Some(options)
 }
 
 /// Whether the target took all inputs.

@@ -1,11 +1,11 @@
-//! Repeatable rng.
+//! Random numbers that repeat.
 
 /// A xorshift generator.
 #[derive(Clone, Debug)]
 pub struct Rng(u64);
 
 impl Rng {
-    /// Rng that fall alike for equal seeds.
+    /// Same seed, same numbers.
     pub fn new(seed: u64) -> Self {
         Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
     }

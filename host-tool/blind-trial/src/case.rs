@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::cause::TrueCause;
 use super::error::TrialError;
 use super::plans::Motions;
+use super::visibility::Visibility;
 use files::Log;
 use rig::effects::Effect;
 use rig::{Plan, Rig};
@@ -52,12 +53,12 @@ pub struct Case {
     pub kind: Kind,
     /// The true robot.
     pub robot: Robot<f64>,
-    /// The model that the board and the diagnosis are given.
-    pub given: Robot<f64>,
+    /// The model that the board works with and that the diagnosis gets.
+    pub nominal: Robot<f64>,
     /// What the true robot does beyond its model.
     pub causes: Vec<TrueCause>,
     /// How much the causes show.
-    pub visibility: Option<super::detectability::Visibility>,
+    pub visibility: Option<Visibility>,
     /// What is played.
     pub motions: Motions,
     /// All durations of the recipe times this.
@@ -83,9 +84,9 @@ impl Case {
         Self { causes, visibility: None, ..self.clone() }
     }
 
-    /// The rig, whose board works with the model given.
+    /// The rig, whose board works with the nominal model.
     pub fn rig(&self) -> Rig {
-        Rig::new(self.given)
+        Rig::new(self.nominal)
     }
 
     /// What is recorded.

@@ -7,11 +7,11 @@
 use model::Robot;
 use model::base::COUNT;
 use nalgebra::{DMatrix, DVector};
-use serde::Serialize;
 
 use super::case::{Case, Recorded};
 use super::error::TrialError;
 use super::plans::{is_excitation, is_train};
+use super::visibility::Visibility;
 use files::{JointLog, RobotFile};
 use identification::base_parameters::rows::{RowSettings, Rows};
 use identification::motion::Instant;
@@ -25,29 +25,10 @@ const ROWS: RowSettings = RowSettings {
     row_period_s: 0.006,
     instant: Instant::Middle,
 };
-/// Errors of the given model, in parts of its parameters.
+/// Relative standard deviation of the nominal model's parameters.
 const MODEL_ERROR: f64 = 0.02;
 /// Parameters that the refit may change: base, level and viscous part of each friction.
 const REFITTED: usize = COUNT + 6;
-
-/// How much the causes of a case show, in noise floors unless it says otherwise.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Visibility {
-    /// What they add to the true model's residual, on the joint and log where most.
-    pub raw: f64,
-    /// What is left of that after a refit held by the model given.
-    pub left: f64,
-    /// How far that refit moved the parameters, in standard deviations of their errors.
-    pub moved: f64,
-}
-
-impl Visibility {
-    /// Whether a diagnosis has a chance: five floors of the true model, and of these two
-    /// and a half after the refit, or parameters where no error of 2 % brings them.
-    pub fn is_detectable(&self) -> bool {
-        self.raw >= 5.0 && (self.left >= 2.5 || self.moved >= 12.0)
-    }
-}
 
 /// The residuals of a recording by the true model, and how they change with parameters.
 pub struct Residuals {
@@ -79,8 +60,8 @@ impl Residuals {
         Ok(Self { groups })
     }
 
-    /// How much more they are than those without causes.
-    pub fn beyond(&self, without: &Self) -> Visibility {
+    /// How much larger they are than those without causes.
+    pub fn compared_with(&self, without: &Self) -> Visibility {
         let floors: Vec<f64> = without.groups.iter().map(|group| rms(&group.residual_v)).collect();
         let excess = |left: &dyn Fn(&Group) -> f64| {
             let ratios = self.groups.iter().zip(&floors).map(|(group, floor)| left(group) / floor);

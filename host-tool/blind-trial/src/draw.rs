@@ -5,12 +5,13 @@ use rayon::prelude::*;
 use super::Rng;
 use super::case::{Case, Kind};
 use super::cause::TrueCause;
-use super::detectability::{Residuals, Visibility, is_stable, peak_command_v};
+use super::detectability::{Residuals, is_stable, peak_command_v};
 use super::error::TrialError;
 use super::plans::Motions;
-use super::pool::{Choice, Pool};
-use super::robots::{Workshop, given_model};
+use super::population::{DrawnEffect, Population};
+use super::robots::{RobotGenerator, nominal_model};
 use super::sizes::Site;
+use super::visibility::Visibility;
 
 /// What is drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +40,7 @@ const MOTION_TRIES: u32 = 20;
 const CAUSE_TRIES: u32 = 12;
 const SIZE_TRIES: u32 = 16;
 
-/// Draws all cases, on as many threads as there are cores; `progress` hears of each.
+/// Draws all cases, on as many threads as there are cores; `progress` is called after each.
 ///
 /// # Errors
 /// An unknown name among `only`, or a case for which nothing fit was drawn.
@@ -47,11 +48,11 @@ pub fn draw(
     settings: &DrawSettings,
     progress: &(dyn Fn() + Sync),
 ) -> Result<Vec<Case>, TrialError> {
-    let pool = Pool::of(settings)?;
-    let workshop = Workshop::new();
+    let population = Population::of(settings.kind, &settings.only)?;
+    let robots = RobotGenerator::new();
     let numbers: Vec<u32> = (settings.first..settings.first + settings.cases).collect();
     let draw_one = |number: u32| {
-        let case = Draw::of(settings, &pool, &workshop, number)?.case();
+        let case = Draw::of(settings, &population, &robots, number)?.case();
         progress();
         case
     };
@@ -60,7 +61,7 @@ pub fn draw(
 
 /// A case in the making.
 struct Draw<'a> {
-    pool: &'a Pool,
+    population: &'a Population,
     rng: Rng,
     /// The case without its causes.
     bare: Case,
@@ -71,19 +72,19 @@ struct Draw<'a> {
 impl<'a> Draw<'a> {
     fn of(
         settings: &DrawSettings,
-        pool: &'a Pool,
-        workshop: &Workshop,
+        population: &'a Population,
+        robots: &RobotGenerator,
         number: u32,
     ) -> Result<Self, TrialError> {
         let mut rng = Rng::new(settings.seed, number);
-        let kind = pool.kind(&mut rng);
+        let kind = population.draw_kind(&mut rng);
         for _ in 0..MOTION_TRIES {
-            let bare = bare_case(settings, workshop, number, kind, &mut rng);
+            let bare = bare_case(settings, robots, number, kind, &mut rng);
             let recorded = bare.record()?;
             if is_stable(&bare, &recorded) {
                 let without = Residuals::of(&bare, &recorded)?;
                 let peak_command_v = peak_command_v(&recorded);
-                return Ok(Self { pool, rng, bare, without, peak_command_v });
+                return Ok(Self { population, rng, bare, without, peak_command_v });
             }
         }
         Err(nothing(number, MOTION_TRIES, "robot and motions"))
@@ -96,7 +97,7 @@ impl<'a> Draw<'a> {
             _ => vec![self.cause(None)?],
         };
         let recorded = self.bare.with_causes(causes.clone()).record()?;
-        let visibility = Residuals::of(&self.bare, &recorded)?.beyond(&self.without);
+        let visibility = Residuals::of(&self.bare, &recorded)?.compared_with(&self.without);
         Ok(Case { causes, visibility: Some(visibility), ..self.bare })
     }
 
@@ -116,7 +117,7 @@ impl<'a> Draw<'a> {
     /// A detectable cause; another one than that given.
     fn cause(&mut self, other: Option<&TrueCause>) -> Result<TrueCause, TrialError> {
         for _ in 0..CAUSE_TRIES {
-            let (effect, joint) = self.pool.choice(self.bare.kind, other, &mut self.rng);
+            let (effect, joint) = self.population.draw_effect(self.bare.kind, other, &mut self.rng);
             for _ in 0..SIZE_TRIES {
                 let cause = self.sized(&effect, joint);
                 if self.visibility(&cause)?.is_some_and(|visibility| visibility.is_detectable()) {
@@ -127,14 +128,14 @@ impl<'a> Draw<'a> {
         Err(nothing(self.bare.number, CAUSE_TRIES * SIZE_TRIES, "effects"))
     }
 
-    fn sized(&mut self, choice: &Choice, joint: u8) -> TrueCause {
+    fn sized(&mut self, effect: &DrawnEffect, joint: u8) -> TrueCause {
         let site = Site { robot: &self.bare.robot, peak_command_v: self.peak_command_v };
-        match choice {
-            Choice::Catalogue(definition) => {
+        match effect {
+            DrawnEffect::Catalogue(definition) => {
                 let values = site.values(definition, joint, &mut self.rng);
                 TrueCause::of_catalogue(definition, joint, values)
             }
-            Choice::Foreign(definition) => {
+            DrawnEffect::Foreign(definition) => {
                 let values = (definition.draw)(usize::from(joint) - 1, &mut self.rng);
                 TrueCause::of_foreign(definition, joint, values)
             }
@@ -148,23 +149,23 @@ impl<'a> Draw<'a> {
         if !is_stable(&case, &recorded) {
             return Ok(None);
         }
-        Ok(Some(Residuals::of(&case, &recorded)?.beyond(&self.without)))
+        Ok(Some(Residuals::of(&case, &recorded)?.compared_with(&self.without)))
     }
 }
 
 fn bare_case(
     settings: &DrawSettings,
-    workshop: &Workshop,
+    robots: &RobotGenerator,
     number: u32,
     kind: Kind,
     rng: &mut Rng,
 ) -> Case {
-    let robot = workshop.true_robot(rng);
+    let robot = robots.true_robot(rng);
     let drawn_noise_v = rng.log_uniform(NOISE_V.0, NOISE_V.1);
     Case {
         number,
         kind,
-        given: given_model(&robot, rng),
+        nominal: nominal_model(&robot, rng),
         robot,
         causes: Vec::new(),
         visibility: None,
@@ -176,5 +177,5 @@ fn bare_case(
 }
 
 fn nothing(case: u32, tries: u32, what: &str) -> TrialError {
-    TrialError::NothingMatters { case, tries, what: what.into() }
+    TrialError::NothingDetectable { case, tries, what: what.into() }
 }

@@ -22,7 +22,7 @@ pub enum TrialError {
     Step(#[from] StepError),
     /// No draw of a case was fit for use.
     #[error("case {case}: {tries} draws of {what} gave nothing that is detectable and stable")]
-    NothingMatters {
+    NothingDetectable {
         /// The case.
         case: u32,
         /// How often was drawn.

@@ -5,10 +5,10 @@
 //! | [`draw`] | draws [`Case`]s: [`robots`], [`plans`], causes with [`sizes`] that [`detectability`] |
 //! | [`foreign`] | effects that the catalogue does not have |
 //! | [`logs`] | the directory of a case, all that the diagnosis sees |
-//! | [`seal`] | the truth, whose hash is told before and whose text after |
+//! | [`sealed_truth`] | the truth: its hash is printed before, its text written after |
 //! | [`outcome`] | writes a case's logs, has them diagnosed |
 //! | [`score`] | how well the answers fit |
-//! | [`results`], [`table`] | what is printed and written |
+//! | [`results`], [`markdown`], [`output`] | what is printed and written |
 
 #![forbid(unsafe_code)]
 
@@ -19,16 +19,18 @@ pub mod draw;
 pub mod error;
 pub mod foreign;
 pub mod logs;
+pub mod markdown;
 pub mod outcome;
+pub mod output;
 pub mod plans;
-mod pool;
+mod population;
 pub mod results;
 mod rng;
 pub mod robots;
 pub mod score;
-pub mod seal;
+pub mod sealed_truth;
 pub mod sizes;
-pub mod table;
+pub mod visibility;
 
 pub use case::{Case, Kind};
 pub use cause::TrueCause;
@@ -38,4 +40,4 @@ pub use outcome::{Answer, Outcome, RunSettings, diagnose_case};
 pub use results::Results;
 pub use rng::Rng;
 pub use score::Score;
-pub use seal::Seal;
+pub use sealed_truth::SealedTruth;

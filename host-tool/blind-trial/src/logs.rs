@@ -15,7 +15,7 @@ pub fn directory(out: &Path, number: u32) -> PathBuf {
     out.join(format!("case-{number:03}"))
 }
 
-/// Records a case and writes its logs, their list and the model given; nothing else.
+/// Records a case and writes its logs, their list and the nominal model; nothing else.
 ///
 /// # Errors
 /// The board refuses the model, or the directory cannot be written.
@@ -38,7 +38,7 @@ pub fn write(case: &Case, directory: &Path) -> Result<(), TrialError> {
 
 fn model_file(case: &Case) -> RobotFile {
     let rig = case.rig();
-    let mut file = RobotFile::from_robot(&case.given);
+    let mut file = RobotFile::from_robot(&case.nominal);
     file.robot.encoder_counts_per_rev = Some(f64::from(rig.encoder_counts_per_turn));
     file.robot.sample_period_s = Some(rig.sample_period_s);
     file.robot.command_limit_v = Some(rig.command_limit_v);

@@ -8,9 +8,9 @@ use serde::Serialize;
 
 use super::case::{Case, Kind};
 use super::cause::TrueCause;
-use super::detectability::Visibility;
 use super::error::TrialError;
 use super::logs;
+use super::visibility::Visibility;
 use diagnosis::{Cause, Report, Verdict};
 use recordings::Campaign;
 
@@ -149,7 +149,7 @@ impl Answer {
     }
 
     /// The first cause's name, or "none", "unknown" or "failed".
-    pub fn word(&self) -> &str {
+    pub fn label(&self) -> &str {
         match self.report().map(|report| report.verdict) {
             Some(Verdict::Effect) => self.named().first().map_or("unknown", |cause| &cause.effect),
             Some(Verdict::None) => "none",
@@ -171,11 +171,11 @@ impl Outcome {
         self.truth.iter().filter(is_found).count()
     }
 
-    /// Whether all is as a perfect diagnosis says it, nothing more and nothing less.
+    /// Whether the answer is exactly that of a perfect diagnosis.
     pub fn is_right(&self) -> bool {
         match self.kind {
-            Kind::None => self.answer.word() == "none",
-            Kind::Foreign => self.answer.word() == "unknown",
+            Kind::None => self.answer.label() == "none",
+            Kind::Foreign => self.answer.label() == "unknown",
             Kind::Single | Kind::Pair => {
                 self.found() == self.truth.len() && self.answer.named().len() == self.truth.len()
             }

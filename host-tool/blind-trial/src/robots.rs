@@ -1,4 +1,4 @@
-//! The true robot of a case, and the model that the diagnosis is given.
+//! The true robot of a case, and its nominal model, which the diagnosis gets.
 
 use model::links::{Link, base_parameters};
 use model::reference_robot::reference_robot;
@@ -10,20 +10,20 @@ use identification::physical::{Physical, nearest};
 
 /// How far a true robot's physical quantities are from the reference robot's.
 const ROBOT_SPREAD: f64 = 0.15;
-/// Standard deviation of a given parameter from the true one, in parts of it.
+/// Relative standard deviation of a nominal parameter from the true one.
 const MODEL_ERROR: f64 = 0.02;
 /// Errors of the model are cut here [standard deviations].
 const MODEL_ERROR_LIMIT: f64 = 2.5;
 /// Draws of a robot before it is taken as it is.
 const ATTEMPTS: u32 = 100;
 
-/// The reference robot's rigid links, from which others are made.
+/// Draws robots like the reference robot, from its rigid links.
 #[derive(Clone, Debug)]
-pub struct Workshop {
+pub struct RobotGenerator {
     links: Option<Physical>,
 }
 
-impl Workshop {
+impl RobotGenerator {
     /// Finds links that have the reference robot's base parameters.
     pub fn new() -> Self {
         let robot = reference_robot::<f64>();
@@ -58,7 +58,7 @@ impl Workshop {
     }
 }
 
-impl Default for Workshop {
+impl Default for RobotGenerator {
     fn default() -> Self {
         Self::new()
     }
@@ -99,7 +99,7 @@ fn scaled_friction(friction: &Friction<f64>, mut factor: impl FnMut() -> f64) ->
 }
 
 /// What identification made of a robot: each parameter 2 % off, normally distributed.
-pub fn given_model(truth: &Robot<f64>, rng: &mut Rng) -> Robot<f64> {
+pub fn nominal_model(truth: &Robot<f64>, rng: &mut Rng) -> Robot<f64> {
     let attempt = |rng: &mut Rng| {
         let mut factor = || 1.0 + MODEL_ERROR * rng.normal_within(MODEL_ERROR_LIMIT);
         let base = BaseParameters::from_array(truth.base.to_array().map(|p| p * factor()));
@@ -115,10 +115,10 @@ mod tests {
 
     #[test]
     fn true_robots_differ_from_the_reference_robot_and_from_one_another() {
-        let workshop = Workshop::new();
-        assert!(workshop.links.as_ref().is_some_and(|links| links.distance < 0.2));
+        let generator = RobotGenerator::new();
+        assert!(generator.links.as_ref().is_some_and(|links| links.distance < 0.2));
         let robots: Vec<_> =
-            (0..20).map(|case| workshop.true_robot(&mut Rng::new(1, case))).collect();
+            (0..20).map(|case| generator.true_robot(&mut Rng::new(1, case))).collect();
         let reference = reference_robot::<f64>();
         for robot in &robots {
             assert!(robot.checked().is_ok());
@@ -129,12 +129,12 @@ mod tests {
     }
 
     #[test]
-    fn given_models_are_a_few_per_cent_off() {
-        let truth = Workshop::new().true_robot(&mut Rng::new(1, 1));
-        let given = given_model(&truth, &mut Rng::new(1, 2));
-        for (given, truth) in given.base.to_array().into_iter().zip(truth.base.to_array()) {
-            assert!((given - truth).abs() <= 0.05 * truth.abs() + 1e-15, "{given} {truth}");
+    fn nominal_models_are_a_few_per_cent_off() {
+        let truth = RobotGenerator::new().true_robot(&mut Rng::new(1, 1));
+        let nominal = nominal_model(&truth, &mut Rng::new(1, 2));
+        for (nominal, truth) in nominal.base.to_array().into_iter().zip(truth.base.to_array()) {
+            assert!((nominal - truth).abs() <= 0.05 * truth.abs() + 1e-15, "{nominal} {truth}");
         }
-        assert!(given != truth);
+        assert!(nominal != truth);
     }
 }

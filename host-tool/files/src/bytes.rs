@@ -5,7 +5,7 @@ use std::path::Path;
 
 use flate2::read::MultiGzDecoder;
 
-use super::error::{Fault, FileError, Place, Problem};
+use super::error::{FileError, LocatedProblem, Place, Problem};
 
 /// Reads a file, and decompresses it where the name ends in `.gz`.
 pub(super) fn read(path: &Path) -> Result<Vec<u8>, FileError> {
@@ -30,7 +30,7 @@ pub(super) fn text(path: &Path, bytes: Vec<u8>) -> Result<String, FileError> {
 }
 
 /// Checks that all bytes are UTF-8; the fault names the line of the first that is not.
-pub(super) fn check_text(bytes: &[u8]) -> Result<&str, Fault> {
+pub(super) fn check_text(bytes: &[u8]) -> Result<&str, LocatedProblem> {
     std::str::from_utf8(bytes).map_err(|error| {
         let (before, rest) = bytes.split_at(error.valid_up_to());
         let byte = rest.first().copied().unwrap_or_default();

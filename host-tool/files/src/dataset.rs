@@ -101,7 +101,7 @@ impl Dataset {
     /// Reads the list of a data set's directory, but none of its logs.
     ///
     /// # Errors
-    /// Names the file and line, what is wrong, and the cure.
+    /// Names the file and line, what is wrong, and a remedy.
     pub fn read(directory: impl AsRef<Path>) -> Result<Self, FileError> {
         let directory = directory.as_ref();
         Self::of(directory, &TomlSource::read(&directory.join(LIST_NAME))?)

@@ -1,4 +1,4 @@
-//! What can be wrong with a file, where it is, and what cures it.
+//! What can be wrong with a file, where it is, and what to do about it.
 
 use std::path::{Path, PathBuf};
 
@@ -44,14 +44,14 @@ impl Place {
 
 /// A problem and its place, before the file's name is known.
 #[derive(Debug)]
-pub struct Fault {
+pub struct LocatedProblem {
     /// Where in the file.
     pub place: Place,
     /// What is wrong there.
     pub problem: Problem,
 }
 
-impl Fault {
+impl LocatedProblem {
     /// The same problem where lines mean nothing.
     pub fn without_line(self) -> Self {
         Self { place: Place { line: None, ..self.place }, ..self }
@@ -63,7 +63,7 @@ impl Fault {
     }
 }
 
-impl From<Problem> for Fault {
+impl From<Problem> for LocatedProblem {
     fn from(problem: Problem) -> Self {
         problem.at(Place::default())
     }
@@ -176,17 +176,17 @@ pub enum Problem {
 
 impl Problem {
     /// The problem at a place, before the file's name is known.
-    pub fn at(self, place: Place) -> Fault {
-        Fault { place, problem: self }
+    pub fn at(self, place: Place) -> LocatedProblem {
+        LocatedProblem { place, problem: self }
     }
 
     /// The problem of a whole file.
     pub fn in_file(self, path: &Path) -> FileError {
-        Fault::from(self).in_file(path)
+        LocatedProblem::from(self).in_file(path)
     }
 
     /// What the user can do about it.
-    pub fn cure(&self) -> &'static str {
+    pub fn hint(&self) -> &'static str {
         match self {
             Self::Missing => "check the path for a typing error",
             Self::Unreadable(_) => "check that it is a file and that you may read it",
@@ -221,8 +221,8 @@ impl Problem {
 
 impl FileError {
     /// What the user can do about it.
-    pub fn cure(&self) -> &'static str {
-        self.problem.cure()
+    pub fn hint(&self) -> &'static str {
+        self.problem.hint()
     }
 }
 

@@ -70,7 +70,7 @@ impl ExcitationFile {
     /// Reads a file.
     ///
     /// # Errors
-    /// Names the file and line, what is wrong, and the cure.
+    /// Names the file and line, what is wrong, and a remedy.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
         Self::of(&TomlSource::read(path.as_ref())?)
     }

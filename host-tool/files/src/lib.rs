@@ -1,7 +1,7 @@
 //! Logs, data sets and models as they lie on disk.
 //!
 //! Every error names the file, the line and the column where there is one, what is
-//! wrong, and through [`FileError::cure`] what to do about it. Writers leave either
+//! wrong, and through [`FileError::hint`] what to do about it. Writers leave either
 //! the whole new file or what was there before.
 
 #![forbid(unsafe_code)]

@@ -6,7 +6,7 @@
 
 use std::path::Path;
 
-use super::error::{Fault, FileError, Place, Problem};
+use super::error::{FileError, LocatedProblem, Place, Problem};
 use super::{bytes, number};
 
 /// How a column is read.
@@ -52,7 +52,7 @@ impl Table {
     ///
     /// # Errors
     /// Names the line and column, and what is wrong.
-    pub fn parse(text: &[u8], kind_of: impl Fn(&str) -> Kind) -> Result<Self, Fault> {
+    pub fn parse(text: &[u8], kind_of: impl Fn(&str) -> Kind) -> Result<Self, LocatedProblem> {
         bytes::check_text(text)?;
         let text = text.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(text).trim_ascii_end();
         let (header, lines) = split_line(text);
@@ -62,7 +62,7 @@ impl Table {
         Ok(table)
     }
 
-    fn with_header(header: &[u8], kind_of: impl Fn(&str) -> Kind) -> Result<Self, Fault> {
+    fn with_header(header: &[u8], kind_of: impl Fn(&str) -> Kind) -> Result<Self, LocatedProblem> {
         if header.trim_ascii().is_empty() {
             return Err(Problem::Empty.into());
         }
@@ -86,7 +86,7 @@ impl Table {
         }
     }
 
-    fn push_lines(&mut self, mut lines: &[u8]) -> Result<(), Fault> {
+    fn push_lines(&mut self, mut lines: &[u8]) -> Result<(), LocatedProblem> {
         while !lines.is_empty() {
             lines = match self.push_plain_line(lines) {
                 Some(rest) => rest,
@@ -122,7 +122,7 @@ impl Table {
     }
 
     /// Takes in a line field by field, or says what is wrong with it.
-    fn push_odd_line(&mut self, line: &[u8]) -> Result<(), Fault> {
+    fn push_odd_line(&mut self, line: &[u8]) -> Result<(), LocatedProblem> {
         let place = Place::line(self.rows + 2);
         let expected = self.columns.len();
         let found = line.split(|&byte| byte == b',').count();

@@ -40,7 +40,7 @@ impl Address {
     /// The board's USB port, where no other can be meant.
     ///
     /// # Errors
-    /// There is none, or more than one, or the system does not tell its ports.
+    /// There is none, or more than one, or the system cannot list its ports.
     pub fn find() -> Result<Self, LinkError> {
         found(listed())
     }
@@ -54,7 +54,7 @@ fn listed() -> std::io::Result<Vec<SerialPortInfo>> {
     Ok(serialport::available_ports()?)
 }
 
-/// The port to take, if the system tells which there are.
+/// The port to take, if the system can list them.
 fn found(ports: std::io::Result<Vec<SerialPortInfo>>) -> Result<Address, LinkError> {
     among(&ports.map_err(LinkError::Ports)?)
 }
@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn without_any_port_there_is_none() {
-        assert_eq!(refused(&[]), "no USB serial port is there");
+        assert_eq!(refused(&[]), "no USB serial port was found");
     }
 
     #[test]
@@ -162,20 +162,20 @@ mod tests {
     #[test]
     fn several_usb_ports_are_named_and_none_is_taken() {
         let [first, second] = ["/dev/ttyUSB0", "/dev/ttyUSB1"].map(|name| at_usb(name, 0x0403));
-        let message = "2 serial ports are there: /dev/ttyUSB0, /dev/ttyUSB1";
+        let message = "2 serial ports were found: /dev/ttyUSB0, /dev/ttyUSB1";
         assert_eq!(refused(&[first.clone(), built_in("/dev/ttyS0"), second]), message);
         let st_links = ["/dev/ttyACM0", "/dev/ttyACM1"].map(|name| at_usb(name, ST_VENDOR));
         let ports = [&[first][..], &st_links].concat();
-        assert_eq!(refused(&ports), "2 serial ports are there: /dev/ttyACM0, /dev/ttyACM1");
+        assert_eq!(refused(&ports), "2 serial ports were found: /dev/ttyACM0, /dev/ttyACM1");
     }
 
     #[test]
     fn a_port_that_is_not_at_usb_is_named_and_not_taken() {
-        let message = "no USB serial port is there; others are: /dev/ttyS0";
+        let message = "no USB serial port was found; others are: /dev/ttyS0";
         assert_eq!(refused(&[built_in("/dev/ttyS0")]), message);
         let bluetooth = SerialPortType::BluetoothPort;
         let rfcomm = SerialPortInfo { port_name: "/dev/rfcomm0".into(), port_type: bluetooth };
-        let message = "no USB serial port is there; others are: /dev/ttyS0, /dev/rfcomm0";
+        let message = "no USB serial port was found; others are: /dev/ttyS0, /dev/rfcomm0";
         assert_eq!(refused(&[built_in("/dev/ttyS0"), rfcomm]), message);
     }
 }

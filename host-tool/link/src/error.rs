@@ -1,21 +1,22 @@
 //! Why a conversation with the board does not come about.
 
+use firmware::BlockError;
 use firmware::link::{Hello, PROTOCOL_VERSION, Refusal, Source, schema};
 
 /// Why a conversation with the board does not come about, or ends.
 #[derive(Debug, thiserror::Error)]
 pub enum LinkError {
     /// No port was named, and none was found at USB.
-    #[error("no USB serial port is there{}", also(.others))]
+    #[error("no USB serial port was found{}", also(.others))]
     NoPort {
         /// Ports of other kinds, which can be named.
         others: Vec<String>,
     },
-    /// No port was named, and the system does not tell which there are.
+    /// No port was named, and the system cannot list them.
     #[error("the serial ports cannot be listed: {0}")]
     Ports(std::io::Error),
     /// No port was named, and there is more than one.
-    #[error("{} serial ports are there: {}", .0.len(), .0.join(", "))]
+    #[error("{} serial ports were found: {}", .0.len(), .0.join(", "))]
     ManyPorts(Vec<String>),
     /// The port cannot be opened.
     #[error("{port}: cannot be opened: {source}")]
@@ -26,22 +27,22 @@ pub enum LinkError {
         source: std::io::Error,
     },
     /// Reading or writing failed.
-    #[error("{port}: the line broke: {source}")]
-    Broke {
+    #[error("{port}: the line failed: {source}")]
+    Line {
         /// The port.
         port: String,
         /// What the system said.
         source: std::io::Error,
     },
     /// Nothing that is an answer has come.
-    #[error("{port}: no answer to {what}, asked {tries} times in {waited_s:.1} s{}", seen(*.bytes))]
-    Silent {
+    #[error("{port}: no answer to {what}, sent {attempts} times in {waited_s:.1} s{}", seen(*.bytes))]
+    NoAnswer {
         /// The port.
         port: String,
         /// What was asked.
         what: &'static str,
         /// How often.
-        tries: u32,
+        attempts: u32,
         /// For how long [s].
         waited_s: f64,
         /// Bytes that came, and were no answer.
@@ -53,7 +54,7 @@ pub enum LinkError {
          {PROTOCOL_VERSION}: the {} is older",
         .0.board.as_str(), .0.build_id.as_str(), .0.protocol_version, older(.0)
     )]
-    OtherProtocol(Box<Hello>),
+    ProtocolMismatch(Box<Hello>),
     /// The board's messages have other types.
     #[error(
         "the board ({}, build {}) has messages of another build ({:08X}) than this tool \
@@ -61,8 +62,8 @@ pub enum LinkError {
         .0.board.as_str(), .0.build_id.as_str(), .0.schema_hash, firmware::link::BUILD_ID,
         schema::HASH
     )]
-    OtherMessages(Box<Hello>),
-    /// The board said no.
+    SchemaMismatch(Box<Hello>),
+    /// The board refused.
     #[error("{what}: {why}")]
     Refused {
         /// What was asked.
@@ -88,13 +89,19 @@ pub enum LinkError {
     },
     /// An answer of another kind than the request's.
     #[error("the board's answer to {0} is of another kind")]
-    OtherAnswer(&'static str),
+    UnexpectedAnswer(&'static str),
+    /// A block that cannot be sent.
+    #[error("the parameter block: {0}")]
+    Encode(BlockError),
+    /// The board's block cannot be read.
+    #[error("the board's block: {0}")]
+    Decode(BlockError),
     /// A downloaded block is not the one that the board announced.
     #[error("the block came with CRC-32C {found:08X}, the board announced {announced:08X}")]
     Checksum {
         /// Of the bytes that came.
         found: u32,
-        /// As the board told.
+        /// As the board announced.
         announced: u32,
     },
     /// What is on the board is not what was sent.

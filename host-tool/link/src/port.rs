@@ -88,7 +88,7 @@ impl Port {
     }
 }
 
-/// A port that somebody else has locked is busy; the library calls it no device.
+/// A port that another program has locked is busy; the library reports no device.
 fn busy_or_not(error: serialport::Error) -> Error {
     match error.kind {
         serialport::ErrorKind::NoDevice => {

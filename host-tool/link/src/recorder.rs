@@ -6,7 +6,7 @@ use firmware::link::{Report, Telemetry};
 use firmware::supervisor::State;
 use firmware::{Mode, ParameterBlock};
 
-use super::span::Span;
+use super::tick_range::TickRange;
 use files::{BoardSample, JointLog, Log, Position};
 use signal::Unwrapper;
 
@@ -15,7 +15,7 @@ use signal::Unwrapper;
 pub struct Recorder {
     /// The log so far; a record that is missing is a gap in its times.
     pub log: Log,
-    /// What the board told beside the joints, row by row of the log; then the tick that ended
+    /// What the board reported beside the joints, row by row of the log; then the tick that ended
     /// the run, if its record or one after it has come.
     pub board: Vec<BoardSample>,
     /// Longest tick [0.1 us].
@@ -25,16 +25,16 @@ pub struct Recorder {
     counts_per_turn: f64,
     period_ns: f64,
     ticks: u32,
-    span: Span,
+    tick_range: TickRange,
     dropped: Dropped,
     /// The board may run from now on.
-    is_ordered: bool,
-    begun: Option<Begun>,
+    run_expected: bool,
+    unwrapped: Option<Unwrapped>,
 }
 
 /// What is carried on from record to record.
 #[derive(Debug)]
-struct Begun {
+struct Unwrapped {
     last: Telemetry,
     counts: [i64; 3],
     references: [Unwrapper; 3],
@@ -67,53 +67,53 @@ impl Recorder {
             // The block has it as an f32; in whole nanoseconds it is what was meant.
             period_ns: (f64::from(block.sample_period_s) * 1e9).round(),
             ticks,
-            span: Span::default(),
+            tick_range: TickRange::default(),
             dropped: Dropped::default(),
-            is_ordered: false,
-            begun: None,
+            run_expected: false,
+            unwrapped: None,
         }
     }
 
     /// Takes a report from before the run: of the ticks up to its own, none is of the run.
     pub fn begins_after(&mut self, report: &Report) {
-        self.span.begins_after(report.counters.ticks);
+        self.tick_range.begins_after(report.counters.ticks);
         self.dropped.before = Some(report.counters.telemetry_dropped);
     }
 
-    /// The board is told to run: what it tells from now on is of the run or after it.
+    /// The run command is sent: what the board reports from now on is of the run or after it.
     pub fn expect_run(&mut self) {
-        self.is_ordered = true;
+        self.run_expected = true;
     }
 
-    /// Takes a report from within the run or after it; it tells ticks whose records are lost.
-    pub fn hear(&mut self, report: &Report) {
+    /// Takes a report from within the run or after it; it also counts ticks whose records are lost.
+    pub fn add_report(&mut self, report: &Report) {
         let ticks = report.counters.ticks;
-        if !self.is_ordered {
+        if !self.run_expected {
             return;
         }
         match (report.state, report.fault) {
-            (State::Running, _) => return self.span.runs_at(ticks),
-            (State::Faulted, Some(fault)) => self.span.ended_before(fault.tick),
-            _ => self.span.ended_before(ticks.wrapping_add(1)),
+            (State::Running, _) => return self.tick_range.runs_at(ticks),
+            (State::Faulted, Some(fault)) => self.tick_range.ended_before(fault.tick),
+            _ => self.tick_range.ended_before(ticks.wrapping_add(1)),
         }
         self.dropped.see(report.counters.telemetry_dropped, true);
     }
 
-    /// Takes a record; those from before the run only tell when it began.
-    pub fn push(&mut self, record: &Telemetry) {
-        if self.span.is_past(record.sequence) {
+    /// Takes a record; those from before the run only mark its beginning.
+    pub fn add_record(&mut self, record: &Telemetry) {
+        if self.tick_range.is_past(record.sequence) {
             return;
         }
         match record.state == State::Running {
-            true => self.add(record),
-            false if self.begun.is_none() && record.state == State::Faulted => {
-                self.span.ended_before(record.sequence);
+            true => self.add_running(record),
+            false if self.unwrapped.is_none() && record.state == State::Faulted => {
+                self.tick_range.ended_before(record.sequence);
             }
-            false if self.begun.is_none() => {
-                self.span.begins_after(record.sequence);
+            false if self.unwrapped.is_none() => {
+                self.tick_range.begins_after(record.sequence);
                 self.dropped.before = Some(record.dropped);
             }
-            false => self.end(record),
+            false => self.add_end(record),
         }
     }
 
@@ -124,12 +124,12 @@ impl Recorder {
 
     /// How many ticks the run has gone on, braking at its end included.
     pub fn ticks_seen(&self) -> u32 {
-        self.span.ticks()
+        self.tick_range.ticks()
     }
 
     /// How many of the run's ticks there have been: all of them, or those up to its early end.
     pub fn ticks_done(&self) -> u32 {
-        self.span.ticks().min(self.ticks)
+        self.tick_range.ticks().min(self.ticks)
     }
 
     /// Records that did not arrive: with the log's rows, they are the ticks there have been.
@@ -143,56 +143,56 @@ impl Recorder {
         self.dropped.newest.wrapping_sub(before).min(self.missed())
     }
 
-    fn add(&mut self, record: &Telemetry) {
-        self.span.runs_at(record.sequence);
-        let since = self.span.since(record.sequence);
+    fn add_running(&mut self, record: &Telemetry) {
+        self.tick_range.runs_at(record.sequence);
+        let since = self.tick_range.since(record.sequence);
         self.dropped.see(record.dropped, since >= self.ticks);
-        let mut begun = self.begun.take().unwrap_or_else(|| self.begin(record));
-        begun.follow(record);
+        let mut unwrapped = self.unwrapped.take().unwrap_or_else(|| self.begin(record));
+        unwrapped.follow(record);
         if since < self.ticks {
-            self.add_row(since, record, &mut begun);
+            self.add_row(since, record, &mut unwrapped);
         }
-        self.begun = Some(begun);
+        self.unwrapped = Some(unwrapped);
     }
 
-    /// Keeps the first record after a run that ended early: it tells what ended it.
-    fn end(&mut self, record: &Telemetry) {
-        self.span.ended_before(record.sequence);
+    /// Keeps the first record after a run that ended early: it shows what ended it.
+    fn add_end(&mut self, record: &Telemetry) {
+        self.tick_range.ended_before(record.sequence);
         self.dropped.see(record.dropped, true);
-        let since = self.span.since(record.sequence);
+        let since = self.tick_range.since(record.sequence);
         let is_first = self.board.len() == self.log.len();
         if !is_first || (since >= self.ticks && record.fault.is_none()) {
             return;
         }
-        let Some(mut begun) = self.begun.take() else { return };
-        begun.follow(record);
+        let Some(mut unwrapped) = self.unwrapped.take() else { return };
+        unwrapped.follow(record);
         self.board.push(BoardSample {
-            position_count: Some(begun.counts),
+            position_count: Some(unwrapped.counts),
             command_v: Some(record.codes.map(|code| f64::from(code.to_volts()))),
             ..self.sample(since, record)
         });
-        self.begun = Some(begun);
+        self.unwrapped = Some(unwrapped);
     }
 
-    fn begin(&self, record: &Telemetry) -> Begun {
+    fn begin(&self, record: &Telemetry) -> Unwrapped {
         let counts = record.counts.map(i64::from);
         let near_rad = counts.map(|count| count as f64 * TAU / self.counts_per_turn);
         let references = [0, 1, 2].map(|i| Unwrapper::near(record.reference[i].0, near_rad[i]));
-        Begun { last: *record, counts, references }
+        Unwrapped { last: *record, counts, references }
     }
 
-    fn add_row(&mut self, since: u32, record: &Telemetry, begun: &mut Begun) {
+    fn add_row(&mut self, since: u32, record: &Telemetry, unwrapped: &mut Unwrapped) {
         let sample = self.sample(since, record);
         self.log.time_s.push(sample.t_s);
         self.board.push(sample);
         for joint in &mut self.log.joints {
             let i = usize::from(joint.joint) - 1;
             if let Position::Count(column) = &mut joint.position {
-                column.push(begun.counts[i]);
+                column.push(unwrapped.counts[i]);
             }
             joint.command_v.push(f64::from(record.codes[i].to_volts()));
             if let Some(column) = &mut joint.reference_rad {
-                column.push(begun.references[i].update(record.reference[i].0));
+                column.push(unwrapped.references[i].update(record.reference[i].0));
             }
             self.saturated[i] += u32::from(record.saturated >> i & 1);
         }
@@ -215,7 +215,7 @@ impl Recorder {
     }
 }
 
-impl Begun {
+impl Unwrapped {
     /// The board's counts wrap at 32 bits; a log's do not.
     fn follow(&mut self, record: &Telemetry) {
         for i in 0..3 {

@@ -1,12 +1,13 @@
 //! Parameter blocks between host and board.
 
+use firmware::ParameterBlock;
 use firmware::block::MAX_BYTES;
 use firmware::checksum::CRC_32C;
 use firmware::link::{Command, PIECE_BYTES, Parameters, Source};
 
 use super::client::Client;
 use super::error::LinkError;
-use super::told::Told;
+use super::reply::OwnedReply;
 
 /// Sends an encoded block and has the board store it for good, read it back and use it.
 ///
@@ -28,18 +29,18 @@ pub fn put_into_use(client: &mut Client, encoded: &[u8]) -> Result<Parameters, L
 
 fn send(client: &mut Client, encoded: &[u8]) -> Result<(), LinkError> {
     let checksum = CRC_32C.checksum(encoded);
-    client.order(Command::UploadBegin { length: encoded.len() as u16, checksum })?;
+    client.execute(Command::UploadBegin { length: encoded.len() as u16, checksum })?;
     for (index, bytes) in encoded.chunks(PIECE_BYTES).enumerate() {
         let offset = (index * PIECE_BYTES) as u16;
-        client.order(Command::UploadPiece { offset, bytes })?;
+        client.execute(Command::UploadPiece { offset, bytes })?;
     }
     Ok(())
 }
 
 fn finish(client: &mut Client, command: Command<'_>) -> Result<Parameters, LinkError> {
-    match client.ask(command)? {
-        Told::InUse(parameters) => Ok(parameters),
-        _ => Err(LinkError::OtherAnswer("the end of an upload")),
+    match client.request(command)? {
+        OwnedReply::InUse(parameters) => Ok(parameters),
+        _ => Err(LinkError::UnexpectedAnswer("the end of an upload")),
     }
 }
 
@@ -51,9 +52,9 @@ pub fn download(client: &mut Client, source: Source) -> Result<Vec<u8>, LinkErro
     let mut block = Vec::new();
     loop {
         let offset = block.len() as u16;
-        let told = client.ask(Command::Download { source, offset })?;
-        let Told::Piece { length, checksum: announced, bytes } = told else {
-            return Err(LinkError::OtherAnswer("a download"));
+        let reply = client.request(Command::Download { source, offset })?;
+        let OwnedReply::Piece { length, checksum: announced, bytes } = reply else {
+            return Err(LinkError::UnexpectedAnswer("a download"));
         };
         block.extend_from_slice(&bytes);
         let is_whole = bytes.is_empty() || block.len() >= usize::from(length);
@@ -65,6 +66,23 @@ pub fn download(client: &mut Client, source: Source) -> Result<Vec<u8>, LinkErro
             };
         }
     }
+}
+
+/// A block as it goes over the line.
+///
+/// # Errors
+/// It has more bytes than a block may.
+pub fn encoded(block: &ParameterBlock) -> Result<Vec<u8>, LinkError> {
+    let mut buffer = [0; MAX_BYTES];
+    Ok(block.encode(&mut buffer).map_err(LinkError::Encode)?.to_vec())
+}
+
+/// Fetches a block and decodes it.
+///
+/// # Errors
+/// As of [`download`]; or a block of another build.
+pub fn download_block(client: &mut Client, source: Source) -> Result<ParameterBlock, LinkError> {
+    ParameterBlock::decode(&download(client, source)?).map_err(LinkError::Decode)
 }
 
 /// Fetches both of the board's blocks and holds them byte for byte against what was sent.

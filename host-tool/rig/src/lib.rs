@@ -1,4 +1,4 @@
-//! The rig: effects that its model lacks, what its board makes up for of them, the experiments
+//! The rig: effects that its model lacks, which of them its board compensates for, the experiments
 //! that it can play, and the parameter block that goes onto the board.
 #![forbid(unsafe_code)]
 

@@ -1,4 +1,4 @@
-//! The experiments of the paper, as what the board is told to play.
+//! The experiments of the paper, as references and modes for the board.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 

@@ -22,7 +22,7 @@ pub struct Rig {
     pub loop_frequency_rad_per_s: f64,
     /// Bandwidth of the velocity estimates [rad/s].
     pub velocity_bandwidth_rad_per_s: f64,
-    /// What the board makes up for beyond the model.
+    /// What the board compensates for beyond the model.
     pub compensations: Compensations,
 }
 
@@ -91,7 +91,7 @@ impl Rig {
         }
     }
 
-    /// The same rig, making up for these effects.
+    /// The same rig, compensating for these effects.
     pub fn with_compensations(self, compensations: Compensations) -> Self {
         Self { compensations, ..self }
     }

@@ -3,14 +3,15 @@
 use firmware::ParameterBlock;
 use model::Robot;
 
-use super::robot::{Settings, SimulatedRobot};
+use super::robot::SimulatedRobot;
 use super::sensor::counts;
+use super::settings::Settings;
 use crate::board::{Board, BoardError};
 use files::{JointLog, Log, Position};
 use signal::Unwrapper;
 
-/// Records `ticks` of a block's reference on a robot as its model says, at rest where
-/// the reference begins; `progress` hears every thousandth tick.
+/// Records `ticks` of a block's reference on a robot without further effects, at rest where
+/// the reference begins; `progress` is called every thousandth tick.
 ///
 /// # Errors
 /// The board refuses the block or does not answer.
@@ -77,7 +78,7 @@ fn centre_of(motion: &firmware::reference::Motion) -> f64 {
     })
 }
 
-/// A log in the making, and what only a board tells.
+/// A log being recorded, and what only a board measures.
 #[derive(Clone, Debug)]
 pub struct Recording {
     /// The log as FORMATS describes it.

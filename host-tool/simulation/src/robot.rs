@@ -6,27 +6,9 @@ use model::{FrictionState, Posture, Robot};
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
 
-use rig::effects::Transmission;
-use rig::effects::{Effect, JointState};
-
-/// How the robot is simulated.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
-    /// Time between commands [s].
-    pub sample_period_s: f64,
-    /// Integration steps per command.
-    pub substeps: u32,
-    /// Amplifier noise, one sample per command [V rms].
-    pub noise_v: f64,
-    /// Same seed, same noise.
-    pub seed: u64,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self { sample_period_s: 1e-3, substeps: 10, noise_v: 4e-3, seed: 1 }
-    }
-}
+use super::leapfrog::Motion;
+use super::settings::Settings;
+use rig::effects::{Effect, JointState, Transmission};
 
 /// A robot in motion.
 ///
@@ -54,39 +36,8 @@ pub struct SimulatedRobot {
     friction: [FrictionState<f64>; 3],
 }
 
-/// Positions, velocities and accelerations of three joints.
-#[derive(Clone, Copy, Debug)]
-struct Motion {
-    q_rad: Vector3<f64>,
-    qd_rad_per_s: Vector3<f64>,
-    qdd_rad_per_s2: Vector3<f64>,
-}
-
-impl Motion {
-    fn at_rest(q_rad: Vector3<f64>) -> Self {
-        Self { q_rad, qd_rad_per_s: [0.0; 3], qdd_rad_per_s2: [0.0; 3] }
-    }
-
-    /// Moves the positions on by half a step, returns the velocities expected there.
-    fn drift_to_the_middle(&mut self, half_s: f64) -> Vector3<f64> {
-        for i in 0..3 {
-            self.q_rad[i] += half_s * self.qd_rad_per_s[i];
-        }
-        [0, 1, 2].map(|i| self.qd_rad_per_s[i] + half_s * self.qdd_rad_per_s2[i])
-    }
-
-    /// Takes the accelerations of the middle and moves on to the end of the step.
-    fn kick_and_drift(&mut self, qdd_rad_per_s2: Vector3<f64>, half_s: f64) {
-        for i in 0..3 {
-            self.qd_rad_per_s[i] += 2.0 * half_s * qdd_rad_per_s2[i];
-            self.q_rad[i] += half_s * self.qd_rad_per_s[i];
-        }
-        self.qdd_rad_per_s2 = qdd_rad_per_s2;
-    }
-}
-
 impl SimulatedRobot {
-    /// A checked robot at rest, as the model says.
+    /// A robot at rest, exactly as its model.
     pub fn at_rest(robot: Robot<f64>, q_rad: Vector3<f64>, settings: &Settings) -> Self {
         Self::with_effects(robot, Vec::new(), q_rad, settings)
     }
@@ -144,8 +95,8 @@ impl SimulatedRobot {
         self.time_s = time_s;
     }
 
-    /// Lets effects that remember commands feel those of one sample period, the robot at rest.
-    pub fn feel(&mut self, command_v: &Vector3<f64>) {
+    /// Gives effects with memory the commands of one sample period, the robot at rest.
+    pub fn update_effects_at_rest(&mut self, command_v: &Vector3<f64>) {
         for _ in 0..self.substeps {
             let joint_state = self.joint_state(&[0.0; 3]);
             let mut driving_v = *command_v;
@@ -189,15 +140,15 @@ impl SimulatedRobot {
 
     fn substep(&mut self, voltage_v: &Vector3<f64>) {
         let half_s = 0.5 * self.step_s;
-        let link_qd = self.link.drift_to_the_middle(half_s);
+        let link_qd = self.link.drift_to_midpoint(half_s);
         let elastic = self.transmissions.iter().any(Option::is_some);
         if !elastic {
             self.motor = self.link;
         }
-        let motor_qd = if elastic { self.motor.drift_to_the_middle(half_s) } else { link_qd };
+        let motor_qd = if elastic { self.motor.drift_to_midpoint(half_s) } else { link_qd };
         let torque_nm = self.motor_torque(voltage_v, &motor_qd);
         if elastic {
-            self.move_elastic(&torque_nm, &link_qd, &motor_qd);
+            self.advance_elastic(&torque_nm, &link_qd, &motor_qd);
         } else {
             let qdd = self.link_acceleration(&link_qd, &torque_nm);
             self.link.kick_and_drift(qdd, half_s);
@@ -255,7 +206,7 @@ impl SimulatedRobot {
     }
 
     /// Ends a step in which some motors move apart from their links.
-    fn move_elastic(
+    fn advance_elastic(
         &mut self,
         motor_torque_nm: &Vector3<f64>,
         link_qd: &Vector3<f64>,
@@ -282,40 +233,4 @@ impl SimulatedRobot {
 }
 
 #[cfg(test)]
-mod tests {
-    use model::reference_robot::reference_robot;
-
-    use super::*;
-
-    /// Angles after a second of open-loop voltage that slides and reverses all joints.
-    fn after_a_second(substeps: u32) -> Vector3<f64> {
-        let settings = Settings { substeps, noise_v: 0.0, ..Settings::default() };
-        let start = [0.0, -std::f64::consts::FRAC_PI_2, 0.0];
-        let mut robot = SimulatedRobot::at_rest(reference_robot(), start, &settings);
-        for tick in 0..1000 {
-            let phase = 0.012 * f64::from(tick);
-            robot.advance(&[1.5 * phase.sin(), 2.0 * phase.cos(), 1.2 * (1.7 * phase).sin()]);
-        }
-        *robot.q_rad()
-    }
-
-    #[test]
-    fn ten_substeps_are_converged_to_a_fifth_of_a_count() {
-        let (coarse, fine) = (after_a_second(10), after_a_second(320));
-        let error = (0..3).map(|i| (coarse[i] - fine[i]).abs()).fold(0.0, f64::max);
-        assert!(error < 1.9e-6, "{error:e} rad");
-        assert!(fine.iter().all(|q| q.abs() > 1e-3), "{fine:?} moved");
-    }
-
-    #[test]
-    fn friction_holds_the_arm_below_its_static_level() {
-        let settings = Settings { noise_v: 0.0, ..Settings::default() };
-        let start = [0.3, -std::f64::consts::FRAC_PI_2 + 0.03, 0.0];
-        let mut robot = SimulatedRobot::at_rest(reference_robot(), start, &settings);
-        for _ in 0..5000 {
-            robot.advance(&[0.2, 0.0, 0.1]);
-        }
-        let moved = (0..3).map(|i| (robot.q_rad()[i] - start[i]).abs()).fold(0.0, f64::max);
-        assert!(moved < 3e-3, "{moved} rad is bristle deflection, not sliding");
-    }
-}
+mod tests;

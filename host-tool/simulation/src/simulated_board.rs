@@ -34,7 +34,7 @@ pub struct BoardSettings {
     pub flash: Vec<u8>,
     /// Seconds of the board in a second of this machine.
     pub speed: f64,
-    /// One byte in so many is broken on its way, both ways; none without.
+    /// one byte in so many is broken, in both directions; none without.
     pub bytes_per_error: Option<u32>,
     /// The encoders count from zero at power-on, wherever the robot is; within the second after
     /// it somebody turns each joint by hand, and back.
@@ -77,7 +77,7 @@ impl SimulatedBoard {
         let address = listener.local_addr()?;
         let off = Arc::new(AtomicBool::new(false));
         let seen = off.clone();
-        let thread = std::thread::spawn(move || Machine::new(settings, listener).work(&seen));
+        let thread = std::thread::spawn(move || BoardLoop::new(settings, listener).run(&seen));
         Ok(Self { address, off, thread: Some(thread) })
     }
 
@@ -100,9 +100,9 @@ impl Drop for SimulatedBoard {
     }
 }
 
-struct Machine {
+struct BoardLoop {
     listener: TcpListener,
-    line: Option<TcpStream>,
+    connection: Option<TcpStream>,
     runtime: BoardRuntime<Store<Flash>>,
     robot: SimulatedRobot,
     /// Where the encoders count zero.
@@ -112,10 +112,10 @@ struct Machine {
     turning_ticks: u16,
     command_v: [f64; 3],
     tick: Duration,
-    noise: Noise,
+    noise: LineNoise,
 }
 
-impl Machine {
+impl BoardLoop {
     fn new(settings: BoardSettings, listener: TcpListener) -> Self {
         let simulation = Settings { sample_period_s: 1e-3, substeps: 10, noise_v: 0.004, seed: 1 };
         let robot = SimulatedRobot::at_rest(settings.robot, settings.position_rad, &simulation);
@@ -123,7 +123,7 @@ impl Machine {
         let zero = if incremental { counts(&robot.reading_rad(), COUNTS_PER_TURN) } else { [0; 3] };
         Self {
             listener,
-            line: None,
+            connection: None,
             runtime: booted(settings.flash, incremental),
             zero,
             dead: settings.dead_encoders,
@@ -131,11 +131,11 @@ impl Machine {
             robot,
             command_v: [0.0; 3],
             tick: Duration::from_secs_f64(1e-3 / settings.speed),
-            noise: Noise { bytes_per_error: settings.bytes_per_error, state: 1 },
+            noise: LineNoise { bytes_per_error: settings.bytes_per_error, state: 1 },
         }
     }
 
-    fn work(mut self, off: &AtomicBool) -> Vec<u8> {
+    fn run(mut self, off: &AtomicBool) -> Vec<u8> {
         let mut due = Instant::now();
         while !off.load(Ordering::Relaxed) {
             due += self.tick;
@@ -174,20 +174,20 @@ impl Machine {
         (10_000.0 * (std::f64::consts::PI * phase).sin().powi(2)) as i64
     }
 
-    /// A tick's worth of the line; somebody new takes the place of who was there.
+    /// A tick's worth of the line; a new connection replaces the one before.
     fn serve(&mut self) {
         if let Ok((stream, _)) = self.listener.accept() {
             let _ = stream.set_nonblocking(true);
             let _ = stream.set_nodelay(true);
-            self.line = Some(stream);
+            self.connection = Some(stream);
         }
-        let Some(mut line) = self.line.take() else { return };
+        let Some(mut connection) = self.connection.take() else { return };
         let mut bytes = [0; BYTES_PER_TICK];
-        let is_open = match line.read(&mut bytes) {
+        let is_open = match connection.read(&mut bytes) {
             Ok(0) => false,
             Ok(length) => {
                 bytes[..length].iter().for_each(|&byte| {
-                    self.runtime.receive(self.noise.pass(byte));
+                    self.runtime.receive(self.noise.corrupt(byte));
                 });
                 true
             }
@@ -195,22 +195,22 @@ impl Machine {
         };
         let sent: Vec<u8> = (0..BYTES_PER_TICK)
             .map_while(|_| self.runtime.send())
-            .map(|byte| self.noise.pass(byte))
+            .map(|byte| self.noise.corrupt(byte))
             .collect();
         // A host that does not read loses bytes, as at a serial line.
-        let _ = line.write(&sent);
-        self.line = is_open.then_some(line);
+        let _ = connection.write(&sent);
+        self.connection = is_open.then_some(connection);
     }
 }
 
-/// Breaks bytes now and then.
-struct Noise {
+/// Corrupts one byte in so many.
+struct LineNoise {
     bytes_per_error: Option<u32>,
     state: u32,
 }
 
-impl Noise {
-    fn pass(&mut self, byte: u8) -> u8 {
+impl LineNoise {
+    fn corrupt(&mut self, byte: u8) -> u8 {
         let Some(mean) = self.bytes_per_error else { return byte };
         self.state = self.state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         match (self.state >> 8) % mean {
@@ -222,11 +222,11 @@ impl Noise {
 
 fn booted(flash: Vec<u8>, position_lost: bool) -> BoardRuntime<Store<Flash>> {
     let store = Store::new(RamFlash::new(flash), Layout::G474.bank_start, Layout::G474);
-    BoardRuntime::boot(store, NAME, rand_seed(), position_lost).0
+    BoardRuntime::boot(store, NAME, nonce_seed(), position_lost).0
 }
 
-/// Another one at every power-on; a simulated board needs no better one.
-fn rand_seed() -> [u8; 16] {
+/// Different at every power-on, which is all that a simulated board needs.
+fn nonce_seed() -> [u8; 16] {
     let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
     now.unwrap_or_default().as_nanos().to_le_bytes()
 }

@@ -1,4 +1,4 @@
-//! `rrr blind-trial`: how well the diagnosis does on robots that nobody told it of.
+//! `rrr blind-trial`: how well the diagnosis does on robots with hidden effects.
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
@@ -6,11 +6,12 @@ use std::thread::ScopedJoinHandle;
 
 use clap::Args;
 
-use super::{Failure, create_directory};
-use crate::progress::Progress;
+use crate::failure::Failure;
+use crate::output_files::create_directory;
+use crate::terminal::progress::Progress;
 use blind_trial::{
-    Case, DrawSettings, Kind, Outcome, Results, RunSettings, Seal, TrialError, diagnose_case, draw,
-    logs, seal, table,
+    Case, DrawSettings, Kind, Outcome, Results, RunSettings, SealedTruth, TrialError,
+    diagnose_case, draw, logs, markdown, output, sealed_truth,
 };
 use diagnosis::diagnose;
 
@@ -48,7 +49,7 @@ pub struct Arguments {
     /// could be closed; takes twice as long.
     #[arg(long)]
     pub ceiling: bool,
-    /// Draw and record the cases and tell the truth, without a diagnosis.
+    /// Draw and record the cases and write the truth, without a diagnosis.
     #[arg(long)]
     pub draw_only: bool,
 }
@@ -61,18 +62,18 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let settings = arguments.draw_settings()?;
     create_directory(&arguments.out)?;
     let cases = drawn(&settings)?;
-    let seal = Seal::new(&cases);
-    println!("SHA-256 of the truth: {}", seal.hash());
-    seal.write_hash(&arguments.out)?;
+    let truth = SealedTruth::new(&cases);
+    println!("SHA-256 of the truth: {}", truth.hash());
+    truth.write_hash(&arguments.out)?;
     if arguments.draw_only {
-        return arguments.write_all(&cases, &seal);
+        return arguments.write_all(&cases, &truth);
     }
     let outcomes = arguments.diagnose_all(&cases)?;
-    seal.open(&arguments.out)?;
-    println!("SHA-256 of the truth, opened: {}\n", seal.hash());
-    let results = Results::new(settings.seed, settings.first, seal.hash(), outcomes);
-    results.write(&arguments.out)?;
-    println!("{}", table::short(&results));
+    truth.reveal(&arguments.out)?;
+    println!("SHA-256 of the truth, opened: {}\n", truth.hash());
+    let results = Results::new(settings.seed, settings.first, truth.hash(), outcomes);
+    output::write(&results, &arguments.out)?;
+    println!("{}", markdown::short(&results));
     println!("Cases: {}", arguments.out.join("blind-trial.md").display());
     Ok(())
 }
@@ -94,7 +95,7 @@ impl Arguments {
         })
     }
 
-    /// Diagnoses the cases, one on each core, and tells each answer as it comes.
+    /// Diagnoses the cases, one on each core, and prints each answer as it comes.
     fn diagnose_all(&self, cases: &[Case]) -> Result<Vec<Outcome>, Failure> {
         let workers = std::thread::available_parallelism().map_or(1, usize::from);
         let next = AtomicUsize::new(0);
@@ -105,7 +106,7 @@ impl Arguments {
         });
         let mut outcomes = Vec::with_capacity(cases.len());
         for some in all {
-            let stopped = |_| Failure::new("a diagnosis has ended unasked", "");
+            let stopped = |_| Failure::new("a diagnosis was aborted", "");
             outcomes.extend(some.map_err(stopped)??);
         }
         outcomes.sort_by_key(|outcome| outcome.case);
@@ -119,7 +120,7 @@ impl Arguments {
         let mut outcomes = Vec::new();
         while let Some(case) = cases.get(next.fetch_add(1, Ordering::Relaxed)) {
             let outcome = alone.install(|| self.diagnose_one(case))?;
-            let answer = table::answer(&outcome.answer);
+            let answer = markdown::answer(&outcome.answer);
             println!("case {:03}: {answer}, {:.0} s", case.number, outcome.seconds);
             outcomes.push(outcome);
         }
@@ -137,16 +138,16 @@ impl Arguments {
     }
 
     /// Writes the logs of all cases with their truth.
-    fn write_all(&self, cases: &[Case], seal: &Seal) -> Result<(), Failure> {
+    fn write_all(&self, cases: &[Case], truth: &SealedTruth) -> Result<(), Failure> {
         let progress = Progress::new("recording", cases.len() as u64);
         for (done, case) in (1..).zip(cases) {
             let directory = logs::directory(&self.out, case.number);
             logs::write(case, &directory)?;
-            seal::write_truth(case, &directory)?;
+            sealed_truth::write_truth(case, &directory)?;
             progress.at(done);
         }
         progress.finish();
-        seal.open(&self.out)?;
+        truth.reveal(&self.out)?;
         println!("{} cases in {}", cases.len(), self.out.display());
         Ok(())
     }
@@ -176,7 +177,7 @@ impl From<TrialError> for Failure {
             TrialError::UnknownEffect(_) => {
                 Self::new(error.to_string(), "docs/effects.md lists the catalogue")
             }
-            TrialError::NothingMatters { .. } => {
+            TrialError::NothingDetectable { .. } => {
                 Self::new(error.to_string(), "take another --seed, or less noise")
             }
             _ => Self::new(error.to_string(), ""),

@@ -2,9 +2,9 @@
 
 use firmware::link::Command;
 
-use super::Failure;
-pub use super::link_choice::LinkChoice as Arguments;
-use super::output::say;
+use crate::failure::Failure;
+pub use crate::options::board::BoardOptions as Arguments;
+use crate::terminal::output::print_line;
 
 /// Runs the command.
 ///
@@ -14,10 +14,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut client = arguments.connect()?;
     match client.report()?.fault {
         Some(fault) => {
-            client.order(Command::ClearFault)?;
-            say(format_args!("cleared: {fault}"))?;
+            client.execute(Command::ClearFault)?;
+            print_line(format_args!("cleared: {fault}"))?;
         }
-        None => say("there is no fault")?,
+        None => print_line("there is no fault")?,
     }
-    say(format_args!("the board is {}", client.report()?.state))
+    print_line(format_args!("the board is {}", client.report()?.state))
 }

@@ -1,10 +1,10 @@
 //! `rrr completions`: what a shell needs to complete `rrr`'s command line.
 
-use clap::{Args, CommandFactory};
+use clap::{Args, Command};
 use clap_complete::{Shell, generate};
 
-use super::output::say;
-use super::{CommandLine, Failure};
+use crate::failure::Failure;
+use crate::terminal::output::print_line;
 
 /// Arguments of `rrr completions`.
 #[derive(Debug, Args)]
@@ -14,12 +14,12 @@ pub struct Arguments {
     pub shell: Shell,
 }
 
-/// Runs the command: the script goes to the standard output.
+/// Runs the command for the whole command line: the script goes to the standard output.
 ///
 /// # Errors
 /// The output does not take it.
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub fn run(arguments: &Arguments, command_line: &mut Command) -> Result<(), Failure> {
     let mut script = Vec::new();
-    generate(arguments.shell, &mut CommandLine::command(), "rrr", &mut script);
-    say(String::from_utf8_lossy(&script).trim_end())
+    generate(arguments.shell, command_line, "rrr", &mut script);
+    print_line(String::from_utf8_lossy(&script).trim_end())
 }

@@ -2,21 +2,21 @@
 
 use firmware::link::{Counters, Hello, Parameters, Report};
 
-use super::Failure;
-pub use super::link_choice::LinkChoice as Arguments;
-use super::link_choice::openness;
-use super::output::say;
+use crate::failure::Failure;
+pub use crate::options::board::BoardOptions as Arguments;
+use crate::options::board::access;
+use crate::terminal::output::print_line;
 
 /// Runs the command.
 ///
 /// # Errors
 /// No line, no board, or one of another build.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let mut client = arguments.connect_to_look()?;
+    let mut client = arguments.connect_to_read()?;
     let report = client.report()?;
-    say(format_args!("line        {}", client.name()))?;
-    say(format_args!("board       {}", board(client.hello())))?;
-    lines(&report).iter().try_for_each(say)
+    print_line(format_args!("line        {}", client.name()))?;
+    print_line(format_args!("board       {}", board(client.hello())))?;
+    lines(&report).iter().try_for_each(print_line)
 }
 
 fn board(hello: &Hello) -> String {
@@ -32,7 +32,7 @@ fn lines(report: &Report) -> Vec<String> {
     lines.extend(unknown_positions(report.position_known));
     lines.extend([
         format!("parameters  {}", parameters(report.parameters.as_ref())),
-        format!("link        {}", openness(report)),
+        format!("link        {}", access(report)),
         ticks(&report.counters),
         limits(&report.counters),
     ]);
@@ -44,7 +44,7 @@ fn unknown_positions(known: [bool; 3]) -> Option<String> {
     let unknown = (1..).zip(known).filter(|(_, known)| !known);
     let joints: Vec<String> = unknown.map(|(joint, _)| joint.to_string()).collect();
     let joints = (!joints.is_empty()).then(|| joints.join(", "))?;
-    Some(format!("position    not known of joint {joints}: `rrr home` tells it"))
+    Some(format!("position    unknown for joint {joints}: `rrr home` sets it"))
 }
 
 fn ticks(counters: &Counters) -> String {

@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use clap::Args;
 
-use super::Failure;
-use crate::progress::Progress;
+use crate::failure::Failure;
+use crate::terminal::progress::Progress;
 use files::RobotFile;
 use files::excitation_file::{ExcitationFile, JointTable};
 use identification::excitation_design::{Design, Effort, Settings, design};
@@ -138,7 +138,7 @@ fn table(design: &Design, settings: &Settings) -> String {
     const HARDLY_EXCITES: f64 = 100.0;
     if design.condition_number > HARDLY_EXCITES {
         text +=
-            "warning: this motion hardly tells the parameters apart; the voltage limit is low\n";
+            "warning: this motion hardly distinguishes the parameters; the voltage limit is low\n";
     }
     if design.cut_short {
         text += "the search was cut short by --seconds; more time may find a smaller J_k\n";

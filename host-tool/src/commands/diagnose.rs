@@ -1,16 +1,15 @@
 //! `rrr diagnose`: what causes the gap between a real robot and its model.
 
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::{Failure, create_directory};
-use crate::progress::Steps;
+use crate::failure::Failure;
+use crate::output_files::{create_directory, json, write_text};
+use crate::terminal::progress::Steps;
 use diagnosis::sentence;
 use diagnosis::{self, Cause, Diagnosis, DiagnosisError, SubjectError};
-use files::replace::replace_file;
-use files::{Dataset, Problem, RobotFile};
+use files::{Dataset, RobotFile};
 use recordings::Campaign;
 use report::diagnosis_page::diagnosis_page;
 use report::diagnosis_page::tables::{CAUSES, cause_rows};
@@ -96,14 +95,12 @@ fn refuse_to_replace(model: &Path, amended: &Path) -> Result<(), Failure> {
 /// The directory cannot be made, or a file not be written.
 pub fn write(diagnosis: &Diagnosis, directory: &Path) -> Result<(), Failure> {
     let path = directory.join(REPORT);
-    let report = serde_json::to_string_pretty(&diagnosis.report)
-        .map_err(|error| Failure::new(format!("{}: {error}", path.display()), ""))?;
+    let report = json(&diagnosis.report, &path)? + "\n";
     let page = diagnosis_page(diagnosis);
     create_directory(directory)?;
     diagnosis.model.write(directory.join(MODEL))?;
     page.write(&directory.join(PAGE))?;
-    replace_file(&path, |file| writeln!(file, "{report}").map_err(Problem::Unwritable))?;
-    Ok(())
+    write_text(&report, &path)
 }
 
 /// The sentence, the table of causes and the remarks, as they go to the terminal.

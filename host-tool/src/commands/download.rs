@@ -7,9 +7,9 @@ use clap::Args;
 use firmware::ParameterBlock;
 use firmware::link::Source;
 
-use super::Failure;
-use super::link_choice::LinkChoice;
-use super::output::say;
+use crate::failure::Failure;
+use crate::options::board::BoardOptions;
+use crate::terminal::output::print_line;
 use files::replace::replace_file;
 use files::{Problem, RobotFile};
 use link::transfer;
@@ -25,7 +25,7 @@ pub struct Arguments {
     pub in_use: bool,
     /// Which board.
     #[command(flatten)]
-    pub link: LinkChoice,
+    pub board: BoardOptions,
 }
 
 /// Runs the command.
@@ -35,11 +35,11 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let out = &arguments.out;
     let write = writer_for(out)?;
-    let mut client = arguments.link.connect_to_look()?;
+    let mut client = arguments.board.connect_to_read()?;
     let source = if arguments.in_use { Source::InUse } else { Source::Stored };
     let bytes = transfer::download(&mut client, source)?;
     write(out, &bytes)?;
-    say(format_args!("{}: a block of {} bytes", out.display(), bytes.len()))
+    print_line(format_args!("{}: a block of {} bytes", out.display(), bytes.len()))
 }
 
 type Writer = fn(&Path, &[u8]) -> Result<(), Failure>;
@@ -57,7 +57,7 @@ fn writer_for(out: &Path) -> Result<Writer, Failure> {
     }
 }
 
-/// The model of a block, with what a model file tells of the board.
+/// The model of a block, with the board's data that a model file has.
 fn model_of(bytes: &[u8]) -> Result<RobotFile, Failure> {
     let block = ParameterBlock::decode(bytes).map_err(|error| {
         let hint = "build tool and firmware from the same sources, or download to a .bin file";

@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use firmware::store::{Layout, Slot};
 
-use super::Failure;
-use super::block_choice::BlockChoice;
-use super::flash::SlotName;
-use super::output::say;
+use crate::failure::Failure;
+use crate::options::block::BlockOptions;
+use crate::options::slot::SlotName;
+use crate::terminal::output::print_line;
 use files::Problem;
 use files::replace::replace_file;
 use link::flash_image::FlashImage;
@@ -35,7 +35,7 @@ pub struct Arguments {
     pub sequence: u32,
     /// What the board is to do.
     #[command(flatten)]
-    pub choice: BlockChoice,
+    pub block: BlockOptions,
 }
 
 /// Runs the command.
@@ -45,7 +45,7 @@ pub struct Arguments {
 /// written.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let content = content_for(&arguments.out)?;
-    let block = arguments.choice.block(&arguments.model)?;
+    let block = arguments.block.parameter_block(&arguments.model)?;
     let slot = Slot::from(arguments.slot);
     let image = FlashImage::of_block(&block, slot, arguments.sequence)?;
     replace_file(&arguments.out, |file| {
@@ -53,7 +53,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     })?;
     let (out, sequence) = (arguments.out.display(), arguments.sequence);
     let (address, bytes) = (Layout::G474.slot(slot), image.bytes());
-    say(format_args!("{out}: block {sequence} for {slot} at 0x{address:08X}, {bytes} bytes"))
+    print_line(format_args!("{out}: block {sequence} for {slot} at 0x{address:08X}, {bytes} bytes"))
 }
 
 /// How the file's ending wants the image.

@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use firmware::ParameterBlock;
-use firmware::store::Slot;
 
-use super::Failure;
-use super::block_choice::BlockChoice;
+use crate::failure::Failure;
+use crate::options::block::BlockOptions;
+use crate::options::slot::SlotName;
 use files::Problem;
 use link::flash_image::{FlashError, FlashImage};
 
@@ -28,25 +28,7 @@ pub struct Arguments {
     pub probe: Option<String>,
     /// What the board is to do.
     #[command(flatten)]
-    pub choice: BlockChoice,
-}
-
-/// A slot on the command line.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum SlotName {
-    /// The first.
-    A,
-    /// The second.
-    B,
-}
-
-impl From<SlotName> for Slot {
-    fn from(name: SlotName) -> Self {
-        match name {
-            SlotName::A => Self::A,
-            SlotName::B => Self::B,
-        }
-    }
+    pub block: BlockOptions,
 }
 
 /// Runs the command.
@@ -55,8 +37,11 @@ impl From<SlotName> for Slot {
 /// An image that may not be written, no probe, or a board that does not take it.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let firmware = arguments.firmware()?;
-    let block =
-        arguments.model.as_deref().map(|model| arguments.choice.block(model)).transpose()?;
+    let block = arguments
+        .model
+        .as_deref()
+        .map(|model| arguments.block.parameter_block(model))
+        .transpose()?;
     // What is wrong with the files is said before a probe is looked for.
     firmware.check(None)?;
     write(arguments, firmware, block)
@@ -68,7 +53,8 @@ fn write(
     mut image: FlashImage,
     block: Option<ParameterBlock>,
 ) -> Result<(), Failure> {
-    use super::output::say;
+    use crate::terminal::output::print_line;
+    use firmware::store::Slot;
     use link::flash_image::parameters::next_slot;
     use link::flash_image::probe::ProbedBoard;
 
@@ -83,7 +69,7 @@ fn write(
     }
     board.write(&image, chosen)?;
     board.restart()?;
-    say(format_args!("{parameters}{} bytes written and read back", image.bytes()))
+    print_line(format_args!("{parameters}{} bytes written and read back", image.bytes()))
 }
 
 #[cfg(not(feature = "probe"))]
@@ -100,40 +86,5 @@ impl Arguments {
             problem.in_file(path)
         })?;
         Ok(FlashImage::of_elf(path, &bytes)?)
-    }
-}
-
-impl From<FlashError> for Failure {
-    fn from(error: FlashError) -> Self {
-        Self::new(error.to_string(), hint(&error))
-    }
-}
-
-fn hint(error: &FlashError) -> &'static str {
-    match error {
-        FlashError::NotElf { .. } | FlashError::NoProgram { .. } => {
-            "`cargo xtask firmware nucleo` builds the firmware and prints its path"
-        }
-        FlashError::NotFlash { .. } => "take the image for the NUCLEO, not that for QEMU",
-        FlashError::NotTheSlot { .. } | FlashError::Overlap { .. } => {
-            "link the firmware against memory.x; parameters go in by --model"
-        }
-        FlashError::Block(_) | FlashError::TooLong { .. } => "correct the value in the model file",
-        FlashError::WornOut => "erase both slots with the probe's own tool, then flash again",
-        FlashError::NoProbe => {
-            "connect the NUCLEO's USB port (ST-LINK); on Linux its udev rules must let you use it; \
-             or write the file of `rrr export-block` with another programmer"
-        }
-        FlashError::ManyProbes { .. } | FlashError::ProbeName { .. } => {
-            "name one with --probe VID:PID:SERIAL"
-        }
-        FlashError::Probe { .. } => "check the cable and the board's power, then try again",
-        FlashError::Verify { .. } | FlashError::OthersChanged { .. } => {
-            "try again; if it comes back, the flash is worn"
-        }
-        FlashError::NoProbeSupport => {
-            "build it with the feature `probe`, or write the file of `rrr export-block` with \
-             another programmer"
-        }
     }
 }

@@ -7,12 +7,11 @@ use clap::Args;
 use firmware::Angle;
 use firmware::link::{Command, Source};
 
-use super::Failure;
-use super::interrupt::interrupt;
-use super::link_choice::LinkChoice;
-use super::output::say;
-use super::upload::downloaded;
-use link::{Client, session};
+use crate::failure::Failure;
+use crate::options::board::BoardOptions;
+use crate::terminal::interrupt::interrupt;
+use crate::terminal::output::print_line;
+use link::{Client, settling, transfer};
 
 /// Arguments of `rrr home`.
 #[derive(Debug, Args)]
@@ -23,7 +22,7 @@ pub struct Arguments {
     pub at: Angles,
     /// Which board.
     #[command(flatten)]
-    pub link: LinkChoice,
+    pub board: BoardOptions,
 }
 
 /// An angle of each joint [rad].
@@ -44,20 +43,20 @@ fn angles(text: &str) -> Result<Angles, String> {
 /// # Errors
 /// A board that does not answer, is not disarmed, or whose arm moves.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let mut client = arguments.link.connect()?;
+    let mut client = arguments.board.connect()?;
     wait_for_rest(&mut client)?;
     let Angles(at_rad) = arguments.at;
     let position = at_rad.map(Angle::from_radians);
-    if !session::patiently(&mut client, Command::Home { position }, interrupt())? {
+    if !settling::execute_once_settled(&mut client, Command::Home { position }, interrupt())? {
         return Err(stopped());
     }
     for (joint, (known, at_rad)) in (1..).zip(client.report()?.position_known.iter().zip(at_rad)) {
         match known {
-            true => {
-                say(format_args!("joint {joint} is at {at_rad} rad, until the board is reset"))?
-            }
-            false => say(format_args!(
-                "joint {joint} has an encoder that has not moved yet: turn it by hand, then tell again"
+            true => print_line(format_args!(
+                "joint {joint} is at {at_rad} rad, until the board is reset"
+            ))?,
+            false => print_line(format_args!(
+                "joint {joint}: the encoder has not moved yet; turn it by hand, then run `rrr home` again"
             ))?,
         }
     }
@@ -65,14 +64,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 fn stopped() -> Failure {
-    Failure::interrupted("stopped before the board was told")
+    Failure::interrupted("stopped before the position was set")
 }
 
 fn wait_for_rest(client: &mut Client) -> Result<(), Failure> {
-    let block = downloaded(client, Source::InUse)?;
-    client.order(Command::Stream { on: true })?;
-    let rest = session::rest(client, block.encoder_counts_per_turn, interrupt());
-    client.order(Command::Stream { on: false })?;
+    let block = transfer::download_block(client, Source::InUse)?;
+    client.execute(Command::Stream { on: true })?;
+    let rest = settling::wait_for_rest(client, block.encoder_counts_per_turn, interrupt());
+    client.execute(Command::Stream { on: false })?;
     rest?;
     if interrupt().load(Ordering::Relaxed) {
         return Err(stopped());

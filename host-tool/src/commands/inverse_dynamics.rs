@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::Args;
 use model::{BaseParameters, Geometry, Pendulum, Posture};
 
-use super::Failure;
+use crate::failure::Failure;
 use files::replace::replace_file;
 use files::table::{Kind, Table};
 use files::{FileError, Problem, RobotFile};
@@ -139,7 +139,7 @@ fn header(joints: &[u8]) -> String {
     torques.chain(voltages).collect::<Vec<_>>().join(",")
 }
 
-/// Torques and voltages with as many digits as tell them from their neighbours.
+/// Torques and voltages with as many digits as the values have.
 fn line(body: &Body, torques_nm: &[f64]) -> String {
     let constants = &body.torque_constant_nm_per_v;
     let voltages = torques_nm.iter().zip(constants).map(|(torque, constant)| torque / constant);

@@ -3,15 +3,11 @@
 //! A new one is a module with an `Arguments` struct and a `run` function, a variant
 //! of [`Command`] and a line in [`Command::run`].
 
-use std::path::Path;
+use clap::{CommandFactory, Parser, Subcommand};
 
-use clap::{Parser, Subcommand};
-
-use files::FileError;
-use simulation::board::BoardError;
+use crate::failure::Failure;
 
 pub mod blind_trial;
-pub mod block_choice;
 pub mod clear_fault;
 pub mod completions;
 pub mod connect;
@@ -23,12 +19,8 @@ pub mod export_block;
 pub mod flash;
 pub mod home;
 pub mod identify;
-pub mod interrupt;
 pub mod inverse_dynamics;
-pub mod key_file;
-pub mod link_choice;
 pub mod monitor;
-pub mod output;
 pub mod run;
 pub mod set_key;
 pub mod simulate;
@@ -36,7 +28,7 @@ pub mod stop;
 pub mod upload;
 pub mod validate;
 
-/// Simulates the RRR robot, identifies it from its logs and judges the model.
+/// Simulates, identifies, controls and diagnoses the RRR robot.
 #[derive(Debug, Parser)]
 #[command(name = "rrr", version, about, propagate_version = true)]
 pub struct CommandLine {
@@ -48,48 +40,48 @@ pub struct CommandLine {
 /// What the tool can do.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Find the model of an unknown robot from its recorded experiments.
+    /// Identify the model of an unknown robot from its recorded experiments.
     Identify(identify::Arguments),
     /// Compute joint torques and voltages from a model and a table of motions.
     InverseDynamics(inverse_dynamics::Arguments),
     /// Record experiments of the simulated robot.
     Simulate(simulate::Arguments),
-    /// Judge a model on the logs held out: the command and the motion that it reconstructs.
+    /// Validate a model on the held-out logs: the command and the motion that it reconstructs.
     Validate(validate::Arguments),
     /// Find what causes the gap between a real robot and its model.
     Diagnose(diagnose::Arguments),
     /// Design the motion that identifies the base parameters best.
     DesignExcitation(design_excitation::Arguments),
-    /// Judge the diagnosis on robots whose hidden effects it is not told.
+    /// Score the diagnosis on simulated robots with hidden effects.
     BlindTrial(blind_trial::Arguments),
-    /// Tell what is at the board's line, and how it is.
+    /// Show which board is connected, and its state.
     Connect(connect::Arguments),
     /// Store a model on the board, for this and every later power-on.
     Upload(upload::Arguments),
     /// Fetch the board's parameters.
     Download(download::Arguments),
-    /// Do an experiment with the arm and record it.
+    /// Run an experiment on the arm and record it.
     ///
     /// Ctrl-C stops the arm before anything else and keeps the log. The exit status is 0 after
-    /// the experiment's own end, 130 after Ctrl-C, and 2 after a fault or whatever went wrong.
+    /// a complete experiment, 130 after Ctrl-C, and 2 after a fault or any other failure.
     Run(Box<run::Arguments>),
-    /// Look at positions, voltages, errors, ticks and faults as they change, until Ctrl-C.
+    /// Show positions, voltages, errors, tick times and faults live, until Ctrl-C.
     Monitor(monitor::Arguments),
-    /// Take the voltage away and disarm the board.
+    /// Output 0 V and disarm the board.
     Stop(stop::Arguments),
-    /// Tell the board where the arm is, after each of its resets.
+    /// Set the position of the arm, after each reset of the board.
     Home(home::Arguments),
-    /// Let the board leave a fault whose cause is gone.
+    /// Clear a fault whose cause is gone.
     ClearFault(clear_fault::Arguments),
-    /// Give the board a key, change it or take it away.
+    /// Set, change or remove the board's key.
     SetKey(set_key::Arguments),
     /// Write a model as the image of a parameter slot.
     ExportBlock(export_block::Arguments),
-    /// Put firmware and parameters onto the board through a debug probe.
+    /// Write firmware and parameters to the board through a debug probe.
     Flash(flash::Arguments),
     /// Record, identify and control a simulated robot with the firmware in QEMU.
     Demo(demo::Arguments),
-    /// Write what a shell needs to complete this tool's command line.
+    /// Print the completion script of a shell.
     Completions(completions::Arguments),
 }
 
@@ -97,7 +89,7 @@ impl Command {
     /// Runs the command.
     ///
     /// # Errors
-    /// What the user is told before the tool ends with the failure's exit status.
+    /// The message for the user, and the exit status.
     pub fn run(self) -> Result<(), Failure> {
         match self {
             Self::Identify(arguments) => identify::run(&arguments),
@@ -119,73 +111,9 @@ impl Command {
             Self::ExportBlock(arguments) => export_block::run(&arguments),
             Self::Flash(arguments) => flash::run(&arguments),
             Self::Demo(arguments) => demo::run(&arguments),
-            Self::Completions(arguments) => completions::run(&arguments),
+            Self::Completions(arguments) => {
+                completions::run(&arguments, &mut CommandLine::command())
+            }
         }
-    }
-}
-
-/// The exit status after bad input, of clap's as well, and after whatever went wrong.
-pub const BAD_INPUT: u8 = 2;
-/// The exit status after Ctrl-C, by custom 128 and the signal's number.
-pub const INTERRUPTED: u8 = 130;
-
-/// What a user is told when a command fails: what is wrong, and what to do about it.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{message}")]
-pub struct Failure {
-    /// What is wrong, with the place and the offending value.
-    pub message: String,
-    /// What to do about it.
-    pub hint: String,
-    /// The exit status.
-    pub status: u8,
-}
-
-impl Failure {
-    /// A failure in words.
-    pub fn new(message: impl Into<String>, hint: impl Into<String>) -> Self {
-        Self { message: message.into(), hint: hint.into(), status: BAD_INPUT }
-    }
-
-    /// The user ended the command with Ctrl-C; what it has come to so far.
-    pub fn interrupted(message: impl Into<String>) -> Self {
-        Self { message: message.into(), hint: String::new(), status: INTERRUPTED }
-    }
-
-    /// The lines that go to the terminal.
-    pub fn report(&self) -> String {
-        match self.hint.as_str() {
-            _ if self.status == INTERRUPTED => format!("interrupted: {}", self.message),
-            "" => format!("error: {}", self.message),
-            hint => format!("error: {}\nhint: {hint}", self.message),
-        }
-    }
-}
-
-/// Makes a directory for what a command writes, and those above it.
-///
-/// # Errors
-/// It cannot be made.
-pub fn create_directory(directory: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(directory).map_err(|error| {
-        let message = format!("{}: cannot be made a directory: {error}", directory.display());
-        Failure::new(message, "give another --out")
-    })
-}
-
-impl From<FileError> for Failure {
-    fn from(error: FileError) -> Self {
-        Self::new(error.to_string(), error.cure())
-    }
-}
-
-impl From<BoardError> for Failure {
-    fn from(error: BoardError) -> Self {
-        let hint = match &error {
-            BoardError::Block(_) => "correct the value in the model file",
-            BoardError::Start { .. } => "`cargo xtask setup` installs QEMU and builds what it runs",
-            _ => "rebuild the image with `cargo xtask firmware qemu`",
-        };
-        Self::new(error.to_string(), hint)
     }
 }

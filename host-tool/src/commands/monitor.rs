@@ -7,14 +7,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use firmware::ParameterBlock;
 use firmware::link::{Command, Report, Source, Telemetry};
 use firmware::supervisor::State;
 
-use super::interrupt::interrupt;
-use super::link_choice::{LinkChoice, openness};
-use super::{Failure, output};
-use link::session::next_record;
+use crate::failure::Failure;
+use crate::options::board::{BoardOptions, access};
+use crate::terminal::interrupt::interrupt;
+use crate::terminal::output;
+use link::settling::next_record;
 use link::{Client, LinkError, transfer};
 
 /// Time between two tables.
@@ -28,7 +28,7 @@ pub struct Arguments {
     pub once: bool,
     /// Which board.
     #[command(flatten)]
-    pub link: LinkChoice,
+    pub board: BoardOptions,
 }
 
 /// Runs the command: until Ctrl-C, or until nobody reads the tables any more, which is no
@@ -37,23 +37,15 @@ pub struct Arguments {
 /// # Errors
 /// A board that does not answer, or an output that does not take the table.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let mut client = arguments.link.connect_to_look()?;
-    let counts_per_turn = counts_per_turn(&mut client)?;
+    let mut client = arguments.board.connect_to_read()?;
+    let block = transfer::download_block(&mut client, Source::InUse)?;
+    let counts_per_turn = f64::from(block.encoder_counts_per_turn);
     let interrupted = interrupt();
     let shown = arguments.show(&mut client, counts_per_turn, interrupted);
     // A board that streams to nobody would go on for ever.
-    let ended = client.order(Command::Stream { on: false });
+    let ended = client.execute(Command::Stream { on: false });
     shown?;
     Ok(ended?)
-}
-
-fn counts_per_turn(client: &mut Client) -> Result<f64, Failure> {
-    let bytes = transfer::download(client, Source::InUse)?;
-    let block = ParameterBlock::decode(&bytes).map_err(|error| {
-        let hint = "build tool and firmware from the same sources";
-        Failure::new(format!("the board's block: {error}"), hint)
-    })?;
-    Ok(f64::from(block.encoder_counts_per_turn))
 }
 
 impl Arguments {
@@ -64,7 +56,7 @@ impl Arguments {
         counts_per_turn: f64,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
-        client.order(Command::Stream { on: true })?;
+        client.execute(Command::Stream { on: true })?;
         let mut lines = 0;
         while !interrupted.load(Ordering::Relaxed) {
             let record = next_record(client)?;
@@ -87,7 +79,7 @@ impl Arguments {
 fn pause(client: &mut Client, interrupted: &AtomicBool) -> Result<(), LinkError> {
     let drawn = Instant::now();
     while drawn.elapsed() < PERIOD && !interrupted.load(Ordering::Relaxed) {
-        client.listen()?;
+        client.receive()?;
         client.take_records();
     }
     Ok(())
@@ -129,7 +121,7 @@ fn table(record: &Telemetry, report: &Report, counts_per_turn: f64) -> String {
         );
     }
     let fault = report.fault.map_or("none".to_owned(), |fault| fault.to_string());
-    let _ = writeln!(text, "fault {fault}\nlink  {}", openness(report));
+    let _ = writeln!(text, "fault {fault}\nlink  {}", access(report));
     text
 }
 

@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use firmware::link::{Command, Key, Refusal};
 
-use super::Failure;
-use super::key_file::{NewKey, read_key};
-use super::link_choice::{LinkChoice, openness};
-use super::output::say;
+use crate::failure::Failure;
+use crate::options::board::{BoardOptions, access};
+use crate::options::key_file::{NewKey, read_key};
+use crate::terminal::output::print_line;
 use link::{Client, LinkError};
 
 /// Arguments of `rrr set-key`.
@@ -23,7 +23,7 @@ pub struct Arguments {
     pub remove: bool,
     /// Which board; --key is the key that it has now.
     #[command(flatten)]
-    pub link: LinkChoice,
+    pub board: BoardOptions,
 }
 
 /// Runs the command.
@@ -34,34 +34,34 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.file.as_deref();
     // What is wrong with the file is said before a board is looked for.
     let known = file.filter(|path| path.exists()).map(read_key).transpose()?;
-    let mut client = arguments.link.connect_to_look()?;
+    let mut client = arguments.board.connect_to_read()?;
     if client.report()?.has_key {
-        client.use_key(arguments.link.key()?);
+        client.set_key(arguments.board.key()?);
     }
     match file {
         Some(path) if known.is_none() => give_new(&mut client, path)?,
         _ => give(&mut client, known)?,
     }
-    say(format_args!("link        {}", openness(&client.report()?)))
+    print_line(format_args!("link        {}", access(&client.report()?)))
 }
 
 /// Gives the board a key, or takes its key away.
 fn give(client: &mut Client, key: Option<Key>) -> Result<(), LinkError> {
-    client.order(Command::SetKey { key })?;
-    client.use_key(key);
+    client.execute(Command::SetKey { key })?;
+    client.set_key(key);
     Ok(())
 }
 
 /// Gives the board a new key, which is in the file once the board has it.
 fn give_new(client: &mut Client, path: &Path) -> Result<(), Failure> {
     let new = NewKey::make(path)?;
-    let asked_again = client.tally().asked_again;
+    let asked_again = client.counters().retries;
     if let Err(error) = give(client, Some(new.key)) {
-        let once = client.tally().asked_again == asked_again;
+        let once = client.counters().retries == asked_again;
         return Err(if once && is_untouched(&error) { error.into() } else { doubt(&error, new) });
     }
     new.rename()?;
-    say(format_args!("{}: a new key, readable by you alone; keep a copy", path.display()))
+    print_line(format_args!("{}: a new key, readable by you alone; keep a copy", path.display()))
 }
 
 /// Whether the board surely has the key that it had, if it was asked only once.

@@ -5,12 +5,13 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use firmware::Mode;
 
-use super::output::say;
-use super::{Failure, create_directory};
-use crate::progress::Progress;
+use crate::failure::Failure;
+use crate::options::compensation::{bad_effect, compensated};
+use crate::options::mode::mode_named;
+use crate::output_files::create_directory;
+use crate::terminal::progress::Progress;
 use files::{Dataset, ExcitationFile, Experiment, RobotFile, Role};
-use rig::compensation::Compensations;
-use rig::effects::{Effect, EffectError};
+use rig::effects::Effect;
 use rig::{Plan, Recipe, Rig};
 use simulation::board::{Board, InProcess, Qemu, QemuSettings};
 use simulation::{Settings, SimulatedRobot, record_robot, start_of};
@@ -30,7 +31,7 @@ pub struct Arguments {
     /// Play this motion, as `rrr design-excitation` writes it, for the excitation.
     #[arg(long, value_name = "EXCITATION.toml")]
     pub excitation: Option<PathBuf>,
-    /// What the commands are made of, instead of what the data set asks for:
+    /// The control mode, instead of the data set's own:
     /// pd, pd-friction, pd-model, friction-only or open-loop.
     #[arg(long)]
     pub mode: Option<String>,
@@ -40,12 +41,12 @@ pub struct Arguments {
     /// Run the firmware's image in QEMU instead of in this process.
     #[arg(long, value_name = "ELF")]
     pub qemu: Option<PathBuf>,
-    /// Something that the robot does and its model does not know, such as
+    /// An effect of the robot that its model does not have, such as
     /// cogging:3:amplitude_V=0.1,harmonic=8,phase_rad=0; may be given several times.
     #[arg(long, value_name = "EFFECT:JOINT:NAME=VALUE,...")]
     pub effect: Vec<String>,
-    /// The board makes up for the effects that the model file holds, as far as it can, in
-    /// the modes that know the model; not for those of --effect.
+    /// The board compensates for the effects in the model file, as far as it can, in the
+    /// modes that use the model; not for those of --effect.
     #[arg(long)]
     pub compensate: bool,
     /// Seed of all noises.
@@ -108,14 +109,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The mode of that name.
-pub(super) fn mode_named(name: &str) -> Result<Mode, Failure> {
-    Mode::from_name(name).ok_or_else(|| {
-        let known = Mode::ALL.map(Mode::name).join(", ");
-        Failure::new(format!("--mode {name}: no such mode"), format!("take one of {known}"))
-    })
-}
-
 impl Arguments {
     /// A data set recorded in this process, as it is by default.
     pub fn new(model: &Path, dataset: &str, out: &Path) -> Self {
@@ -135,26 +128,11 @@ impl Arguments {
         }
     }
 
-    /// The rig of the model file; says which effects it is to compensate and cannot.
+    /// The rig of the model file, with compensations if they are wanted.
     pub(super) fn rig(&self) -> Result<Rig, Failure> {
         let file = RobotFile::read(&self.model)?;
-        self.compensated(Rig::of_file(&file)?, &file)
-    }
-
-    /// The rig with what the board makes up for, if it shall.
-    pub(super) fn compensated(&self, rig: Rig, file: &RobotFile) -> Result<Rig, Failure> {
-        if !self.compensate {
-            return Ok(rig);
-        }
-        let (compensations, left_out) =
-            Compensations::of(&file.effects).map_err(|error| self.bad_table(&error))?;
-        left_out.iter().try_for_each(say)?;
-        Ok(rig.with_compensations(compensations))
-    }
-
-    fn bad_table(&self, error: &EffectError) -> Failure {
-        let message = format!("{}: [[effect]]: {error}", self.model.display());
-        Failure::new(message, "correct the table; docs/effects.md lists the catalogue")
+        let rig = Rig::of_file(&file)?;
+        if self.compensate { compensated(rig, &file, &self.model) } else { Ok(rig) }
     }
 
     fn plans(&self, rig: &Rig) -> Result<Vec<Plan>, Failure> {
@@ -192,9 +170,9 @@ impl Arguments {
     /// The effects of the model file and those of the command line.
     fn effects(&self) -> Result<Vec<Box<dyn Effect>>, Failure> {
         let listed = RobotFile::read(&self.model)?.effects;
-        let from_file = listed
-            .iter()
-            .map(|table| rig::effects::effect_of(table).map_err(|error| self.bad_table(&error)));
+        let from_file = listed.iter().map(|table| {
+            rig::effects::effect_of(table).map_err(|error| bad_effect(&self.model, &error))
+        });
         let from_line = self.effect.iter().map(|text| {
             let effect = rig::effects::table_from_text(text)
                 .and_then(|table| rig::effects::effect_of(&table));

@@ -1,15 +1,15 @@
 //! `rrr stop`: 0 V now, and disarmed.
 
-use super::Failure;
-pub use super::link_choice::LinkChoice as Arguments;
-use super::output::say;
-use link::session::halt;
+use crate::failure::Failure;
+pub use crate::options::board::BoardOptions as Arguments;
+use crate::terminal::output::print_line;
+use link::stop::stop_and_disarm;
 
 /// Runs the command; it needs no key, and looks at none.
 ///
 /// # Errors
 /// A board that does not answer.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let state = halt(&mut arguments.connect_to_stop()?)?;
-    say(format_args!("the board is {state}"))
+    let report = stop_and_disarm(&mut arguments.connect_without_key()?)?;
+    print_line(format_args!("the board is {}", report.state))
 }

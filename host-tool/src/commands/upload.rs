@@ -2,17 +2,13 @@
 
 use std::path::PathBuf;
 
+use super::connect::parameters;
+use crate::failure::Failure;
+use crate::options::block::BlockOptions;
+use crate::options::board::{BoardOptions, access};
+use crate::terminal::output::print_line;
 use clap::Args;
-use firmware::ParameterBlock;
-use firmware::block::MAX_BYTES;
-use firmware::link::Source;
-
-use super::Failure;
-use super::block_choice::BlockChoice;
-use super::connect;
-use super::link_choice::{LinkChoice, openness};
-use super::output::say;
-use link::{Client, transfer};
+use link::transfer;
 
 /// Arguments of `rrr upload`.
 #[derive(Debug, Args)]
@@ -22,10 +18,10 @@ pub struct Arguments {
     pub model: PathBuf,
     /// What the board is to do.
     #[command(flatten)]
-    pub choice: BlockChoice,
+    pub block: BlockOptions,
     /// Which board.
     #[command(flatten)]
-    pub link: LinkChoice,
+    pub board: BoardOptions,
 }
 
 /// Runs the command.
@@ -34,43 +30,19 @@ pub struct Arguments {
 /// A model that cannot be used, here or on the board, or a board that does not answer.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     // What is wrong with the file is said before a board is looked for.
-    let block = arguments.choice.block(&arguments.model)?;
+    let block = arguments.block.parameter_block(&arguments.model)?;
     let file = arguments.model.display();
-    let encoded = encoded(&block)?;
-    let mut client = arguments.link.connect()?;
+    let encoded = transfer::encoded(&block)?;
+    let mut client = arguments.board.connect()?;
     let report = client.report()?;
     let in_use = transfer::commit(&mut client, &encoded)?;
     transfer::compare(&mut client, &encoded)?;
-    say(format_args!("{file}: stored, read back, the same byte for byte"))?;
-    say(format_args!("parameters  {}", connect::parameters(Some(&in_use))))?;
+    print_line(format_args!("{file}: stored, read back, the same byte for byte"))?;
+    print_line(format_args!("parameters  {}", parameters(Some(&in_use))))?;
     if client.report()?.position_known != report.position_known {
-        say(
-            "position    void: the encoder counts another number a turn; `rrr home` tells it again",
+        print_line(
+            "position    unknown: the counts per turn have changed; `rrr home` sets it again",
         )?;
     }
-    say(format_args!("link        {}", openness(&report)))
-}
-
-/// A block as it goes over the line.
-///
-/// # Errors
-/// It has more bytes than a block may.
-pub(super) fn encoded(block: &ParameterBlock) -> Result<Vec<u8>, Failure> {
-    let mut buffer = [0; MAX_BYTES];
-    let encoded = block.encode(&mut buffer).map_err(|error| {
-        Failure::new(format!("the parameter block: {error}"), "use fewer effects in the model file")
-    })?;
-    Ok(encoded.to_vec())
-}
-
-/// A block of the board.
-///
-/// # Errors
-/// The line is broken, the board says no, or the block is of another build.
-pub(super) fn downloaded(client: &mut Client, source: Source) -> Result<ParameterBlock, Failure> {
-    let bytes = transfer::download(client, source)?;
-    ParameterBlock::decode(&bytes).map_err(|error| {
-        let hint = "build tool and firmware from the same sources";
-        Failure::new(format!("the board's block: {error}"), hint)
-    })
+    print_line(format_args!("link        {}", access(&report)))
 }

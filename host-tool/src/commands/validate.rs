@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::{Failure, create_directory};
-use crate::progress::Steps;
+use crate::failure::Failure;
+use crate::output_files::create_directory;
+use crate::terminal::progress::Steps;
 use files::{Dataset, RobotFile, Role};
 use identification::procedure::Held;
 use recordings::Trace;

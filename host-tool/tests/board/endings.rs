@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use files::{Dataset, Log};
 use firmware::link::Command;
-use link::session::{self, Ending};
+use link::run::{self, RunOutcome};
 use link::{Address, Client, Recorder};
 use model::reference_robot::reference_robot;
 use rig::{Rig, plan};
@@ -97,7 +97,7 @@ fn after_ctrl_c_on_the_way_to_the_beginning_its_log_is_kept_but_not_listed() {
     rrr(at, &board, "upload model.toml").success();
     let output = interrupted(at, &board, 1, "run task --out logs --approach-speed 0.1");
     assert_eq!(output.status.code(), Some(130));
-    assert_tells(&words(&output.stderr), &["the way to the beginning was stopped"]);
+    assert_tells(&words(&output.stderr), &["the approach was stopped"]);
     let log = Log::read(at.join("logs/task-approach.csv.gz")).unwrap();
     assert!(log.len() > 500, "{}", log.len());
     assert_all_ticks_are_told(&words(&output.stdout), &log);
@@ -146,8 +146,8 @@ fn ctrl_c_while_the_board_is_armed_keeps_it_from_running() {
     });
     let mut client = Client::connect(&Address::of(&line.port), None).unwrap();
     let mut recorder = Recorder::new(&plan::hold(1.0).block(&Rig::new(reference_robot())), 1000);
-    let ending = session::run(&mut client, 8000, &mut recorder, &interrupted, &mut |_| {});
-    assert!(matches!(ending, Ok(Ending::Interrupted)), "{ending:?}");
+    let ending = run::run(&mut client, 8000, &mut recorder, &interrupted, &mut |_| {});
+    assert!(matches!(ending, Ok(RunOutcome::Interrupted)), "{ending:?}");
     drop(client);
     let asked: Vec<String> = asked.iter().collect();
     assert_eq!(asked, ["Arm", "Stop", "Disarm", "Query"]);
@@ -206,7 +206,7 @@ fn a_fault_on_the_way_to_the_beginning_keeps_that_log_unlisted() {
     let assert = rrr(at, &board, line);
     let told = words(&assert.get_output().stdout);
     let text = refused(assert);
-    assert_tells(&text, &["the board ended the way to the beginning: speed", "rrr clear-fault"]);
+    assert_tells(&text, &["the board ended the approach: speed", "rrr clear-fault"]);
     let log = Log::read(at.join("logs/task-approach.csv.gz")).unwrap();
     assert_all_ticks_are_told(&told, &log);
     let last = board_messages(&at.join("logs/task-approach.mcap")).pop().unwrap();

@@ -42,7 +42,7 @@ fn a_board_that_is_switched_off_breaks_the_link_and_the_log_is_kept() {
         let run = scope.spawn(move || refused(rrr_at(at, &port, LINE)));
         is_time.recv_timeout(Duration::from_secs(60)).unwrap();
         first.switch_off();
-        assert_tells(&run.join().unwrap(), &["the link broke in tick ", "look at the cable"]);
+        assert_tells(&run.join().unwrap(), &["the link was lost in tick ", "look at the cable"]);
     });
     let dataset = Dataset::read(at.join("logs")).unwrap();
     assert!(dataset.recordings().unwrap()[0].log.len() > 500);
@@ -58,7 +58,7 @@ fn a_board_that_falls_silent_costs_two_seconds_and_the_log_is_on_disk() {
         sender.send(SystemTime::now()).unwrap();
         Deed::Silence
     });
-    assert_tells(&text, &["the link broke in tick ", "no answer to query", "look at the cable"]);
+    assert_tells(&text, &["the link was lost in tick ", "no answer to query", "look at the cable"]);
     let written = std::fs::metadata(at.join("logs/hold.csv.gz")).unwrap().modified().unwrap();
     let waited_s = written.duration_since(silent.recv().unwrap()).unwrap().as_secs_f64();
     assert!((1.2..2.2).contains(&waited_s), "{waited_s} s");

@@ -5,7 +5,7 @@ use files::{JointLog, Log, Position, RobotFile};
 use model::reference_robot::reference_robot;
 
 #[cfg(unix)]
-pub mod at_board;
+pub mod simulated_board;
 
 /// An empty directory that vanishes with the value.
 pub fn directory() -> tempfile::TempDir {

@@ -2,23 +2,26 @@
 
 mod conversation;
 mod faults;
+mod reply;
 mod tick;
+mod tracking;
 
 use std::collections::VecDeque;
 
 use firmware::frame::FrameReader;
-use firmware::link::{BoardRuntime, BootState, Command, Refusal, Reply, Report};
+use firmware::link::{BoardRuntime, BootState, Command, Refusal};
 use firmware::store::{Layout, RamFlash, Store};
 use firmware::supervisor::{Fault, Health, State, TickRecord};
 use firmware::{Mode, ParameterBlock};
 use rig::Rig;
 
-use super::Settings;
+use self::reply::OwnedReply;
 use super::arm::Arm;
+use super::counters::SoakCounters;
 use super::draw;
 use super::noisy_line::NoisyLine;
 use super::rng::Rng;
-use super::tally::Tally;
+use super::settings::Settings;
 
 type Flash = RamFlash<Vec<u8>>;
 
@@ -27,33 +30,15 @@ const BYTES_PER_TICK: usize = 92;
 /// A line that is too narrow for a record a tick [bytes].
 const NARROW_BYTES_PER_TICK: usize = 40;
 /// No answer for so long: ask again [ticks].
-const PATIENCE_TICKS: u32 = 60;
+const RETRY_TICKS: u32 = 60;
 /// The run ends if the host is silent for longer [ticks, ms].
 const HOST_TIMEOUT: u16 = 1000;
 /// The host's sign of life, every so many ticks.
-const ALIVE_TICKS: u64 = 100;
+const HEARTBEAT_TICKS: u64 = 100;
 /// Records remembered, to hold what arrives against.
-const REMEMBERED: usize = 1024;
+const HISTORY_RECORDS: usize = 1024;
 /// Ticks of a run until all motions have swollen.
 const SETTLED_TICKS: u64 = 3000;
-
-/// An answer without what it borrows.
-#[derive(Clone, Debug)]
-enum Told {
-    Done,
-    Report(Report),
-    Piece(Vec<u8>),
-}
-
-impl Told {
-    fn of(reply: Reply<'_>) -> Self {
-        match reply {
-            Reply::Report(report) => Self::Report(report),
-            Reply::Piece { bytes, .. } => Self::Piece(bytes.to_vec()),
-            Reply::Done | Reply::InUse(_) | Reply::Challenge { .. } => Self::Done,
-        }
-    }
-}
 
 /// Everything of a soak.
 #[derive(Debug)]
@@ -67,11 +52,11 @@ pub struct Soak {
     to_host: NoisyLine,
     reader: FrameReader,
     number: u32,
-    answer: Option<(u32, Result<Told, Refusal>)>,
+    answer: Option<(u32, Result<OwnedReply, Refusal>)>,
     true_records: VecDeque<TickRecord>,
     last_sequence: Option<u32>,
     committed: Option<Vec<u8>>,
-    /// What the board is told to be wrong with it in the next tick.
+    /// The faults injected into the next tick.
     injected: Health,
     /// The tick in which the board heard the host last.
     heard_at: u32,
@@ -79,7 +64,7 @@ pub struct Soak {
     bytes_per_tick: usize,
     /// The fault that is due, if one is.
     expected: Option<Fault>,
-    tally: Tally,
+    counters: SoakCounters,
 }
 
 impl Soak {
@@ -105,16 +90,16 @@ impl Soak {
             heard_at: 0,
             bytes_per_tick: BYTES_PER_TICK,
             expected: None,
-            tally: Tally::default(),
+            counters: SoakCounters::default(),
         }
     }
 
     /// What was counted so far.
-    pub fn tally(&self) -> Tally {
-        Tally {
+    pub fn counters(&self) -> SoakCounters {
+        SoakCounters {
             bytes: self.to_board.carried + self.to_host.carried,
             bytes_broken: self.to_board.broken + self.to_host.broken,
-            ..self.tally.clone()
+            ..self.counters.clone()
         }
     }
 
@@ -124,21 +109,21 @@ impl Soak {
     /// Something did not hold.
     pub fn session(&mut self, index: u32) {
         let share = 1000 * u64::from(self.settings.duration_s) / u64::from(self.settings.sessions);
-        let end = (share * u64::from(index + 1)).max(self.tally.ticks + 8_000);
+        let end = (share * u64::from(index + 1)).max(self.counters.ticks + 8_000);
         self.bytes_per_tick = if index % 10 == 3 { NARROW_BYTES_PER_TICK } else { BYTES_PER_TICK };
-        self.greet();
+        self.handshake();
         self.rest();
         let mode = Mode::ALL[index as usize % 5];
         let block = draw::block(&self.rig, &mut self.rng, mode, self.arm.seen_rad());
         self.upload(&block, index.is_multiple_of(2));
-        self.ask(Command::Stream { on: true }).expect("telemetry can be asked for");
+        self.request(Command::Stream { on: true }).expect("telemetry can be asked for");
         self.run(&block, index, end);
-        self.ask(Command::Disarm).expect("a board can be disarmed");
-        self.tally.sessions += 1;
+        self.request(Command::Disarm).expect("a board can be disarmed");
+        self.counters.sessions += 1;
         let dropped = self.report().counters.telemetry_dropped;
         assert!(index % 10 != 3 || dropped > 0, "a narrow line cannot take every record");
         for mode in block.mode {
-            self.tally.modes[Mode::ALL.iter().position(|m| *m == mode).unwrap_or(0)] += 1;
+            self.counters.modes[Mode::ALL.iter().position(|m| *m == mode).unwrap_or(0)] += 1;
         }
         if index % 10 == 9 {
             self.reset();
@@ -147,7 +132,7 @@ impl Soak {
 
     /// Ticks, disarmed, until the whole time is over.
     pub fn rest_until_the_end(&mut self) {
-        while self.tally.ticks < 1000 * u64::from(self.settings.duration_s) {
+        while self.counters.ticks < 1000 * u64::from(self.settings.duration_s) {
             self.tick();
         }
     }
@@ -167,63 +152,35 @@ impl Soak {
 
     fn run(&mut self, block: &ParameterBlock, index: u32, end: u64) {
         (0..300).for_each(|_| self.tick());
-        self.ask(Command::Arm).expect("an arm at rest can be armed");
+        self.request(Command::Arm).expect("an arm at rest can be armed");
         let host_timeout_ms = Some(HOST_TIMEOUT);
-        self.ask(Command::Run { host_timeout_ms }).expect("an armed board can be run");
+        self.request(Command::Run { host_timeout_ms }).expect("an armed board can be run");
         self.last_sequence = None;
-        let begin = self.tally.ticks;
+        let begin = self.counters.ticks;
         let end = end.max(begin + 5_000);
         let injected_at = begin + (end - begin) / 2;
         let quarter = (end - begin - SETTLED_TICKS.min(end - begin)) / 4;
         let (mut first, mut last) = ([0.0; 3], [0.0; 3]);
         let faulty = index % 5 == 4;
-        while self.tally.ticks < end {
-            if self.tally.ticks.is_multiple_of(ALIVE_TICKS) {
-                self.say(Command::Query);
+        while self.counters.ticks < end {
+            if self.counters.ticks.is_multiple_of(HEARTBEAT_TICKS) {
+                self.send_without_answer(Command::Query);
             }
             self.tick();
-            self.tally.ticks_running += 1;
-            let since = self.tally.ticks - begin;
+            self.counters.ticks_running += 1;
+            let since = self.counters.ticks - begin;
             if since > SETTLED_TICKS && since <= SETTLED_TICKS + quarter {
                 self.add_squares(block, &mut first);
-            } else if self.tally.ticks + quarter >= end {
+            } else if self.counters.ticks + quarter >= end {
                 self.add_squares(block, &mut last);
             }
-            if faulty && self.tally.ticks == injected_at {
+            if faulty && self.counters.ticks == injected_at {
                 return self.inject(index / 5);
             }
         }
-        self.judge_drift(first, last, quarter);
+        self.assert_no_drift(first, last, quarter);
         let report = self.report();
         assert_eq!((report.state, report.fault), (State::Running, None));
-    }
-
-    /// Adds the squares of tracking errors in the mode that knows the model.
-    fn add_squares(&mut self, block: &ParameterBlock, sums: &mut [f64; 3]) {
-        let Some(record) = self.true_records.back() else { return };
-        let seen = self.arm_at(record);
-        for joint in (0..3).filter(|joint| block.mode[*joint] == Mode::PdModel) {
-            let error_rad = f64::from(record.reference[joint].minus(seen[joint]));
-            sums[joint] += error_rad * error_rad;
-            self.tally.worst_error_rad = self.tally.worst_error_rad.max(error_rad.abs());
-        }
-    }
-
-    fn arm_at(&self, record: &TickRecord) -> [firmware::Angle; 3] {
-        record.counts.map(|count| {
-            let within = count.rem_euclid(super::arm::COUNTS_PER_TURN as i32) as f64;
-            let units = within / f64::from(super::arm::COUNTS_PER_TURN) * 2f64.powi(32);
-            firmware::Angle(units as u32 as i32)
-        })
-    }
-
-    fn judge_drift(&mut self, first: [f64; 3], last: [f64; 3], ticks: u64) {
-        for joint in 0..3 {
-            let [before, after] = [first, last].map(|sums| (sums[joint] / ticks as f64).sqrt());
-            let drift = (after - before).abs();
-            self.tally.worst_drift_rad = self.tally.worst_drift_rad.max(drift);
-            assert!(after <= 1.3 * before + 5e-4, "joint {}: {before} to {after} rad", joint + 1);
-        }
     }
 
     /// Power off and on; the arm stays where it is.
@@ -231,12 +188,12 @@ impl Soak {
         self.rest();
         let boot_state = self.power_cycle();
         assert_eq!((boot_state.fault, boot_state.corrupt), (None, false));
-        self.tally.resets += 1;
+        self.counters.resets += 1;
     }
 
-    /// Boots anew; what was committed last must be there.
+    /// Boots again; what was committed last must be there.
     fn power_cycle(&mut self) -> BootState {
-        self.tally.records_dropped += u64::from(self.report().counters.telemetry_dropped);
+        self.counters.records_dropped += u64::from(self.report().counters.telemetry_dropped);
         let empty = Store::new(RamFlash::new(Vec::new()), 0, Layout::G474);
         let flash = std::mem::replace(self.runtime.handler.store(), empty).into_flash();
         let (runtime, boot_state) = booted(flash);

@@ -6,17 +6,20 @@ use firmware::{BlockError, Controller};
 /// Decodes; what is accepted must survive being encoded, and must run.
 pub fn run(bytes: &[u8]) {
     let _ = ParameterBlock::decode(bytes);
-    match ParameterBlock::decode(&sealed(bytes)) {
+    match ParameterBlock::decode(&framed(bytes)) {
         Ok(block) => try_out(block),
         Err(error) => {
             let _ = error.to_string();
-            assert!(!matches!(error, BlockError::Length { .. } | BlockError::Checksum), "sealed");
+            assert!(
+                !matches!(error, BlockError::Length { .. } | BlockError::Checksum),
+                "header and checksum fit"
+            );
         }
     }
 }
 
 /// The bytes as the body of a block.
-pub fn sealed(body: &[u8]) -> Vec<u8> {
+pub fn framed(body: &[u8]) -> Vec<u8> {
     let body = &body[..body.len().min(usize::from(u16::MAX))];
     let length = (body.len() as u16).to_le_bytes();
     let content = [&VERSION.to_le_bytes()[..], &length, body].concat();

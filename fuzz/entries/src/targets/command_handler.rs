@@ -72,9 +72,9 @@ fn converse(
         let (piece, behind) = rest.split_at(rest.len().min(usize::from(*length)));
         bytes = behind;
         match what % 4 {
-            0 => say(handler, supervisor, piece),
-            1 => say_sealed(handler, supervisor, Kind::Request, piece),
-            2 => say_sealed(handler, supervisor, Kind::Hello, piece),
+            0 => send(handler, supervisor, piece),
+            1 => send_framed(handler, supervisor, Kind::Request, piece),
+            2 => send_framed(handler, supervisor, Kind::Hello, piece),
             _ => has_run |= tick(handler, supervisor, piece),
         }
         handler.store_fault(supervisor);
@@ -82,7 +82,7 @@ fn converse(
     has_run
 }
 
-fn say(handler: &mut Handler<MemoryStore>, supervisor: &mut Supervisor, bytes: &[u8]) {
+fn send(handler: &mut Handler<MemoryStore>, supervisor: &mut Supervisor, bytes: &[u8]) {
     for &byte in bytes {
         if let Some(answer) = handler.receive(byte, supervisor) {
             assert!(answer.ends_with(&[0]) && answer.len() <= MAX_FRAME_BYTES, "{answer:?}");
@@ -90,7 +90,7 @@ fn say(handler: &mut Handler<MemoryStore>, supervisor: &mut Supervisor, bytes: &
     }
 }
 
-fn say_sealed(
+fn send_framed(
     handler: &mut Handler<MemoryStore>,
     supervisor: &mut Supervisor,
     kind: Kind,
@@ -98,7 +98,7 @@ fn say_sealed(
 ) {
     let mut buffer = [0; MAX_FRAME_BYTES];
     if let Some(frame) = seal(kind, payload, &mut buffer) {
-        say(handler, supervisor, frame);
+        send(handler, supervisor, frame);
     }
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use model::vector::Vector3;
 
-use super::Definition;
+use super::definition::Definition;
 use rig::effects::{Effect, JointState};
 
 pub(super) const DEFINITION: Definition = Definition {

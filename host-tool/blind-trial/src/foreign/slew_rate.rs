@@ -2,7 +2,7 @@
 
 use model::vector::Vector3;
 
-use super::Definition;
+use super::definition::Definition;
 use rig::effects::{Effect, JointState};
 
 pub(super) const DEFINITION: Definition = Definition {

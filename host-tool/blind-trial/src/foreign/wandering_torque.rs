@@ -4,7 +4,7 @@ use model::vector::Vector3;
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
 
-use super::Definition;
+use super::definition::Definition;
 use rig::effects::{Effect, JointState};
 
 pub(super) const DEFINITION: Definition = Definition {

@@ -42,7 +42,7 @@ fn row(outcomes: &[Outcome], name: &str, kind: Kind) -> Option<ConfusionRow> {
     let right = if kind == Kind::Foreign { "unknown" } else { name };
     let mut answers = BTreeMap::new();
     for outcome in outcomes.iter().filter(is_wanted) {
-        *answers.entry(outcome.answer.word().to_owned()).or_default() += 1;
+        *answers.entry(outcome.answer.label().to_owned()).or_default() += 1;
     }
     (!answers.is_empty()).then(|| ConfusionRow {
         truth: name.to_owned(),

@@ -74,7 +74,7 @@ impl Singles {
     pub(super) fn of(outcomes: &[Outcome]) -> Self {
         let singles = of_kind(outcomes, Kind::Single);
         let effect = |outcome: &Outcome| {
-            outcome.truth.first().is_some_and(|truth| truth.effect == outcome.answer.word())
+            outcome.truth.first().is_some_and(|truth| truth.effect == outcome.answer.label())
         };
         Self {
             right: count(&singles, first_is_true),
@@ -83,8 +83,8 @@ impl Singles {
             not_ruled_out: count(&singles, |outcome| {
                 !first_is_true(outcome) && (outcome.found() > 0 || is_alternative(outcome))
             }),
-            missed: count(&singles, |outcome| outcome.answer.word() == "none"),
-            unknown: count(&singles, |outcome| outcome.answer.word() == "unknown"),
+            missed: count(&singles, |outcome| outcome.answer.label() == "none"),
+            unknown: count(&singles, |outcome| outcome.answer.label() == "unknown"),
         }
     }
 }
@@ -131,7 +131,7 @@ impl Pairs {
 
 /// Cases with nothing hidden.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Nothing {
+pub struct NoEffect {
     /// The answer is "none".
     pub right: Share,
     /// A cause is named.
@@ -140,13 +140,13 @@ pub struct Nothing {
     pub unknown: Share,
 }
 
-impl Nothing {
+impl NoEffect {
     pub(super) fn of(outcomes: &[Outcome]) -> Self {
         let cases = of_kind(outcomes, Kind::None);
         Self {
             right: count(&cases, Outcome::is_right),
             false_alarms: count(&cases, |outcome| !outcome.answer.named().is_empty()),
-            unknown: count(&cases, |outcome| outcome.answer.word() == "unknown"),
+            unknown: count(&cases, |outcome| outcome.answer.label() == "unknown"),
         }
     }
 }
@@ -168,7 +168,7 @@ impl Foreign {
         Self {
             unknown: count(&cases, Outcome::is_right),
             wrong_name: count(&cases, |outcome| !outcome.answer.named().is_empty()),
-            missed: count(&cases, |outcome| outcome.answer.word() == "none"),
+            missed: count(&cases, |outcome| outcome.answer.label() == "none"),
         }
     }
 }

@@ -3,12 +3,13 @@
 mod calibration;
 mod confusion;
 mod counts;
+mod median;
 mod parameters;
 mod shrinkage;
 
 pub use calibration::{Bin, Calibration};
 pub use confusion::ConfusionRow;
-pub use counts::{Foreign, Joints, Nothing, Pairs, Share, Singles};
+pub use counts::{Foreign, Joints, NoEffect, Pairs, Share, Singles};
 pub use parameters::{ParameterError, ParameterScore, errors};
 pub use shrinkage::Shrinkage;
 
@@ -28,7 +29,7 @@ pub struct Score {
     /// Cases of two.
     pub pairs: Pairs,
     /// Cases with nothing hidden.
-    pub nothing: Nothing,
+    pub nothing: NoEffect,
     /// Cases of an effect that the catalogue does not have.
     pub foreign: Foreign,
     /// Whether the joint is right.
@@ -55,7 +56,7 @@ impl Score {
             failed: Share::among(outcomes, failed),
             singles: Singles::of(outcomes),
             pairs: Pairs::of(outcomes),
-            nothing: Nothing::of(outcomes),
+            nothing: NoEffect::of(outcomes),
             foreign: Foreign::of(outcomes),
             joints: Joints::of(outcomes),
             confusion: confusion::rows(outcomes),
@@ -64,17 +65,6 @@ impl Score {
             calibration: Calibration::of(outcomes),
             mean_seconds: seconds / outcomes.len().max(1) as f64,
         }
-    }
-}
-
-/// The middle of some values; `None` of nothing.
-fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    let half = values.len() / 2;
-    match values.len() {
-        0 => None,
-        count if count % 2 == 1 => Some(values[half]),
-        _ => Some(0.5 * (values[half - 1] + values[half])),
     }
 }
 

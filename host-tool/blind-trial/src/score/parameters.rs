@@ -5,7 +5,8 @@ use std::f64::consts::{PI, TAU};
 
 use serde::Serialize;
 
-use super::{Share, median};
+use super::Share;
+use super::median::median;
 use crate::cause::TrueCause;
 use crate::outcome::Outcome;
 use diagnosis::{Cause, Value};

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::median;
+use super::median::median;
 use crate::case::Kind;
 use crate::outcome::Outcome;
 

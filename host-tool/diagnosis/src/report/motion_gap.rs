@@ -57,7 +57,7 @@ fn drift(
     let command = |k: usize| [0, 1, 2].map(|i| stretch.command_v[i][k]);
     let before = (BEFORE_S / stretch.period_s).ceil() as usize;
     for k in start.saturating_sub(before)..start {
-        robot.feel(&command(k));
+        robot.update_effects_at_rest(&command(k));
     }
     robot.set_time(time_s);
     robot.set_motion(qd, qdd, bends[start]);

@@ -284,7 +284,7 @@ mod tests {
     use rig::effects::Definition;
     use signal::LowPass;
     use signal::rms;
-    use simulation::robot::{Settings, SimulatedRobot};
+    use simulation::{Settings, SimulatedRobot};
 
     const PERIOD_S: f64 = 1e-3;
     const COUNT_RAD: f64 = TAU / 655_360.0;

@@ -1,4 +1,4 @@
-//! What a board tells beside its joints, as an MCAP message: JSON under a JSON schema.
+//! What a board reports beside its joints, as an MCAP message: JSON under a JSON schema.
 
 use serde::Serialize;
 use serde_json::json;
@@ -8,7 +8,7 @@ pub(super) const TOPIC: &str = "/board";
 /// Their schema's name.
 pub(super) const NAME: &str = "BoardSample";
 
-/// What a board tells of a tick beside its joints. Only MCAP holds it; reading a log skips it.
+/// What a board reports of a tick beside its joints. Only MCAP holds it; reading a log skips it.
 ///
 /// A log's rows are ticks in which the board was running. The tick that ended it, by a fault,
 /// say, is a sample without a row: it alone has its own positions and commands.

@@ -1,7 +1,7 @@
 //! What every log must be, read or to be written.
 
 use super::{JointLog, Log, Position};
-use crate::error::{Fault, Place, Problem};
+use crate::error::{LocatedProblem, Place, Problem};
 
 impl Log {
     /// Checks that there are samples of some joint, that all columns are as long as the
@@ -9,7 +9,7 @@ impl Log {
     ///
     /// # Errors
     /// The first problem; its line is that of the log written as `.csv`.
-    pub fn check(&self) -> Result<(), Fault> {
+    pub fn check(&self) -> Result<(), LocatedProblem> {
         if self.joints.is_empty() {
             return Err(Problem::NoJoint.into());
         }
@@ -24,7 +24,7 @@ impl Log {
 }
 
 impl JointLog {
-    fn check(&self, rows: usize) -> Result<(), Fault> {
+    fn check(&self, rows: usize) -> Result<(), LocatedProblem> {
         let number = self.joint;
         check_length(self.position.len(), rows, self.position_column())?;
         if let Position::Radian(angles) = &self.position {
@@ -67,7 +67,7 @@ pub(super) fn reference_column(joint: u8) -> String {
     format!("qref{joint}_rad")
 }
 
-fn check_numbers(joints: &[JointLog]) -> Result<(), Fault> {
+fn check_numbers(joints: &[JointLog]) -> Result<(), LocatedProblem> {
     let rising = joints.windows(2).all(|pair| pair[0].joint < pair[1].joint);
     match joints.iter().find(|joint| !(1..=3).contains(&joint.joint)) {
         Some(joint) => Err(contradiction(format!("joint {} is not 1, 2 or 3", joint.joint))),
@@ -76,18 +76,18 @@ fn check_numbers(joints: &[JointLog]) -> Result<(), Fault> {
     }
 }
 
-fn contradiction(what: String) -> Fault {
+fn contradiction(what: String) -> LocatedProblem {
     Problem::Contradiction(what).into()
 }
 
-fn check_length(found: usize, expected: usize, column: String) -> Result<(), Fault> {
+fn check_length(found: usize, expected: usize, column: String) -> Result<(), LocatedProblem> {
     if found == expected {
         return Ok(());
     }
     Err(Problem::UnequalLength { found, expected }.at(Place::column(column)))
 }
 
-fn check_finite(values: &[f64], column: &str) -> Result<(), Fault> {
+fn check_finite(values: &[f64], column: &str) -> Result<(), LocatedProblem> {
     match values.iter().position(|value| !value.is_finite()) {
         None => Ok(()),
         Some(row) => {
@@ -98,13 +98,13 @@ fn check_finite(values: &[f64], column: &str) -> Result<(), Fault> {
 }
 
 /// Checks that the time still increases once it is written, to a nanosecond.
-pub(super) fn check_written_time(time_s: &[f64]) -> Result<(), Fault> {
+pub(super) fn check_written_time(time_s: &[f64]) -> Result<(), LocatedProblem> {
     let written: Vec<f64> = time_s.iter().map(|time_s| (time_s * 1e9).round() / 1e9).collect();
     check_time(&written)
 }
 
 /// Checks that the time increases strictly.
-pub(super) fn check_time(time_s: &[f64]) -> Result<(), Fault> {
+pub(super) fn check_time(time_s: &[f64]) -> Result<(), LocatedProblem> {
     match time_s.windows(2).position(|pair| pair[1] <= pair[0]) {
         None => Ok(()),
         Some(row) => {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::check::{check_time, command_column, count_column, radian_column, reference_column};
 use super::{JointLog, Log, Position};
-use crate::error::{Fault, FileError, Problem};
+use crate::error::{FileError, LocatedProblem, Problem};
 use crate::table::{Kind, Table, Values};
 
 /// The log in a table's text; the path is for messages.
@@ -25,7 +25,7 @@ pub(super) fn kind_of(name: &str) -> Kind {
 }
 
 /// The log that a table's columns make.
-pub(super) fn log_from(mut table: Table) -> Result<Log, Fault> {
+pub(super) fn log_from(mut table: Table) -> Result<Log, LocatedProblem> {
     let time_s = table.take_float("t_s")?;
     if table.rows() == 0 {
         return Err(Problem::NoSamples.into());

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::joint_message::{JointMessage, topic};
 use super::mcap_records::{TopicMessage, for_each_message};
 use super::{JointLog, Log, Position};
-use crate::error::{Fault, FileError, Problem};
+use crate::error::{FileError, LocatedProblem, Problem};
 
 /// The log in an MCAP file's bytes, as this tool writes it; the path is for messages.
 pub(super) fn of(path: &Path, bytes: &[u8]) -> Result<Log, FileError> {
@@ -13,7 +13,7 @@ pub(super) fn of(path: &Path, bytes: &[u8]) -> Result<Log, FileError> {
 }
 
 /// The log that an MCAP file's messages make; messages on other topics are ignored.
-pub(super) fn log_from(bytes: &[u8]) -> Result<Log, Fault> {
+pub(super) fn log_from(bytes: &[u8]) -> Result<Log, LocatedProblem> {
     let mut joints: [Samples; 3] = Default::default();
     let topics = [1, 2, 3].map(topic);
     for_each_message(bytes, |message| {
@@ -23,7 +23,7 @@ pub(super) fn log_from(bytes: &[u8]) -> Result<Log, Fault> {
         }
     })?;
     let log = join((1..).zip(joints).filter(|(_, samples)| !samples.time_s.is_empty()))?;
-    log.check().map_err(Fault::without_line)?;
+    log.check().map_err(LocatedProblem::without_line)?;
     Ok(log)
 }
 

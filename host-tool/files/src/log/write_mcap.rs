@@ -16,7 +16,7 @@ use crate::error::{FileError, Place, Problem};
 use crate::replace::replace_file;
 
 /// Writes an MCAP file: a channel per joint, a message per sample; the board's own channel if
-/// there is something to tell. Samples of the board beyond the last row follow the rows.
+/// there is anything to write. Samples of the board beyond the last row follow the rows.
 pub(super) fn write(log: &Log, board: &[BoardSample], path: &Path) -> Result<(), FileError> {
     let times_ns =
         times_ns(&log.time_s).map_err(|problem| problem.at(Place::column("t_s")).in_file(path))?;

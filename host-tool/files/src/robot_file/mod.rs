@@ -1,10 +1,7 @@
 //! `robot.toml` and `model.toml`: what is known of a rig.
 
-use std::path::Path;
-
 use model::{BaseParameters, Friction, Pendulum, Robot};
 
-use super::error::FileError;
 use super::toml_source::TomlSource;
 
 mod check;
@@ -23,7 +20,7 @@ pub use tables::{EffectTable, FrictionTable, PendulumTable, RobotTable};
 /// keys that are not known here are kept in `extra` and written back.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RobotFile {
-    /// What the manufacturer tells.
+    /// The manufacturer's data.
     pub robot: RobotTable,
     /// Base parameters of a rig of three joints.
     pub base: Option<BaseParameters<f64>>,
@@ -42,30 +39,6 @@ pub struct RobotFile {
 }
 
 impl RobotFile {
-    /// Reads a file.
-    ///
-    /// # Errors
-    /// Names the file and line, what is wrong, and the cure.
-    pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
-        read::read(path.as_ref())
-    }
-
-    /// The same from a file's bytes; the path is for messages.
-    ///
-    /// # Errors
-    /// As of [`RobotFile::read`].
-    pub fn parse(path: impl AsRef<Path>, bytes: Vec<u8>) -> Result<Self, FileError> {
-        read::of(TomlSource::of(path.as_ref(), bytes)?)
-    }
-
-    /// Writes a file, whole or not at all, its tables in the order of the contract.
-    ///
-    /// # Errors
-    /// The path cannot be written.
-    pub fn write(&self, path: impl AsRef<Path>) -> Result<(), FileError> {
-        write::write(self, path.as_ref())
-    }
-
     /// A model file of three joints; sample period, limits and encoder are left open.
     pub fn from_robot(robot: &Robot<f64>) -> Self {
         let friction = (1..).zip(&robot.friction);

@@ -25,11 +25,25 @@ struct Known {
 
 const KNOWN_TABLES: [&str; 6] = ["format", "robot", "base", "pendulum", "friction", "effect"];
 
-pub(super) fn read(path: &Path) -> Result<RobotFile, FileError> {
-    of(TomlSource::read(path)?)
+impl RobotFile {
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// Names the file and line, what is wrong, and a remedy.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
+        of(TomlSource::read(path.as_ref())?)
+    }
+
+    /// The same from a file's bytes; the path is for messages.
+    ///
+    /// # Errors
+    /// As of [`RobotFile::read`].
+    pub fn parse(path: impl AsRef<Path>, bytes: Vec<u8>) -> Result<Self, FileError> {
+        of(TomlSource::of(path.as_ref(), bytes)?)
+    }
 }
 
-pub(super) fn of(source: TomlSource) -> Result<RobotFile, FileError> {
+fn of(source: TomlSource) -> Result<RobotFile, FileError> {
     let mut file = file_from(&source)?;
     file.source = source;
     file.check()?;

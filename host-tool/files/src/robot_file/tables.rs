@@ -3,7 +3,7 @@
 use model::{Friction, Geometry, Robot};
 use serde::{Deserialize, Serialize, Serializer};
 
-/// `[robot]`: what the manufacturer tells.
+/// `[robot]`: the manufacturer's data.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RobotTable {
     /// Gravity [m/s^2].

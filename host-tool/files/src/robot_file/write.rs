@@ -11,9 +11,16 @@ use crate::error::{FileError, Problem};
 use crate::replace::replace_file;
 use crate::toml_source::FORMAT;
 
-pub(super) fn write(file: &RobotFile, path: &Path) -> Result<(), FileError> {
-    let text = text(file).map_err(|error| Problem::Toml(error.to_string()).in_file(path))?;
-    replace_file(path, |out| out.write_all(text.as_bytes()).map_err(Problem::Unwritable))
+impl RobotFile {
+    /// Writes a file, whole or not at all, its tables in the order of the contract.
+    ///
+    /// # Errors
+    /// The path cannot be written.
+    pub fn write(&self, path: impl AsRef<Path>) -> Result<(), FileError> {
+        let path = path.as_ref();
+        let text = text(self).map_err(|error| Problem::Toml(error.to_string()).in_file(path))?;
+        replace_file(path, |out| out.write_all(text.as_bytes()).map_err(Problem::Unwritable))
+    }
 }
 
 /// The file's text: the format and bare keys first, then table by table.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use firmware::BlockError;
 use firmware::store::Slot;
 
-/// What is wrong with an image, or with the way to the board.
+/// What is wrong with an image, or with writing it.
 #[derive(Debug, thiserror::Error)]
 pub enum FlashError {
     /// The file does not hold a program for the board.

@@ -36,7 +36,7 @@ pub(super) fn encoded(block: &ParameterBlock) -> Result<Vec<u8>, BoardError> {
     Ok(bytes.to_vec())
 }
 
-/// A reply that says yes, or an error that names the request.
+/// A reply that accepts, or an error that names the request.
 pub(super) fn accepted(reply: Reply, request: &'static str) -> Result<Reply, BoardError> {
     if reply.accepted { Ok(reply) } else { Err(BoardError::Refused(request)) }
 }

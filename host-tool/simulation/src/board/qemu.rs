@@ -62,9 +62,11 @@ impl Qemu {
             .canonicalize()
             .map_err(|source| BoardError::Start { program: settings.image.clone(), source })?;
         let temporary = settings.directory.is_none().then(tempfile::tempdir).transpose()?;
-        let given = settings.directory.as_deref();
-        let directory =
-            given.or(temporary.as_ref().map(|own| own.path())).unwrap_or(Path::new("."));
+        let directory = settings
+            .directory
+            .as_deref()
+            .or(temporary.as_ref().map(|own| own.path()))
+            .unwrap_or(Path::new("."));
         let [requests, replies] = ["to-board", "from-board"].map(|name| directory.join(name));
         make_fifo(&requests)?;
         make_fifo(&replies)?;

@@ -1,14 +1,13 @@
 //! The second half of the demonstration: the robot changes, and the diagnosis finds how.
 
-use std::path::Path;
-
 use firmware::Mode;
 
-use super::super::{Failure, diagnose, simulate};
+use super::super::{diagnose, simulate};
 use super::{Arguments, print_table};
+use crate::failure::Failure;
+use crate::output_files::write_text;
 use diagnosis::sentence;
-use files::replace::replace_file;
-use files::{EffectTable, Problem};
+use files::EffectTable;
 use report::diagnosis_page::figure;
 use report::tracking_page::Diagnosed;
 use rig::Rig;
@@ -30,7 +29,7 @@ impl Arguments {
         simulate::run(&self.gap())?;
         let diagnosis = diagnose::diagnose(&self.diagnosis())?;
         println!("Hidden were {}", HIDDEN.join(" and "));
-        write_figure(&figure(&diagnosis), &self.out.join("diagnosis.svg"))?;
+        write_text(&figure(&diagnosis), &self.out.join("diagnosis.svg"))?;
         println!("\n5. The amended model goes into the firmware, which plays the motion again.");
         let amended = self.out.join(DIAGNOSIS).join(diagnose::MODEL);
         let mut knowing = simulate::Arguments::new(&amended, "task", &self.out);
@@ -69,10 +68,4 @@ fn hidden() -> Result<Vec<EffectTable>, Failure> {
     let tables = HIDDEN.iter().map(|text| rig::effects::table_from_text(text));
     let tables: Result<Vec<_>, _> = tables.collect();
     tables.map_err(|error| Failure::new(error.to_string(), ""))
-}
-
-fn write_figure(svg: &str, path: &Path) -> Result<(), Failure> {
-    use std::io::Write as _;
-    replace_file(path, |file| file.write_all(svg.as_bytes()).map_err(Problem::Unwritable))?;
-    Ok(())
 }

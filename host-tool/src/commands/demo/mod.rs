@@ -1,5 +1,5 @@
 //! `rrr demo`: experiments, identification, the identified model at work in QEMU, and the
-//! diagnosis of a robot that is no longer what its model says.
+//! diagnosis of a robot that has changed since.
 
 mod changed;
 
@@ -10,8 +10,10 @@ use clap::Args;
 use firmware::Mode;
 use model::reference_robot::reference_robot;
 
-use super::{Failure, create_directory, identify, simulate};
-use crate::progress::Progress;
+use super::{identify, simulate};
+use crate::failure::Failure;
+use crate::output_files::create_directory;
+use crate::terminal::progress::Progress;
 use files::{EffectTable, RobotFile};
 use recordings::tracking::Tracking;
 use report::tracking_page::{Run, error_charts, tracking_page};
@@ -60,7 +62,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 impl Arguments {
-    /// Writes the true robot, which only the simulation knows, and what its maker tells.
+    /// Writes the true robot, which only the simulation knows, and the manufacturer's data.
     fn write_robot(&self) -> Result<PathBuf, Failure> {
         let rig = Rig::new(reference_robot());
         let mut file = RobotFile::from_robot(&rig.model);

@@ -2,19 +2,18 @@
 
 mod steps;
 
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 
 pub use steps::Step;
 
-use super::{Failure, create_directory};
-use crate::progress::Steps;
-use files::replace::replace_file;
-use files::{Dataset, Problem, RobotFile};
+use crate::failure::Failure;
+use crate::output_files::{create_directory, json, write_text};
+use crate::terminal::progress::Steps;
+use files::{Dataset, RobotFile};
 use identification::procedure::{self, Identified, model_file};
-use recordings::{Campaign, StepError};
+use recordings::Campaign;
 use report::identification_page::identification_page;
 use report::identification_summary::Summary;
 use report::one_joint_page::{one_joint_page, one_joint_rows};
@@ -37,7 +36,7 @@ pub struct Whole {
     /// The data set: a directory with dataset.toml and its logs.
     #[arg(value_name = "DATASET", required = true)]
     pub dataset: PathBuf,
-    /// What the manufacturer tells.
+    /// The manufacturer's data.
     #[arg(long, value_name = "ROBOT.toml", required = true)]
     pub robot: PathBuf,
     /// Where the model goes; identification.json and identification.html go beside it.
@@ -109,16 +108,9 @@ impl Whole {
     }
 
     fn write_summary(&self, summary: &impl serde::Serialize) -> Result<(), Failure> {
-        write_json(summary, &self.beside("identification.json")?)
+        let path = self.beside("identification.json")?;
+        write_text(&json(summary, &path)?, &path)
     }
-}
-
-/// Writes numbers as JSON, whole or not at all.
-fn write_json(numbers: &impl serde::Serialize, path: &Path) -> Result<(), Failure> {
-    let text = serde_json::to_string_pretty(numbers)
-        .map_err(|error| Failure::new(format!("{}: {error}", path.display()), ""))?;
-    replace_file(path, |file| file.write_all(text.as_bytes()).map_err(Problem::Unwritable))?;
-    Ok(())
 }
 
 fn print_table(identified: &Identified) {
@@ -134,16 +126,5 @@ fn print_table(identified: &Identified) {
     }
     for remark in &identified.missing {
         println!("  note: {remark}");
-    }
-}
-
-impl From<StepError> for Failure {
-    fn from(error: StepError) -> Self {
-        let hint = match &error {
-            StepError::NoLog { .. } => "list the log in dataset.toml with role \"train\"",
-            StepError::Unusable { .. } => "look at the log, and record it again if need be",
-            StepError::Numerical { .. } => "look at the logs: the motion may not excite it",
-        };
-        Self::new(error.to_string(), hint)
     }
 }

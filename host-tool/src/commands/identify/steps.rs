@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand};
 use serde::Serialize;
 
-use super::super::{Failure, create_directory};
+use crate::failure::Failure;
+use crate::output_files::{create_directory, json, write_text};
 use files::{Dataset, Experiment, RobotFile, Role};
 use identification::base_parameters::friction::FrictionKnowledge;
 use identification::presliding::Prior;
@@ -33,7 +34,7 @@ pub struct StepArguments {
     /// The data set: a directory with dataset.toml and its logs.
     #[arg(value_name = "DATASET")]
     pub dataset: PathBuf,
-    /// What the manufacturer tells, or a model with what earlier steps found.
+    /// The manufacturer's data, or a model with what earlier steps found.
     #[arg(long, value_name = "ROBOT.toml")]
     pub robot: PathBuf,
     /// Directory for the step's .json and .html.
@@ -124,7 +125,8 @@ impl StepArguments {
 
     fn write(&self, name: &str, numbers: &impl Serialize, page: &Page) -> Result<(), Failure> {
         create_directory(&self.out)?;
-        super::write_json(numbers, &self.out.join(format!("{name}.json")))?;
+        let path = self.out.join(format!("{name}.json"));
+        write_text(&json(numbers, &path)?, &path)?;
         let path = self.out.join(format!("{name}.html"));
         page.write(&path)?;
         println!("Figures: {}", path.display());

@@ -7,50 +7,50 @@ use clap::Args;
 use firmware::ParameterBlock;
 use firmware::link::{Command, Source};
 
-use self::choice::{Choice, Limits};
-use self::save::Folder;
-use self::told::{Part, say};
-use super::Failure;
-use super::interrupt::interrupt;
-use super::link_choice::{LinkChoice, openness};
-use super::upload::{downloaded, encoded};
-use crate::progress::Progress;
+use self::experiment::{ExperimentOptions, Limits};
+use self::log_folder::LogFolder;
+use self::summary::Phase;
+use crate::failure::Failure;
+use crate::options::board::{BoardOptions, access};
+use crate::terminal::interrupt::interrupt;
+use crate::terminal::output::try_print_line;
+use crate::terminal::progress::Progress;
 use files::Role;
 use link::approach::approach;
-use link::session::{self, Ending};
-use link::{Client, Patience, Recorder, transfer};
+use link::run::RunOutcome;
+use link::{Client, Recorder, RetryPolicy, settling, transfer};
 use rig::Plan;
 use rig::joints;
 
-mod choice;
-mod save;
-mod told;
+mod experiment;
+mod log_folder;
+mod summary;
 
 /// Arguments of `rrr run`.
 #[derive(Debug, Args)]
 pub struct Arguments {
-    /// What is played.
+    /// The experiment.
     #[command(flatten)]
-    pub choice: Choice,
+    pub experiment: ExperimentOptions,
     /// Limits for this run.
     #[command(flatten)]
     pub limits: Limits,
     /// Directory for the logs and dataset.toml; what is there already stays.
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
-    /// What the log is for, train or holdout, instead of what the experiment is for.
+    /// Role of the log, train or holdout, instead of the experiment's own.
     #[arg(long, value_parser = role_named)]
     pub role: Option<Role>,
-    /// Fastest that a joint moves on its way to where the experiment begins.
+    /// Largest joint speed on the approach, the motion to where the experiment begins.
     #[arg(long, value_name = "RAD_PER_S", default_value_t = 0.5, value_parser = speed)]
     pub approach_speed: f32,
-    /// The board stops by itself when it has heard nothing for so long.
+    /// The board stops by itself after so long without a request.
     #[arg(long, value_name = "MS", default_value_t = 1000)]
     #[arg(value_parser = clap::value_parser!(u16).range(300..))]
     pub host_timeout_ms: u16,
     /// Which board.
     #[command(flatten)]
-    pub link: LinkChoice,
+    pub board: BoardOptions,
 }
 
 fn role_named(name: &str) -> Result<Role, String> {
@@ -62,7 +62,7 @@ fn role_named(name: &str) -> Result<Role, String> {
 }
 
 fn speed(text: &str) -> Result<f32, String> {
-    let speed: f32 = text.parse().map_err(|_| "it is no number".to_owned())?;
+    let speed: f32 = text.parse().map_err(|_| "it is not a number".to_owned())?;
     match speed > 0.0 && speed <= 3.0 {
         true => Ok(speed),
         false => Err("it must be above 0 and at most 3 rad/s".to_owned()),
@@ -75,47 +75,47 @@ fn speed(text: &str) -> Result<f32, String> {
 /// An experiment that there is not, a board that does not answer or refuses, a fault, or
 /// files that cannot be written; what was recorded before a fault is kept.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    arguments.choice.check()?;
-    let mut folder = Folder::open(&arguments.out)?;
-    let mut client = arguments.link.connect()?;
+    arguments.experiment.check()?;
+    let mut folder = LogFolder::open(&arguments.out)?;
+    let mut client = arguments.board.connect()?;
     let report = client.report()?;
     if let Some(fault) = report.fault {
-        return Err(Failure::new(format!("the board is faulted: {fault}"), told::FAULT_HINT));
+        return Err(Failure::new(format!("the board is faulted: {fault}"), summary::FAULT_HINT));
     }
-    say(&format!("link        {}", openness(&report)));
+    try_print_line(format_args!("link        {}", access(&report)));
     let result = arguments.record(&mut client, &mut folder, interrupt());
     // A board that streams to nobody would go on for ever.
-    client.set_patience(Patience::SHORT);
-    let _ = client.order(Command::Stream { on: false });
+    client.set_retry_policy(RetryPolicy::LAST_ATTEMPT);
+    let _ = client.execute(Command::Stream { on: false });
     result
 }
 
-/// What was played last, and how it ended.
+/// The motion that was played last, and how it ended.
 struct Played {
-    part: Part,
+    phase: Phase,
     recorder: Recorder,
-    ending: Ending,
+    outcome: RunOutcome,
 }
 
 impl Arguments {
-    /// Plays and keeps what was recorded, whatever the end.
+    /// Plays the experiment and saves its log, whatever the outcome.
     fn record(
         &self,
         client: &mut Client,
-        folder: &mut Folder,
+        folder: &mut LogFolder,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let (plan, block) = self.prepare(client, interrupted)?;
         let counts_per_rev = f64::from(block.encoder_counts_per_turn);
         let plan = Plan { role: self.role.unwrap_or(plan.role), ..plan };
         folder.prepare(&plan, counts_per_rev)?;
-        let Played { part, recorder, ending } = self.play_all(client, &block, interrupted)?;
-        let told = told::ending(part, ending, &recorder, client.tally());
-        let saved = match part {
-            Part::Experiment => folder.save(&plan, counts_per_rev, &recorder),
-            Part::Approach => folder.save_approach(&plan, &recorder),
+        let Played { phase, recorder, outcome } = self.play_all(client, &block, interrupted)?;
+        let result = summary::print(phase, outcome, &recorder, client.counters());
+        let saved = match phase {
+            Phase::Experiment => folder.save(&plan, counts_per_rev, &recorder),
+            Phase::Approach => folder.save_approach(&plan, &recorder),
         };
-        told::worse(told, saved)
+        summary::both(result, saved)
     }
 
     /// The experiment, and the board's own parameters with it.
@@ -124,14 +124,14 @@ impl Arguments {
         client: &mut Client,
         interrupted: &AtomicBool,
     ) -> Result<(Plan, ParameterBlock), Failure> {
-        let stored = downloaded(client, Source::Stored)?;
-        client.order(Command::Stream { on: true })?;
-        let now = session::rest(client, stored.encoder_counts_per_turn, interrupted)?;
-        let plan = self.choice.plan(&stored, &now)?;
+        let stored = transfer::download_block(client, Source::Stored)?;
+        client.execute(Command::Stream { on: true })?;
+        let now = settling::wait_for_rest(client, stored.encoder_counts_per_turn, interrupted)?;
+        let plan = self.experiment.plan(&stored, &now)?;
         let joints = joints::present(&stored);
         if let Some(joint) = plan.joint.filter(|joint| !joints.contains(joint)) {
-            let message = format!("joint {joint} is moved by {}, but not there", plan.name);
-            return Err(Failure::new(message, "`rrr upload` was told --joints without it"));
+            let message = format!("{} moves joint {joint}, which the rig does not have", plan.name);
+            return Err(Failure::new(message, "`rrr upload` was given --joints without it"));
         }
         let block = ParameterBlock {
             mode: plan.mode,
@@ -145,47 +145,47 @@ impl Arguments {
         Ok((plan, block))
     }
 
-    /// The way to the beginning, and if that comes to its end, the experiment.
+    /// The approach, and if it finishes, the experiment.
     fn play_all(
         &self,
         client: &mut Client,
         block: &ParameterBlock,
         interrupted: &AtomicBool,
     ) -> Result<Played, Failure> {
-        if let Some(on_the_way) = self.go_there(client, block, interrupted)? {
-            return Ok(on_the_way);
+        if let Some(unfinished) = self.approach(client, block, interrupted)? {
+            return Ok(unfinished);
         }
-        transfer::put_into_use(client, &encoded(block)?)?;
-        self.play(client, Part::Experiment, block, interrupted)
+        transfer::put_into_use(client, &transfer::encoded(block)?)?;
+        self.play(client, Phase::Experiment, block, interrupted)
     }
 
-    /// Moves the joints to where the reference begins; what was played, if they are not there.
-    fn go_there(
+    /// Moves the joints to where the reference begins; the approach, if it did not finish.
+    fn approach(
         &self,
         client: &mut Client,
         block: &ParameterBlock,
         interrupted: &AtomicBool,
     ) -> Result<Option<Played>, Failure> {
-        let now = session::next_record(client)?;
-        let Some(way) = approach(block, &now, self.approach_speed) else { return Ok(None) };
-        transfer::put_into_use(client, &encoded(&way)?)?;
-        let played = self.play(client, Part::Approach, &way, interrupted)?;
-        Ok(Some(played).filter(|played| !matches!(played.ending, Ending::Finished)))
+        let now = settling::next_record(client)?;
+        let Some(approach) = approach(block, &now, self.approach_speed) else { return Ok(None) };
+        transfer::put_into_use(client, &transfer::encoded(&approach)?)?;
+        let played = self.play(client, Phase::Approach, &approach, interrupted)?;
+        Ok(Some(played).filter(|played| !matches!(played.outcome, RunOutcome::Finished)))
     }
 
     fn play(
         &self,
         client: &mut Client,
-        part: Part,
+        phase: Phase,
         block: &ParameterBlock,
         interrupted: &AtomicBool,
     ) -> Result<Played, Failure> {
         let ticks = (block.reference.duration_s / block.sample_period_s).round() as u32;
         let mut recorder = Recorder::new(block, ticks);
-        let progress = Progress::new(part.name(), u64::from(ticks));
+        let progress = Progress::new(phase.name(), u64::from(ticks));
         let at = &mut |tick| progress.at(u64::from(tick));
-        let ending = session::run(client, self.host_timeout_ms, &mut recorder, interrupted, at);
+        let outcome = link::run::run(client, self.host_timeout_ms, &mut recorder, interrupted, at);
         progress.finish();
-        Ok(Played { part, recorder, ending: ending? })
+        Ok(Played { phase, recorder, outcome: outcome? })
     }
 }

@@ -3,7 +3,7 @@
 use firmware::link::Command;
 use firmware::supervisor::{CHECK_EVERY_TICKS, Fault};
 
-use super::{ALIVE_TICKS, HOST_TIMEOUT, Soak};
+use super::{HEARTBEAT_TICKS, HOST_TIMEOUT, Soak};
 
 /// Injected one after the other.
 const FAULTS: [Fault; 5] = [
@@ -20,24 +20,24 @@ impl Soak {
         let which = which as usize;
         let fault = FAULTS[which % FAULTS.len()];
         self.expected = Some(fault);
-        let due_ticks = self.go_wrong(fault, which % 3);
+        let due_ticks = self.inject_fault(fault, which % 3);
         (0..due_ticks).for_each(|_| self.tick());
         let found = self.runtime.supervisor.fault().expect("it is found");
         assert_eq!(found.fault, fault);
         if fault == Fault::LinkLost {
             assert_eq!(found.tick, self.heard_at + u32::from(HOST_TIMEOUT) + 1);
         }
-        self.tally.faults_injected += 1;
+        self.counters.faults_injected += 1;
         self.expected = None;
-        self.make_good(fault);
+        self.remove_fault(fault);
         let report = self.report();
         assert_eq!(report.fault.map(|record| record.fault), Some(fault), "the host is told");
         (0..200).for_each(|_| self.tick());
-        self.ask(Command::ClearFault).expect("a fault that is gone can be cleared");
+        self.request(Command::ClearFault).expect("a fault that is gone can be cleared");
     }
 
     /// The ticks in which the fault must be found.
-    fn go_wrong(&mut self, fault: Fault, joint: usize) -> u64 {
+    fn inject_fault(&mut self, fault: Fault, joint: usize) -> u64 {
         match fault {
             Fault::EncoderJump => self.arm.jump(joint, 5000),
             Fault::TickOverrun => self.injected.overrun = true,
@@ -50,22 +50,26 @@ impl Soak {
                 });
                 return u64::from(CHECK_EVERY_TICKS) + 1;
             }
-            // Nothing is said from now on; the last sign of life is at most 100 ticks old.
+            // Nothing is sent from now on; the last heartbeat is at most 100 ticks old.
             _ => {
-                (0..u64::from(HOST_TIMEOUT) - 2 * ALIVE_TICKS).for_each(|_| self.tick());
-                return 3 * ALIVE_TICKS;
+                (0..u64::from(HOST_TIMEOUT) - 2 * HEARTBEAT_TICKS).for_each(|_| self.tick());
+                return 3 * HEARTBEAT_TICKS;
             }
         }
         1
     }
 
-    fn make_good(&mut self, fault: Fault) {
+    fn remove_fault(&mut self, fault: Fault) {
         self.arm.forget_jumps();
         if fault == Fault::CorruptParameters {
             // The flash still has them; the fault is latched over the reset.
-            let kept = self.power_cycle();
-            assert_eq!(kept.fault.map(|record| record.fault), Some(fault), "kept over a reset");
-            self.greet();
+            let boot_state = self.power_cycle();
+            assert_eq!(
+                boot_state.fault.map(|record| record.fault),
+                Some(fault),
+                "boot_state over a reset"
+            );
+            self.handshake();
         }
     }
 }

@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use super::told::say;
-use crate::commands::{Failure, create_directory};
+use crate::failure::Failure;
+use crate::output_files::create_directory;
+use crate::terminal::output::try_print_line;
 use files::dataset::LIST_NAME;
 use files::{Dataset, Entry, Problem};
 use link::Recorder;
@@ -13,13 +14,13 @@ use rig::Plan;
 ///
 /// What was made a directory for it and holds nothing in the end is taken away again.
 #[derive(Debug)]
-pub struct Folder {
+pub struct LogFolder {
     directory: PathBuf,
     /// From the innermost on.
     made: Vec<PathBuf>,
 }
 
-impl Folder {
+impl LogFolder {
     /// The data set that is there, or will be; nothing is made yet.
     ///
     /// # Errors
@@ -64,12 +65,12 @@ impl Folder {
             return Ok(());
         }
         let appended = Dataset::append(&self.directory, &entry, counts_per_rev);
-        self.say_log(&entry.file, if appended.is_ok() { "" } else { "; not in dataset.toml" });
+        self.print_log(&entry.file, if appended.is_ok() { "" } else { "; not in dataset.toml" });
         appended?;
         self.write_mcap(&entry.file, recorder)
     }
 
-    /// Writes the log of the way to the beginning, which is no experiment of the data set.
+    /// Writes the log of the approach, which is no experiment of the data set.
     ///
     /// # Errors
     /// Files that cannot be written.
@@ -78,14 +79,14 @@ impl Folder {
         if !self.write_csv(&file, recorder)? {
             return Ok(());
         }
-        self.say_log(&file, ", the way to the beginning; not in dataset.toml");
+        self.print_log(&file, ", the approach; not in dataset.toml");
         self.write_mcap(&file, recorder)
     }
 
-    /// False, and it says so, if there is nothing to write.
+    /// Writes the CSV log; false, with a line on the terminal, if there is nothing to write.
     fn write_csv(&self, file: &str, recorder: &Recorder) -> Result<bool, Failure> {
         if recorder.log.len() < 2 {
-            say("log         none, nothing was recorded");
+            try_print_line("log         none, nothing was recorded");
             return Ok(false);
         }
         recorder.log.write(self.directory.join(file))?;
@@ -98,8 +99,8 @@ impl Folder {
         Ok(recorder.log.write_with_board(mcap, &recorder.board)?)
     }
 
-    fn say_log(&self, file: &str, what: &str) {
-        say(&format!("log         {}{what}", self.directory.join(file).display()));
+    fn print_log(&self, file: &str, what: &str) {
+        try_print_line(format_args!("log         {}{what}", self.directory.join(file).display()));
     }
 
     fn entry(&self, plan: &Plan) -> Entry {
@@ -121,7 +122,7 @@ impl Folder {
 const CSV: &str = ".csv.gz";
 const MCAP: &str = ".mcap";
 
-impl Drop for Folder {
+impl Drop for LogFolder {
     fn drop(&mut self) {
         // Only an empty directory can be removed so.
         self.made.iter().for_each(|path| drop(std::fs::remove_dir(path)));

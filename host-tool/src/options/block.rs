@@ -1,4 +1,4 @@
-//! The parameter block that a command makes of a model file, and its options.
+//! What the board does with a model: the parameter block and its options.
 
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
@@ -8,18 +8,20 @@ use firmware::ParameterBlock;
 use firmware::block::HardLimits;
 use model::ParameterError;
 
-use super::{Failure, simulate};
+use super::compensation::compensated;
+use super::mode::mode_named;
+use crate::failure::Failure;
 use files::{ExcitationFile, RobotFile};
 use rig::joints::with_joints;
 use rig::{Plan, Rig, plan};
 
 /// What the board is to do with the model.
 #[derive(Clone, Debug, Args)]
-pub struct BlockChoice {
-    /// What the commands are made of: pd, pd-friction, pd-model, friction-only or open-loop.
+pub struct BlockOptions {
+    /// The control mode: pd, pd-friction, pd-model, friction-only or open-loop.
     #[arg(long, default_value = "pd-model")]
     pub mode: String,
-    /// What the board plays: hold (hanging down, 10 s), task (20 s) or excitation (30 s).
+    /// The reference: hold (hanging down, 10 s), task (20 s) or excitation (30 s).
     #[arg(long, default_value = "hold", value_name = "NAME")]
     pub reference: String,
     /// Play this motion, as `rrr design-excitation` writes it; 30 s.
@@ -28,10 +30,10 @@ pub struct BlockChoice {
     /// The joints that the rig has, as in 3 or 1,3; the others get no voltage, and need no encoder.
     #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u8).range(1..=3))]
     pub joints: Vec<u8>,
-    /// The board makes up for the effects that the model file holds, as far as it can.
+    /// The board compensates for the effects in the model file, as far as it can.
     #[arg(long)]
     pub compensate: bool,
-    /// Cut commands at this voltage, which must be below the model file's.
+    /// Limit commands to this voltage, which must be below the model file's.
     #[arg(long, value_name = "VOLTS")]
     pub command_limit_v: Option<f64>,
 }
@@ -52,7 +54,7 @@ fn beyond_limit(model: &Path, error: &ParameterError) -> Failure {
     }
 }
 
-/// The hard limits that their error does not tell, in the unit of the parameter's name.
+/// The hard limit of a parameter whose error does not state it, in the unit of its name.
 fn hard_limit(name: &str) -> Option<f32> {
     let limits = HardLimits::default();
     match name {
@@ -75,18 +77,17 @@ const DERIVATIVE_GAIN: &str = "derivative_gain_V_s_per_rad";
 const GAIN_HINT: &str = "the gains are made of inertia and torque constant: correct [base] or \
     torque_constant_Nm_per_V in the model file";
 
-impl BlockChoice {
+impl BlockOptions {
     /// The block for a model file, checked as the board checks it, hard limits and all.
     ///
     /// # Errors
     /// A file that cannot be used, an unknown name, or a value that the board refuses.
-    pub fn block(&self, model: &Path) -> Result<ParameterBlock, Failure> {
-        let mut arguments = simulate::Arguments::new(model, "", Path::new(""));
-        arguments.compensate = self.compensate;
+    pub fn parameter_block(&self, model: &Path) -> Result<ParameterBlock, Failure> {
         let file = RobotFile::read(model)?;
         let (rig, joints) = self.rig(&file)?;
-        let rig = self.limited(arguments.compensated(rig, &file)?)?;
-        let mode = simulate::mode_named(&self.mode)?;
+        let rig = if self.compensate { compensated(rig, &file, model)? } else { rig };
+        let rig = self.limited(rig)?;
+        let mode = mode_named(&self.mode)?;
         let block = self.plan()?.with_mode(mode).block(&rig);
         let block = match joints {
             [] => block,

@@ -1,13 +1,13 @@
-//! Answers that own their bytes, and what requests are called.
+//! Replies that own their bytes, and the names of commands.
 
 use firmware::link::{Command, Nonce, Parameters, Reply, Report};
 
 /// A [`Reply`] that owns its bytes.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Told {
-    /// It is done.
+pub enum OwnedReply {
+    /// The command was carried out.
     Done,
-    /// How the board is.
+    /// The board's state.
     Report(Box<Report>),
     /// What proofs are made with.
     Challenge(Nonce),
@@ -24,7 +24,7 @@ pub enum Told {
     InUse(Parameters),
 }
 
-impl From<Reply<'_>> for Told {
+impl From<Reply<'_>> for OwnedReply {
     fn from(reply: Reply<'_>) -> Self {
         match reply {
             Reply::Done => Self::Done,
@@ -39,7 +39,7 @@ impl From<Reply<'_>> for Told {
 }
 
 /// What a command is called in messages.
-pub(super) fn name(command: &Command<'_>) -> &'static str {
+pub(super) fn command_name(command: &Command<'_>) -> &'static str {
     match command {
         Command::Query => "query",
         Command::Stream { .. } => "stream",

@@ -1,17 +1,17 @@
-//! Which of the board's ticks a run took, as far as their numbers tell.
+//! Which of the board's ticks a run took, from their sequence numbers.
 
 /// The ticks of a run. Numbers wrap as the board's do.
 ///
 /// Where the records at a run's beginning or end are lost, every tick counts for the run that
-/// may have been of it: at most those between the host's last question and its order.
+/// may have been of it: at most those between the host's last query and its run command.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Span {
+pub struct TickRange {
     before: Option<u32>,
     newest: Option<u32>,
     after: Option<u32>,
 }
 
-impl Span {
+impl TickRange {
     /// The run begins after this tick.
     pub fn begins_after(&mut self, tick: u32) {
         if self.before.is_none_or(|before| is_later(tick, before)) {
@@ -65,31 +65,34 @@ mod tests {
 
     #[test]
     fn numbers_wrap() {
-        let mut span = Span::default();
-        span.begins_after(u32::MAX - 2);
-        span.begins_after(u32::MAX - 5);
-        assert!(span.is_past(u32::MAX - 2) && !span.is_past(1));
-        span.runs_at(3);
-        span.runs_at(1);
-        assert_eq!((span.since(u32::MAX - 1), span.since(3), span.ticks()), (0, 5, 6));
-        span.ended_before(9);
-        span.ended_before(5);
-        assert_eq!(span.ticks(), 7);
+        let mut range = TickRange::default();
+        range.begins_after(u32::MAX - 2);
+        range.begins_after(u32::MAX - 5);
+        assert!(range.is_past(u32::MAX - 2) && !range.is_past(1));
+        range.runs_at(3);
+        range.runs_at(1);
+        assert_eq!((range.since(u32::MAX - 1), range.since(3), range.ticks()), (0, 5, 6));
+        range.ended_before(9);
+        range.ended_before(5);
+        assert_eq!(range.ticks(), 7);
     }
 
     #[test]
     fn a_run_that_ended_before_it_began_has_no_tick() {
-        let mut span = Span::default();
-        span.begins_after(100);
-        span.ended_before(98);
-        assert_eq!((span.since(98), span.since(100), span.since(101), span.ticks()), (0, 0, 0, 0));
+        let mut range = TickRange::default();
+        range.begins_after(100);
+        range.ended_before(98);
+        assert_eq!(
+            (range.since(98), range.since(100), range.since(101), range.ticks()),
+            (0, 0, 0, 0)
+        );
     }
 
     #[test]
-    fn without_anything_heard_there_is_no_tick() {
-        let mut span = Span::default();
-        assert_eq!(span.ticks(), 0);
-        span.begins_after(7);
-        assert_eq!(span.ticks(), 0);
+    fn without_any_report_there_is_no_tick() {
+        let mut range = TickRange::default();
+        assert_eq!(range.ticks(), 0);
+        range.begins_after(7);
+        assert_eq!(range.ticks(), 0);
     }
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use firmware::link::Key;
 use tempfile::NamedTempFile;
 
-use super::Failure;
+use crate::failure::Failure;
 use files::Problem;
 
 /// The key in a file.
@@ -39,7 +39,7 @@ fn key_of(text: &str) -> Option<Key> {
 
 /// A new key in a file beside the one that it is for, which does not exist yet.
 ///
-/// It is on the disk before the board is told, so that the board never has a key that nobody
+/// It is on the disk before the board gets it, so that the board never has a key that nobody
 /// else has. Dropped, it is gone.
 #[derive(Debug)]
 pub struct NewKey {
@@ -75,7 +75,7 @@ impl NewKey {
     /// Gives it its name, now that the board has it.
     ///
     /// # Errors
-    /// The file cannot be renamed; it stays where it is, and the message tells where.
+    /// The file cannot be renamed; it stays where it is, and the message says where.
     pub fn rename(self) -> Result<(), Failure> {
         let Err(error) = self.beside.persist_noclobber(&self.path) else {
             // The key is on the disk under one name or the other.

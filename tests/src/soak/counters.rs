@@ -4,7 +4,7 @@ use std::fmt::{Display, Formatter, Result};
 
 /// Counts and figures of a soak.
 #[derive(Clone, Debug, Default)]
-pub struct Tally {
+pub struct SoakCounters {
     /// Ticks.
     pub ticks: u64,
     /// Of those, in runs.
@@ -26,7 +26,7 @@ pub struct Tally {
     /// Requests answered.
     pub answered: u64,
     /// Requests sent again as no answer came.
-    pub asked_again: u64,
+    pub retries: u64,
     /// Bytes on the line, both ways.
     pub bytes: u64,
     /// Of those, broken.
@@ -44,7 +44,7 @@ pub struct Tally {
     pub worst_error_rad: f64,
 }
 
-impl Display for Tally {
+impl Display for SoakCounters {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         writeln!(
             f,
@@ -73,7 +73,7 @@ impl Display for Tally {
             "faults                 {} injected and found, {} others",
             self.faults_injected, self.faults_otherwise
         )?;
-        writeln!(f, "requests answered      {}, {} asked again", self.answered, self.asked_again)?;
+        writeln!(f, "requests answered      {}, {} asked again", self.answered, self.retries)?;
         writeln!(f, "bytes on the line      {}, {} broken", self.bytes, self.bytes_broken)?;
         writeln!(
             f,

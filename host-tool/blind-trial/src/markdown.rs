@@ -190,7 +190,7 @@ pub fn answer(answer: &Answer) -> String {
     let causes = causes.collect::<Vec<_>>().join(", ");
     match answer {
         Answer::Failed(why) => format!("failed: {why}"),
-        Answer::Report(_) if causes.is_empty() => answer.word().to_owned(),
+        Answer::Report(_) if causes.is_empty() => answer.label().to_owned(),
         Answer::Report(_) => causes,
     }
 }

@@ -1,4 +1,5 @@
-//! The truth under seal: its hash is told before the first diagnosis, its text after the last.
+//! The truth, whose hash is printed before the first diagnosis and whose text is written after
+//! the last.
 
 use std::collections::hash_map::RandomState;
 use std::hash::{BuildHasher, Hasher};
@@ -9,13 +10,13 @@ use sha2::{Digest, Sha256};
 
 use super::case::{Case, Kind};
 use super::cause::TrueCause;
-use super::detectability::Visibility;
 use super::error::TrialError;
+use super::output::write_text;
 use super::plans::Motions;
-use super::results::write;
+use super::visibility::Visibility;
 use files::Problem;
 
-/// What is sealed.
+/// What the hash is of.
 #[derive(Serialize)]
 struct Truth<'a> {
     /// A random number, so that nobody finds the truth by trying hashes.
@@ -63,14 +64,14 @@ fn verdict(kind: Kind) -> &'static str {
     }
 }
 
-/// The truth of all cases, kept in memory until it is opened.
+/// The truth of all cases, kept in memory until it is revealed.
 #[derive(Clone, Debug)]
-pub struct Seal {
+pub struct SealedTruth {
     text: String,
     hash: String,
 }
 
-impl Seal {
+impl SealedTruth {
     /// Seals the truth with a random number.
     pub fn new(cases: &[Case]) -> Self {
         let truth = Truth { nonce: nonce(), cases: cases.iter().map(CaseTruth::of).collect() };
@@ -89,16 +90,16 @@ impl Seal {
     /// # Errors
     /// The file cannot be written.
     pub fn write_hash(&self, directory: &Path) -> Result<(), TrialError> {
-        write(&directory.join("seal.txt"), &format!("{}  truth.json\n", self.hash))
+        write_text(&directory.join("seal.txt"), &format!("{}  truth.json\n", self.hash))
     }
 
     /// Writes the truth to `truth.json` and reads it back.
     ///
     /// # Errors
-    /// The file cannot be written, or its hash is not the one that was told.
-    pub fn open(&self, directory: &Path) -> Result<(), TrialError> {
+    /// The file cannot be written, or its hash is not the one that was announced.
+    pub fn reveal(&self, directory: &Path) -> Result<(), TrialError> {
         let path = directory.join("truth.json");
-        write(&path, &self.text)?;
+        write_text(&path, &self.text)?;
         let found = std::fs::read(&path).map_err(|e| Problem::Unreadable(e).in_file(&path))?;
         let opened = sha256(&found);
         if opened == self.hash {
@@ -114,7 +115,7 @@ impl Seal {
 /// The file cannot be written.
 pub fn write_truth(case: &Case, directory: &Path) -> Result<(), TrialError> {
     let text = serde_json::to_string_pretty(&CaseTruth::of(case)).unwrap_or_default() + "\n";
-    write(&directory.join("truth.json"), &text)
+    write_text(&directory.join("truth.json"), &text)
 }
 
 fn sha256(bytes: &[u8]) -> String {

@@ -2,50 +2,48 @@
 
 use super::case::Kind;
 use super::cause::TrueCause;
-use super::draw::DrawSettings;
 use super::error::TrialError;
 use super::{Rng, foreign};
 use rig::effects::{CATALOGUE, Definition};
 
 /// The effects to choose from.
 #[derive(Debug)]
-pub(super) struct Pool {
+pub(super) struct Population {
     catalogue: Vec<&'static Definition>,
     foreign: Vec<&'static foreign::Definition>,
     kinds: Vec<(Kind, f64)>,
 }
 
-impl Pool {
-    /// What the settings allow.
+impl Population {
+    /// Those of a kind, if one is named, and with these effects; of all where `only` is empty.
     ///
     /// # Errors
     /// An unknown name.
-    pub(super) fn of(settings: &DrawSettings) -> Result<Self, TrialError> {
-        let known = |name: &&String| {
+    pub(super) fn of(kind: Option<Kind>, only: &[String]) -> Result<Self, TrialError> {
+        let is_unknown = |name: &&String| {
             Definition::by_name(name).is_none() && foreign::by_name(name).is_none()
         };
-        if let Some(name) = settings.only.iter().find(known) {
+        if let Some(name) = only.iter().find(is_unknown) {
             return Err(TrialError::UnknownEffect(name.clone()));
         }
-        let wanted =
-            |name: &str| settings.only.is_empty() || settings.only.iter().any(|n| n == name);
-        let mut pool = Self {
+        let wanted = |name: &str| only.is_empty() || only.iter().any(|n| n == name);
+        let mut population = Self {
             catalogue: CATALOGUE.into_iter().filter(|d| wanted(d.name)).collect(),
             foreign: foreign::ALL.into_iter().filter(|d| wanted(d.name)).collect(),
             kinds: Vec::new(),
         };
-        pool.kinds = pool.kinds(settings);
-        pool.fill_up();
-        Ok(pool)
+        population.kinds = population.kinds(kind, only);
+        population.fill_up();
+        Ok(population)
     }
 
-    /// Kinds that the settings ask for; where effects are named, those that have some.
-    fn kinds(&self, settings: &DrawSettings) -> Vec<(Kind, f64)> {
-        if let Some(kind) = settings.kind {
+    /// The kind that is named, or those that the effects named allow.
+    fn kinds(&self, kind: Option<Kind>, only: &[String]) -> Vec<(Kind, f64)> {
+        if let Some(kind) = kind {
             return vec![(kind, 1.0)];
         }
         let possible = |kind: Kind| match kind {
-            _ if settings.only.is_empty() => true,
+            _ if only.is_empty() => true,
             Kind::None | Kind::Pair => false,
             Kind::Single => !self.catalogue.is_empty(),
             Kind::Foreign => !self.foreign.is_empty(),
@@ -53,7 +51,7 @@ impl Pool {
         Kind::ALL.into_iter().filter(|(kind, _)| possible(*kind)).collect()
     }
 
-    /// A kind that was asked for although none of the effects named has it takes any.
+    /// A kind without any of the effects named takes all that it has.
     fn fill_up(&mut self) {
         if self.catalogue.is_empty() {
             self.catalogue = CATALOGUE.to_vec();
@@ -63,13 +61,13 @@ impl Pool {
         }
     }
 
-    /// A kind, as often as it is to be.
-    pub(super) fn kind(&self, rng: &mut Rng) -> Kind {
+    /// A kind, drawn by its share.
+    pub(super) fn draw_kind(&self, rng: &mut Rng) -> Kind {
         let whole: f64 = self.kinds.iter().map(|(_, share)| share).sum();
-        let mut mark = rng.unit() * whole;
+        let mut rest = rng.unit() * whole;
         for (kind, share) in &self.kinds {
-            mark -= share;
-            if mark <= 0.0 {
+            rest -= share;
+            if rest <= 0.0 {
                 return *kind;
             }
         }
@@ -78,16 +76,16 @@ impl Pool {
 
     /// An effect and its joint, evenly among those that the kind has; one that may stand
     /// beside another that is given.
-    pub(super) fn choice(
+    pub(super) fn draw_effect(
         &self,
         kind: Kind,
         other: Option<&TrueCause>,
         rng: &mut Rng,
-    ) -> (Choice, u8) {
+    ) -> (DrawnEffect, u8) {
         let joint = rng.joint();
         if kind == Kind::Foreign {
             let definition: &'static _ = *rng.pick(&self.foreign);
-            return (Choice::Foreign(definition), joint);
+            return (DrawnEffect::Foreign(definition), joint);
         }
         let different = |d: &&&'static Definition| other.is_none_or(|o| may_join(d, joint, o));
         let mut choices: Vec<_> = self.catalogue.iter().filter(different).copied().collect();
@@ -95,15 +93,15 @@ impl Pool {
             choices = CATALOGUE.iter().filter(different).copied().collect();
         }
         let definition = *rng.pick(&choices);
-        (Choice::Catalogue(definition), if definition.whole_robot { 0 } else { joint })
+        (DrawnEffect::Catalogue(definition), if definition.whole_robot { 0 } else { joint })
     }
 }
 
-/// An effect as a kind.
-pub(super) enum Choice {
-    /// One of the twenty.
+/// An effect that was drawn, without its values.
+pub(super) enum DrawnEffect {
+    /// Of the catalogue.
     Catalogue(&'static Definition),
-    /// None of them.
+    /// Foreign to it.
     Foreign(&'static foreign::Definition),
 }
 

@@ -7,14 +7,15 @@ use firmware::ParameterBlock;
 use firmware::link::Telemetry;
 use firmware::reference::Motion;
 
-use crate::commands::{Failure, simulate};
+use crate::failure::Failure;
+use crate::options::mode::mode_named;
 use files::ExcitationFile;
 use link::approach::positions_rad;
 use rig::{Plan, Rig, plan};
 
 /// What can be played.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Name {
+pub enum ExperimentName {
     /// Hold every joint where it is.
     Hold,
     /// The Fourier series that identifies best, on all joints.
@@ -33,8 +34,8 @@ pub enum Name {
     Task,
 }
 
-impl Name {
-    /// Whether the experiment itself says how long it takes.
+impl ExperimentName {
+    /// Whether the duration of the experiment is fixed.
     fn has_own_duration(self) -> bool {
         matches!(self, Self::ConstantVelocity | Self::FrictionExcitation | Self::PreslidingNoise)
     }
@@ -42,19 +43,19 @@ impl Name {
 
 /// What is played.
 #[derive(Clone, Debug, Args)]
-pub struct Choice {
+pub struct ExperimentOptions {
     /// The experiment.
     #[arg(value_enum, value_name = "EXPERIMENT")]
-    pub experiment: Name,
+    pub experiment: ExperimentName,
     /// The joint, for constant-velocity and presliding-noise.
     #[arg(long, value_parser = clap::value_parser!(u8).range(1..=3))]
     pub joint: Option<u8>,
-    /// How long, for hold, excitation, slow, driven-noise and task, instead of 10, 30, 20, 12
+    /// Duration of hold, excitation, slow, driven-noise and task, instead of 10, 30, 20, 12
     /// and 20 s.
     #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u16).range(1..=3600))]
     pub duration: Option<u16>,
-    /// What the commands are made of, instead of what the experiment asks for (hold and task:
-    /// what was uploaded): pd, pd-friction, pd-model, friction-only or open-loop.
+    /// The control mode, instead of the experiment's own (hold and task: that of the
+    /// uploaded block): pd, pd-friction, pd-model, friction-only or open-loop.
     #[arg(long)]
     pub mode: Option<String>,
     /// Play this motion, as `rrr design-excitation` writes it, for the excitation.
@@ -65,28 +66,33 @@ pub struct Choice {
     pub seed: u32,
 }
 
-impl Choice {
+impl ExperimentOptions {
     /// Checks what can be checked without a board.
     ///
     /// # Errors
     /// Options that do not fit the experiment.
     pub fn check(&self) -> Result<(), Failure> {
-        self.mode.as_deref().map(simulate::mode_named).transpose()?;
-        let needs_joint = matches!(self.experiment, Name::ConstantVelocity | Name::PreslidingNoise);
+        self.mode.as_deref().map(mode_named).transpose()?;
+        let needs_joint = matches!(
+            self.experiment,
+            ExperimentName::ConstantVelocity | ExperimentName::PreslidingNoise
+        );
         let refused = |message: &str, hint: &str| Err(Failure::new(message, hint));
         match (needs_joint, self.joint) {
             (true, None) => {
                 refused("--joint is missing", "name the joint that is moved: 1, 2 or 3")
             }
-            (false, Some(joint)) if (self.experiment, joint) != (Name::FrictionExcitation, 3) => {
+            (false, Some(joint))
+                if (self.experiment, joint) != (ExperimentName::FrictionExcitation, 3) =>
+            {
                 let message = format!("--joint {joint}: not with this experiment");
                 refused(&message, "only constant-velocity and presliding-noise take one")
             }
-            _ if self.excitation.is_some() && self.experiment != Name::Excitation => {
+            _ if self.excitation.is_some() && self.experiment != ExperimentName::Excitation => {
                 refused("--excitation: not with this experiment", "only excitation plays a file")
             }
             _ if self.duration.is_some() && self.experiment.has_own_duration() => refused(
-                "--duration: not with this experiment, which takes as long as it takes",
+                "--duration: not with this experiment, whose duration is fixed",
                 "hold, excitation, slow, driven-noise and task take one",
             ),
             _ => Ok(()),
@@ -99,8 +105,8 @@ impl Choice {
     /// An excitation file that cannot be used.
     pub fn plan(&self, stored: &ParameterBlock, now: &Telemetry) -> Result<Plan, Failure> {
         let plan = self.by_name(&rig(stored), stored, now)?;
-        let own = matches!(self.experiment, Name::Hold | Name::Task);
-        Ok(match self.mode.as_deref().map(simulate::mode_named).transpose()? {
+        let own = matches!(self.experiment, ExperimentName::Hold | ExperimentName::Task);
+        Ok(match self.mode.as_deref().map(mode_named).transpose()? {
             Some(mode) => plan.with_mode(mode),
             None if own => Plan { mode: stored.mode, ..plan },
             None => plan,
@@ -116,24 +122,24 @@ impl Choice {
         let seconds = |usual: u16| f32::from(self.duration.unwrap_or(usual));
         let joint = self.joint.unwrap_or(3);
         Ok(match self.experiment {
-            Name::Hold => {
+            ExperimentName::Hold => {
                 let here = positions_rad(stored, now);
                 plan::hold(seconds(10))
                     .with_motion(here.map(|angle_rad| Motion::Hold { angle_rad }))
             }
-            Name::Excitation => match &self.excitation {
+            ExperimentName::Excitation => match &self.excitation {
                 Some(path) => plan::excitation(1, seconds(30))
                     .with_motion(ExcitationFile::read(path)?.motion()),
                 None => plan::excitation(1, seconds(30)),
             },
-            Name::Slow => plan::slow(seconds(20)),
-            Name::DrivenNoise => plan::driven_noise(seconds(12), self.seed),
-            Name::ConstantVelocity => plan::constant_velocity(joint),
-            Name::FrictionExcitation => plan::friction_excitation(rig),
-            Name::PreslidingNoise => {
+            ExperimentName::Slow => plan::slow(seconds(20)),
+            ExperimentName::DrivenNoise => plan::driven_noise(seconds(12), self.seed),
+            ExperimentName::ConstantVelocity => plan::constant_velocity(joint),
+            ExperimentName::FrictionExcitation => plan::friction_excitation(rig),
+            ExperimentName::PreslidingNoise => {
                 plan::presliding_noise(rig, joint, 3 * self.seed + u32::from(joint))
             }
-            Name::Task => plan::task(seconds(20)),
+            ExperimentName::Task => plan::task(seconds(20)),
         })
     }
 }
@@ -151,13 +157,13 @@ fn rig(block: &ParameterBlock) -> Rig {
 /// Limits for one run, below those that were uploaded.
 #[derive(Clone, Debug, Default, Args)]
 pub struct Limits {
-    /// Cut commands at this voltage.
+    /// Limit commands to this voltage.
     #[arg(long, value_name = "VOLTS")]
     pub command_limit_v: Option<f32>,
-    /// A joint that is faster is a fault.
+    /// A joint that is faster causes a fault.
     #[arg(long, value_name = "RAD_PER_S")]
     pub speed_limit: Option<f32>,
-    /// A joint that is further from its reference is a fault.
+    /// A joint that is further from its reference causes a fault.
     #[arg(long, value_name = "RAD")]
     pub tracking_limit: Option<f32>,
 }

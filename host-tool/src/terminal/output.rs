@@ -3,17 +3,22 @@
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 
-use super::Failure;
+use crate::failure::Failure;
 
 /// Writes a line; that nobody reads it any more is no failure.
 ///
 /// # Errors
 /// The system does not take it, as on a full disk.
-pub fn say(line: impl Display) -> Result<(), Failure> {
+pub fn print_line(line: impl Display) -> Result<(), Failure> {
     match write(&format!("{line}\n")) {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         written => Ok(written?),
     }
+}
+
+/// Writes a line if the output takes it: an arm that moves does not depend on the terminal.
+pub fn try_print_line(line: impl Display) {
+    let _ = write(&format!("{line}\n"));
 }
 
 /// Writes a text as it is.
@@ -31,7 +36,7 @@ pub fn write(text: &str) -> Result<(), NotWritten> {
 pub struct NotWritten(std::io::Error);
 
 impl NotWritten {
-    /// The kind that the system tells.
+    /// The kind of the system's error.
     pub fn kind(&self) -> ErrorKind {
         self.0.kind()
     }
@@ -39,6 +44,6 @@ impl NotWritten {
 
 impl From<NotWritten> for Failure {
     fn from(error: NotWritten) -> Self {
-        Self::new(error.to_string(), "send it to where there is room")
+        Self::new(error.to_string(), "send it to a disk that has room")
     }
 }

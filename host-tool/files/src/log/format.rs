@@ -1,0 +1,82 @@
+//! A log as a file, in the format given by its file extension.
+
+use std::path::Path;
+
+use super::{BoardSample, Log, check, from_table, read_mcap, write_csv, write_mcap};
+use crate::bytes;
+use crate::error::{FileError, Problem};
+
+/// The formats of a log, by file extension.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Format {
+    Csv,
+    Mcap,
+}
+
+impl Format {
+    fn of(path: &Path) -> Result<Self, FileError> {
+        let name = path.to_string_lossy().to_ascii_lowercase();
+        if name.ends_with(".csv") || name.ends_with(".csv.gz") {
+            Ok(Self::Csv)
+        } else if name.ends_with(".mcap") {
+            Ok(Self::Mcap)
+        } else {
+            Err(Problem::UnknownExtension.in_file(path))
+        }
+    }
+}
+
+impl Log {
+    /// Reads a `.csv`, `.csv.gz` or `.mcap` file; columns of other names are ignored.
+    ///
+    /// # Errors
+    /// Names the file, the line and column, what is wrong, and a remedy.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
+        let path = path.as_ref();
+        Self::of(Format::of(path)?, path, &bytes::read(path)?)
+    }
+
+    /// The log in the bytes of a file of that name.
+    ///
+    /// # Errors
+    /// As of [`Log::read`].
+    pub fn parse(path: impl AsRef<Path>, bytes: Vec<u8>) -> Result<Self, FileError> {
+        let path = path.as_ref();
+        Self::of(Format::of(path)?, path, &bytes::content(path, bytes)?)
+    }
+
+    fn of(format: Format, path: &Path, content: &[u8]) -> Result<Self, FileError> {
+        match format {
+            Format::Csv => from_table::of(path, content),
+            Format::Mcap => read_mcap::of(path, content),
+        }
+    }
+
+    /// Writes a `.csv`, `.csv.gz` or `.mcap` file, whole or not at all.
+    ///
+    /// # Errors
+    /// A log that would not read back, or a path that cannot be written.
+    pub fn write(&self, path: impl AsRef<Path>) -> Result<(), FileError> {
+        self.write_with_board(path, &[])
+    }
+
+    /// [`Log::write`] with what the board reported beside its joints, which only `.mcap` holds.
+    ///
+    /// # Errors
+    /// As of [`Log::write`].
+    pub fn write_with_board(
+        &self,
+        path: impl AsRef<Path>,
+        board: &[BoardSample],
+    ) -> Result<(), FileError> {
+        let path = path.as_ref();
+        let format = Format::of(path)?;
+        self.check()
+            .and_then(|()| check::check_written_time(&self.time_s))
+            .map_err(|fault| fault.in_file(path))?;
+        match format {
+            Format::Csv => write_csv::write(self, path),
+            Format::Mcap => write_mcap::write(self, board, path),
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! Failures of commands: message, hint and exit status.
+
+use files::FileError;
+use simulation::board::BoardError;
+
+mod flash_error;
+mod link_error;
+mod step_error;
+
+/// The exit status after bad input, of clap's as well, and after whatever went wrong.
+pub const BAD_INPUT: u8 = 2;
+/// The exit status after Ctrl-C, by custom 128 and the signal's number.
+pub const INTERRUPTED: u8 = 130;
+
+/// The message when a command fails: what is wrong, and what to do about it.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{message}")]
+pub struct Failure {
+    /// What is wrong, with the place and the offending value.
+    pub message: String,
+    /// What to do about it.
+    pub hint: String,
+    /// The exit status.
+    pub status: u8,
+}
+
+impl Failure {
+    /// A failure in words.
+    pub fn new(message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self { message: message.into(), hint: hint.into(), status: BAD_INPUT }
+    }
+
+    /// The user ended the command with Ctrl-C; what it has come to so far.
+    pub fn interrupted(message: impl Into<String>) -> Self {
+        Self { message: message.into(), hint: String::new(), status: INTERRUPTED }
+    }
+
+    /// The lines that go to the terminal.
+    pub fn report(&self) -> String {
+        match self.hint.as_str() {
+            _ if self.status == INTERRUPTED => format!("interrupted: {}", self.message),
+            "" => format!("error: {}", self.message),
+            hint => format!("error: {}\nhint: {hint}", self.message),
+        }
+    }
+}
+
+impl From<FileError> for Failure {
+    fn from(error: FileError) -> Self {
+        Self::new(error.to_string(), error.hint())
+    }
+}
+
+impl From<BoardError> for Failure {
+    fn from(error: BoardError) -> Self {
+        let hint = match &error {
+            BoardError::Block(_) => "correct the value in the model file",
+            BoardError::Start { .. } => "`cargo xtask setup` installs QEMU and builds what it runs",
+            _ => "rebuild the image with `cargo xtask firmware qemu`",
+        };
+        Self::new(error.to_string(), hint)
+    }
+}

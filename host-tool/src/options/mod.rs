@@ -1,0 +1,8 @@
+//! Command-line options that several subcommands have, and what is made of them.
+
+pub mod block;
+pub mod board;
+pub mod compensation;
+pub mod key_file;
+pub mod mode;
+pub mod slot;
