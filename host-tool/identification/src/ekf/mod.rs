@@ -17,10 +17,12 @@ pub mod filter;
 mod result;
 mod start;
 
-use super::one_joint::innovations::{self, Noise, Samples, Wanted, tuned};
+use super::one_joint::innovations::{Innovations, most_likely_noise};
+use super::one_joint::noise::NoiseVariances;
+use super::one_joint::parameters::FRICTION;
 use super::one_joint::rows::Rows;
-use super::one_joint::samples::{expected_noise, samples};
-use filter::{Belief, FilterPass};
+use super::one_joint::samples::{Samples, samples};
+use filter::{FilterPass, ParameterEstimate};
 use recordings::StepError;
 use recordings::campaign::{Known, Trace};
 pub use result::{EkfPass, EkfResult};
@@ -53,21 +55,22 @@ pub fn identify(
         what: format!("joint {joint} or a neighbour is missing; record all joints"),
     };
     let samples = samples(trace, joint, &rows.terms, known).ok_or_else(missing)?;
-    let mut noise = Noise { command_v2: FIRST_NOISE_V * FIRST_NOISE_V, ..expected_noise(known) };
+    let expected = NoiseVariances::expected(known);
+    let mut noise = NoiseVariances { command_v2: FIRST_NOISE_V * FIRST_NOISE_V, ..expected };
     let mut parameters = start.parameters(&rows);
     let mut history = Vec::with_capacity(PASSES);
     let mut last = None;
     for number in 0..PASSES {
         if number == 3 || number == 6 {
-            noise = tuned(&representative(&samples), &parameters, noise);
+            noise = most_likely_noise(&representative(&samples), &parameters, noise);
         }
-        let pass = kept(&samples, parameters, &noise, spread(number));
+        let pass = pass_on_track(&samples, parameters, &noise, spread(number));
         let pass = pass.ok_or_else(|| lost(trace))?;
-        parameters = pass.belief.parameters.clone();
+        parameters = pass.estimate.parameters.clone();
         history.push(EkfPass::of(number + 1, &pass, &noise, known.torque_constant(joint), &rows));
         last = Some(pass);
     }
-    let innovations = innovations::pass(&samples, &parameters, &noise, Wanted::Slopes);
+    let innovations = Innovations::of(&samples, &parameters, &noise);
     let states = last.map_or_else(Vec::new, |pass| pass.states);
     let k_t = known.torque_constant(joint);
     Ok(result::assembled(&rows, &parameters, &innovations, history, states, noise, joint, k_t))
@@ -78,7 +81,6 @@ const FIRST_NOISE_V: f64 = 0.01;
 
 /// Standard deviations at a pass's beginning: relative, but for small linear factors.
 fn deviations(parameters: &[f64], spread: f64) -> Vec<f64> {
-    use super::one_joint::grey_box::FRICTION;
     const LEAST_FACTOR: f64 = 0.02;
     let of = |(k, value): (usize, &f64)| match k {
         _ if k < FRICTION => spread,
@@ -98,26 +100,32 @@ fn representative(samples: &Samples) -> Samples {
     samples.part(from, to)
 }
 
-/// A pass that keeps the motion: where the filter, still unsure of its parameters, takes
+/// A pass that follows the motion: where the filter, still unsure of its parameters, takes
 /// too large a step at a reversal and loses the motion, the pass is made again from the
 /// same estimates with less spread.
-fn kept(samples: &Samples, parameters: Vec<f64>, noise: &Noise, spread: f64) -> Option<FilterPass> {
+fn pass_on_track(
+    samples: &Samples,
+    parameters: Vec<f64>,
+    noise: &NoiseVariances,
+    spread: f64,
+) -> Option<FilterPass> {
     const SPREADS: [f64; 5] = [1.0, 0.4, 0.16, 0.06, 0.02];
     SPREADS.into_iter().find_map(|share| {
         let deviation = deviations(&parameters, share * spread);
-        let belief = Belief { parameters: parameters.clone(), deviation };
-        let pass = filter::run(samples, &belief, noise);
-        keeps_the_motion(&pass, noise).then_some(pass)
+        let start = ParameterEstimate { parameters: parameters.clone(), deviation };
+        let pass = filter::run(samples, &start, noise);
+        is_on_track(&pass, noise).then_some(pass)
     })
 }
 
 /// Whether all is finite, inertia positive, and innovations are of the encoder's size.
-fn keeps_the_motion(pass: &FilterPass, noise: &Noise) -> bool {
-    use super::one_joint::grey_box::FRICTION;
+fn is_on_track(pass: &FilterPass, noise: &NoiseVariances) -> bool {
     const DEVIATIONS: f64 = 100.0;
-    let finite = pass.cost.is_finite() && pass.belief.parameters.iter().all(|p| p.is_finite());
+    let parameters = &pass.estimate.parameters;
+    let finite =
+        pass.negative_log_likelihood.is_finite() && parameters.iter().all(|p| p.is_finite());
     let lost_rad = DEVIATIONS * noise.measurement_rad2.sqrt();
-    finite && pass.belief.parameters[FRICTION] > 0.0 && pass.innovation_rms_rad < lost_rad
+    finite && parameters[FRICTION] > 0.0 && pass.innovation_rms_rad < lost_rad
 }
 
 fn lost(trace: &Trace) -> StepError {

@@ -6,10 +6,11 @@ use serde::Serialize;
 
 use super::filter::FilterPass;
 use crate::estimate::Estimate;
-use crate::one_joint::grey_box::{FRICTION, from_logarithms};
-use crate::one_joint::innovations::{Noise, Pass};
+use crate::one_joint::dynamics::State;
+use crate::one_joint::innovations::Innovations;
+use crate::one_joint::noise::NoiseVariances;
+use crate::one_joint::parameters::{FRICTION, from_logarithms};
 use crate::one_joint::rows::{Rows, Term};
-use crate::one_joint::tick::State;
 
 /// Estimates at the end of one pass.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -36,11 +37,11 @@ impl EkfPass {
     pub(super) fn of(
         number: usize,
         pass: &FilterPass,
-        noise: &Noise,
+        noise: &NoiseVariances,
         k_t: f64,
         rows: &Rows,
     ) -> Self {
-        let p = &pass.belief.parameters;
+        let p = &pass.estimate.parameters;
         let gravity = gravity(rows, p).map_or(0.0, |(size, _)| size);
         Self {
             number,
@@ -96,7 +97,7 @@ pub struct EkfResult {
     #[serde(skip)]
     pub motion: Vec<State>,
     /// Noises that the last pass presumed.
-    pub noise: Noise,
+    pub noise: NoiseVariances,
     /// Correlation of the innovations from tick to tick: 0 where they are white.
     pub innovation_correlation: f64,
 }
@@ -126,16 +127,15 @@ const GRAVITY_ERROR: f64 = 5e-4;
 pub(super) fn assembled(
     rows: &Rows,
     parameters: &[f64],
-    innovations: &Pass,
+    innovations: &Innovations,
     history: Vec<EkfPass>,
     motion: Vec<State>,
-    noise: Noise,
+    noise: NoiseVariances,
     joint: u8,
     k_t: f64,
 ) -> EkfResult {
-    let free: Vec<usize> = (0..parameters.len()).collect();
-    let mut covariance = innovations.covariance(&free);
-    let step = innovations.newton_step(&free, 0.0);
+    let mut covariance = innovations.covariance();
+    let step = innovations.newton_step();
     for (k, error) in METHOD_ERROR.into_iter().enumerate() {
         covariance[(k, k)] += error * error;
     }
@@ -167,7 +167,7 @@ pub(super) fn assembled(
         converged,
         motion,
         noise,
-        innovation_correlation: innovations.correlation,
+        innovation_correlation: innovations.correlation(),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use model::Friction;
 
-use crate::one_joint::grey_box::to_logarithms;
+use crate::one_joint::parameters::to_logarithms;
 use crate::one_joint::rows::{Rows, Term};
 use crate::one_joint::start::sliding;
 use crate::static_friction::StaticFriction;

@@ -4,45 +4,15 @@ use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use model::{Friction, FrictionState};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
+use super::parameters::{ALPHA2, FRICTION, from_logarithms};
 use super::sandwich;
 
-/// How many parameters of the fit are those of friction.
-pub const FRICTION: usize = 6;
-/// Parameter index of the logarithm of the viscous coefficient.
-const ALPHA2: usize = 3;
 /// Below this a jitter does nothing [rad/s].
 const LEAST_JITTER: f64 = 1e-6;
 /// Parameter index of the logarithm of the unseen velocity jitter [rad/s].
 pub const JITTER: usize = FRICTION;
 /// Parameter index of the first linear factor.
 pub const LINEAR: usize = FRICTION + 1;
-
-/// The friction's parameters as the fit sees them: their logarithms, so that none
-/// leaves its valid range. In the place of alpha_1, which may be negative, stands the
-/// breakaway level alpha_0 + alpha_1, which may not.
-pub fn to_logarithms(friction: &Friction<f64>) -> [f64; FRICTION] {
-    [
-        friction.alpha0_v.ln(),
-        (friction.alpha0_v + friction.alpha1_v).ln(),
-        friction.stribeck_velocity_rad_per_s.ln(),
-        friction.alpha2_v_s_per_rad.max(1e-9).ln(),
-        friction.sigma0_v_per_rad.ln(),
-        friction.sigma1_v_s_per_rad.max(1e-9).ln(),
-    ]
-}
-
-/// The friction of [`to_logarithms`].
-pub fn from_logarithms(logarithms: &[f64]) -> Friction<f64> {
-    let value = |k: usize| logarithms[k].exp();
-    Friction {
-        alpha0_v: value(0),
-        alpha1_v: value(1) - value(0),
-        stribeck_velocity_rad_per_s: value(2),
-        alpha2_v_s_per_rad: value(3),
-        sigma0_v_per_rad: value(4),
-        sigma1_v_s_per_rad: value(5),
-    }
-}
 
 /// What is presumed where the data say nothing: a weighted sum of parameters, its value
 /// and standard deviation.

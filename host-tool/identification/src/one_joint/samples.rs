@@ -1,11 +1,67 @@
 //! A log as samples of one joint, with what its neighbours do.
 
-use super::innovations::{Noise, Samples};
+use super::dynamics::{INERTIA, Inputs, Regressor};
 use super::motion::{Smoothing, smoothed};
 use super::rows::Term;
-use super::tick::Regressor;
 use model::HANGING_RAD;
 use recordings::campaign::{Known, Trace};
+
+/// A joint's samples and its external inputs.
+#[derive(Clone, Debug, Default)]
+pub struct Samples {
+    /// Times [s].
+    pub time_s: Vec<f64>,
+    /// Measured angle [rad].
+    pub q_rad: Vec<f64>,
+    /// Command from each sample on [V].
+    pub command_v: Vec<f64>,
+    /// Angle of the parent joint [rad]; empty where there is none.
+    pub parent_rad: Vec<f64>,
+    /// External signals at each sample; empty where there are none.
+    pub signals: Vec<Vec<f64>>,
+    /// What the linear terms multiply.
+    pub regressors: Vec<Regressor>,
+}
+
+impl Samples {
+    /// How many parameters the joint has.
+    pub fn parameters(&self) -> usize {
+        INERTIA + 1 + self.regressors.len()
+    }
+
+    /// The inputs from sample `k` to the next, for a step of it.
+    pub(crate) fn inputs(&self, k: usize, step_s: f64) -> Inputs<'_> {
+        Inputs {
+            command_v: self.command_v[k],
+            step_s,
+            parent_rad: self.parent_rad.get(k).copied().unwrap_or(0.0),
+            signals: self.signals.get(k).map_or(&[], |s| s.as_slice()),
+        }
+    }
+
+    /// Number and length [s] of the steps from sample `k` to the next, of a few
+    /// milliseconds at most.
+    pub(crate) fn steps(&self, k: usize) -> (usize, f64) {
+        const LONGEST_S: f64 = 2.5e-3;
+        let interval_s = self.time_s[k + 1] - self.time_s[k];
+        let count = (interval_s / LONGEST_S).ceil().max(1.0);
+        (count as usize, interval_s / count)
+    }
+
+    /// The samples from one index to before another.
+    pub fn part(&self, from: usize, to: usize) -> Self {
+        let to = to.min(self.time_s.len());
+        let cut = |values: &[f64]| values.get(from..to).map_or_else(Vec::new, <[f64]>::to_vec);
+        Self {
+            time_s: cut(&self.time_s),
+            q_rad: cut(&self.q_rad),
+            command_v: cut(&self.command_v),
+            parent_rad: cut(&self.parent_rad),
+            signals: self.signals.get(from..to).map_or_else(Vec::new, <[Vec<f64>]>::to_vec),
+            regressors: self.regressors.clone(),
+        }
+    }
+}
 
 /// The samples of a log, for linear terms of which the first is inertia; `None` where
 /// the joint is not in the log.
@@ -44,7 +100,7 @@ pub fn samples(trace: &Trace, joint: u8, terms: &[Term], known: &Known) -> Optio
         true => Vec::new(),
         false => (0..trace.len()).map(|k| signals.iter().map(|s| s[k]).collect()).collect(),
     };
-    let carried_rad = match (joint, trace.joint(2)) {
+    let parent_rad = match (joint, trace.joint(2)) {
         (3, Some(second)) => second.q_rad.clone(),
         (3, None) => vec![HANGING_RAD[1]; trace.len()],
         _ => Vec::new(),
@@ -53,7 +109,7 @@ pub fn samples(trace: &Trace, joint: u8, terms: &[Term], known: &Known) -> Optio
         time_s: trace.time_s.clone(),
         q_rad: moving.q_rad.clone(),
         command_v: moving.command_v.clone(),
-        carried_rad,
+        parent_rad,
         signals: by_sample,
         regressors,
     })
@@ -74,11 +130,4 @@ fn acceleration(trace: &Trace, joint: u8, known: &Known) -> Option<Vec<f64>> {
         motion.qdd_rad_per_s2[point.min(motion.len() - 1)]
     };
     Some(trace.time_s.iter().map(at).collect())
-}
-
-/// What is believed of the noises before the innovations tell better.
-pub fn expected_noise(known: &Known) -> Noise {
-    const COMMAND_V: f64 = 4e-3;
-    let step_rad = known.encoder_step_rad;
-    Noise { measurement_rad2: step_rad * step_rad / 12.0, command_v2: COMMAND_V * COMMAND_V }
 }

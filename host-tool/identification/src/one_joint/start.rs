@@ -3,7 +3,8 @@
 use model::Friction;
 use nalgebra::{DMatrix, DVector};
 
-use super::grey_box::{self, LINEAR, to_logarithms};
+use super::grey_box::{self, LINEAR};
+use super::parameters::to_logarithms;
 use super::rows::Rows;
 
 /// What linear least squares makes of the rows in clear sliding.

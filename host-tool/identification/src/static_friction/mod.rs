@@ -14,7 +14,8 @@ use model::Friction;
 use serde::Serialize;
 
 use super::estimate::Estimate;
-use super::one_joint::grey_box::{self, FRICTION, Fit, LINEAR, from_logarithms};
+use super::one_joint::grey_box::{self, Fit, LINEAR};
+use super::one_joint::parameters::{FRICTION, from_logarithms};
 use super::one_joint::rows::{Rows, Term};
 use super::one_joint::start;
 use recordings::StepError;
