@@ -1,4 +1,4 @@
-//! One case: a robot, the model given of it, and what the model does not know.
+//! One case: a robot, its nominal model, and the effects that the model does not have.
 
 use firmware::ParameterBlock;
 use model::Robot;

@@ -42,7 +42,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         .as_deref()
         .map(|model| arguments.block.parameter_block(model))
         .transpose()?;
-    // What is wrong with the files is said before a probe is looked for.
+    // Bad files are reported before a probe is looked for.
     firmware.check(None)?;
     write(arguments, firmware, block)
 }

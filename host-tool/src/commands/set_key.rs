@@ -32,7 +32,7 @@ pub struct Arguments {
 /// A file that cannot be read or made, a board that does not answer, or a wrong old key.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.file.as_deref();
-    // What is wrong with the file is said before a board is looked for.
+    // A bad file is reported before a board is looked for.
     let known = file.filter(|path| path.exists()).map(read_key).transpose()?;
     let mut client = arguments.board.connect_to_read()?;
     if client.report()?.has_key {
@@ -58,7 +58,11 @@ fn give_new(client: &mut Client, path: &Path) -> Result<(), Failure> {
     let asked_again = client.counters().retries;
     if let Err(error) = give(client, Some(new.key)) {
         let once = client.counters().retries == asked_again;
-        return Err(if once && is_untouched(&error) { error.into() } else { doubt(&error, new) });
+        return Err(if once && is_untouched(&error) {
+            error.into()
+        } else {
+            uncertain(&error, new)
+        });
     }
     new.rename()?;
     print_line(format_args!("{}: a new key, readable by you alone; keep a copy", path.display()))
@@ -74,12 +78,12 @@ fn is_untouched(error: &LinkError) -> bool {
     }
 }
 
-/// Leaves the new key where it is, and says so.
-fn doubt(error: &LinkError, new: NewKey) -> Failure {
-    let (left, path) = new.leave();
-    let message = format!("{error}; the board may have the new key all the same, see {left}");
+/// The failure where the board may have the new key; its temporary file is kept.
+fn uncertain(error: &LinkError, new: NewKey) -> Failure {
+    let (kept, path) = new.keep();
+    let message = format!("{error}; the board may have the new key all the same, see {kept}");
     let hint = format!(
-        "try `rrr set-key {left} --key {left}`: if that works, the board has it, so rename it to \
+        "try `rrr set-key {kept} --key {kept}`: if that works, the board has it, so rename it to \
          {}; if the key is refused, the board has the one that it had",
         path.display()
     );

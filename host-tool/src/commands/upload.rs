@@ -29,7 +29,7 @@ pub struct Arguments {
 /// # Errors
 /// A model that cannot be used, here or on the board, or a board that does not answer.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    // What is wrong with the file is said before a board is looked for.
+    // A bad file is reported before a board is looked for.
     let block = arguments.block.parameter_block(&arguments.model)?;
     let file = arguments.model.display();
     let encoded = transfer::encoded(&block)?;

@@ -37,7 +37,7 @@ fn key_of(text: &str) -> Option<Key> {
     Some(key)
 }
 
-/// A new key in a file beside the one that it is for, which does not exist yet.
+/// A new key in a temporary file beside the one that it is for, which does not exist yet.
 ///
 /// It is on the disk before the board gets it, so that the board never has a key that nobody
 /// else has. Dropped, it is gone.
@@ -46,11 +46,11 @@ pub struct NewKey {
     /// The key.
     pub key: Key,
     path: PathBuf,
-    beside: NamedTempFile,
+    temporary: NamedTempFile,
 }
 
 impl NewKey {
-    /// Makes one for the file `path`, readable by the user alone.
+    /// A random key for the file `path`, readable by the user alone.
     ///
     /// # Errors
     /// The directory does not take it.
@@ -65,43 +65,43 @@ impl NewKey {
         let mut key: Key = [0; 32];
         File::open("/dev/urandom")?.read_exact(&mut key)?;
         let digits: String = key.iter().map(|byte| format!("{byte:02x}")).collect();
-        let mut beside = beside(path)?;
-        writeln!(beside, "{digits}")?;
-        beside.as_file().sync_all()?;
+        let mut temporary = temporary_file(path)?;
+        writeln!(temporary, "{digits}")?;
+        temporary.as_file().sync_all()?;
         File::open(directory(path))?.sync_all()?;
-        Ok(Self { key, path: path.to_owned(), beside })
+        Ok(Self { key, path: path.to_owned(), temporary })
     }
 
-    /// Gives it its name, now that the board has it.
+    /// Renames the file, now that the board has the key.
     ///
     /// # Errors
     /// The file cannot be renamed; it stays where it is, and the message says where.
     pub fn rename(self) -> Result<(), Failure> {
-        let Err(error) = self.beside.persist_noclobber(&self.path) else {
+        let Err(error) = self.temporary.persist_noclobber(&self.path) else {
             // The key is on the disk under one name or the other.
             let _ = File::open(directory(&self.path)).and_then(|directory| directory.sync_all());
             return Ok(());
         };
-        let stays = stay(error.file);
+        let kept = kept_path(error.file);
         let (path, error) = (self.path.display(), error.error);
-        let message = format!("{path}: cannot be made: {error}; the board has the key of {stays}");
-        Err(Failure::new(message, format!("rename {stays}, and keep a copy")))
+        let message = format!("{path}: cannot be made: {error}; the board has the key of {kept}");
+        Err(Failure::new(message, format!("rename {kept}, and keep a copy")))
     }
 
-    /// Leaves it where it is, as the board may have it; its name, and the name that it is for.
-    pub fn leave(self) -> (String, PathBuf) {
-        (stay(self.beside), self.path)
+    /// Keeps the temporary file, as the board may have the key; its name, and the final one.
+    pub fn keep(self) -> (String, PathBuf) {
+        (kept_path(self.temporary), self.path)
     }
 }
 
 /// Keeps a temporary file; its name.
-fn stay(mut file: NamedTempFile) -> String {
+fn kept_path(mut file: NamedTempFile) -> String {
     file.disable_cleanup(true);
     file.path().display().to_string()
 }
 
 /// An empty file for the user alone, named after the one that it is for.
-fn beside(path: &Path) -> std::io::Result<NamedTempFile> {
+fn temporary_file(path: &Path) -> std::io::Result<NamedTempFile> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let prefix = format!("{name}.");
     tempfile::Builder::new().prefix(&prefix).suffix(".new").tempfile_in(directory(path))
