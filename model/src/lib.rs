@@ -9,7 +9,7 @@
 //! | --- | --- |
 //! | [`dynamics`] | mass matrix, Coriolis, gravity, inverse and forward dynamics, eq. (1) |
 //! | [`regressor`] | the 3x16 matrix of eq. (5) |
-//! | [`friction`] | LuGre friction and its exact step, eq. (9)-(10) |
+//! | [`friction`], [`friction_parameters`] | LuGre friction and its exact step, eq. (9)-(10); as a list |
 //! | [`effects`] | what a real robot does beyond that, and what undoes it |
 //! | [`base`], [`geometry`], [`links`] | the 16 base parameters and where they come from |
 //! | [`robot`], [`pendulum`] | a whole rig: three joints, or the one joint of eq. (11) |
@@ -52,6 +52,7 @@ pub mod base;
 pub mod dynamics;
 pub mod effects;
 pub mod friction;
+pub mod friction_parameters;
 pub mod geometry;
 pub mod links;
 pub mod parameter;

@@ -14,7 +14,7 @@ use super::error::TrialError;
 use super::plans::{is_excitation, is_train};
 use files::{JointLog, RobotFile};
 use identification::base_parameters::rows::{RowSettings, Rows};
-use identification::motion::Instant;
+use recordings::motion::Instant;
 use recordings::campaign::Known;
 use recordings::{Campaign, Trace};
 

@@ -7,7 +7,7 @@ use clap::Args;
 use super::{Failure, create_directory};
 use crate::progress::Steps;
 use files::{Dataset, RobotFile, Role};
-use identification::procedure::Held;
+use identification::procedure::HeldOutLog;
 use recordings::Trace;
 use report::validation_page::{HEADER, rows, validation_page};
 
@@ -41,8 +41,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::new(message, "give one log that role; the model is judged on it"));
     }
     steps.at("reconstructing");
-    let held: Result<Vec<Held>, _> =
-        recordings.into_iter().map(|recording| Held::of(&Trace::of(recording), &robot)).collect();
+    let held: Result<Vec<HeldOutLog>, _> = recordings
+        .into_iter()
+        .map(|recording| HeldOutLog::of(&Trace::of(recording), &robot))
+        .collect();
     let held = held?;
     create_directory(&arguments.out)?;
     let page = arguments.out.join("validation.html");

@@ -124,7 +124,7 @@ fn write_json(numbers: &impl serde::Serialize, path: &Path) -> Result<(), Failur
 fn print_table(identified: &Identified) {
     println!("What the model leaves of the command on the logs held out:\n");
     println!("  log                          joint 1            joint 2            joint 3");
-    for held in &identified.held {
+    for held in &identified.held_out {
         let shares: Vec<String> = held
             .residuals()
             .iter()

@@ -2,9 +2,9 @@
 
 use model::vector::Vector3;
 
-use recordings::StepError;
-use recordings::campaign::Trace;
-use recordings::unbroken;
+use crate::StepError;
+use crate::campaign::Trace;
+use crate::unbroken::unbroken;
 use signal::{LowPass, derivative};
 
 /// At which instants of a sample interval motion and command are compared.
@@ -174,7 +174,7 @@ fn interpolated(
 mod tests {
     use super::*;
     use files::{Experiment, Role};
-    use recordings::campaign::JointTrace;
+    use crate::campaign::JointTrace;
 
     /// Joints that swing at 1 Hz, sampled at given times.
     fn swinging(time_s: Vec<f64>) -> Trace {
