@@ -41,7 +41,7 @@ fn without_an_experiment_the_rest_is_done_and_the_gap_is_named() {
         campaign.traces.retain(|t| t.experiment != experiment || t.joint != Some(2));
         let found = run(&campaign).unwrap();
         assert!(found.missing.iter().any(|m| m.contains(name)), "{:?}", found.missing);
-        for residual in found.held.iter().flat_map(|held| held.residuals()) {
+        for residual in found.held_out.iter().flat_map(|held| held.residuals()) {
             assert!(residual.share < 0.02, "{name}: {residual:?}");
         }
     }

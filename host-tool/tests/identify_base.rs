@@ -3,16 +3,13 @@
 mod common;
 
 use files::{Dataset, Experiment, RobotFile, Role};
-use identification::base_parameters::friction::{
-    FRICTION_COUNT, FrictionKnowledge, from_array, to_array,
-};
-use identification::base_parameters::{self, RowSettings};
+use identification::base_parameters::{self, FrictionEstimate, RowSettings};
 use identification::reconstruction::reconstruct;
-use identification::refinement::{self, ModelDoubt, Refined, refine};
+use identification::refinement::{self, ModelUncertainty, Refined, refine};
 use identification::{Estimate, physical};
 use model::base::NAMES;
 use model::reference_robot::reference_robot;
-use model::{BaseParameters, FrictionState, Posture, Robot};
+use model::{BaseParameters, Friction, FrictionState, Posture, Robot, friction_parameters};
 use rand_distr::{Distribution, StandardNormal, Uniform};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
@@ -36,7 +33,7 @@ fn other_robot(seed: u64) -> Robot<f64> {
         robot.base.my3r = 0.02 * (factor.sample(&mut random) - 1.0);
         robot.base.ia3 = 0.01 * (factor.sample(&mut random) - 0.85);
         for joint in &mut robot.friction {
-            *joint = from_array(to_array(joint).map(|p| p * factor.sample(&mut random)));
+            *joint = Friction::from_array(joint.to_array().map(|p| p * factor.sample(&mut random)));
         }
         if robot.checked().is_ok() {
             return robot;
@@ -45,19 +42,22 @@ fn other_robot(seed: u64) -> Robot<f64> {
 }
 
 /// What steps before would know: relative errors as the issue allows them.
-fn knowledge(robot: &Robot<f64>, seed: u64) -> [FrictionKnowledge; 3] {
-    const RELATIVE: [f64; FRICTION_COUNT] = [0.01, 0.1, 0.3, 0.015, 0.03, 0.1];
+fn knowledge(robot: &Robot<f64>, seed: u64) -> [FrictionEstimate; 3] {
+    const RELATIVE: [f64; friction_parameters::COUNT] = [0.01, 0.1, 0.3, 0.015, 0.03, 0.1];
     let mut random = Pcg64Mcg::new(u128::from(seed) * 2 + 1001);
     robot.friction.map(|joint| {
-        let truth = to_array(&joint);
-        let deviation: [f64; FRICTION_COUNT] =
+        let truth = joint.to_array();
+        let deviation: [f64; friction_parameters::COUNT] =
             std::array::from_fn(|k| RELATIVE[k] * truth[k].abs());
         let values = std::array::from_fn(|k| {
             let deviate: f64 = StandardNormal.sample(&mut random);
             // Estimates of a step before keep their sign.
             truth[k] + deviate.clamp(-2.5, 2.5) * deviation[k]
         });
-        FrictionKnowledge { value: from_array(values), standard_error: from_array(deviation) }
+        FrictionEstimate {
+            value: Friction::from_array(values),
+            standard_error: Friction::from_array(deviation),
+        }
     })
 }
 
@@ -106,12 +106,9 @@ fn recorded(robot: &Robot<f64>, plan: &Plan, seed: u64) -> Trace {
 /// Largest share of the torque that a joint gets wrong over random states within the
 /// ranges of a log.
 fn torque_error(truth: &Robot<f64>, base: &BaseParameters<f64>, trace: &Trace) -> f64 {
-    let motion = &identification::motion::Motion::stretches(
-        trace,
-        20.0,
-        identification::motion::Instant::Middle,
-    )
-    .unwrap()[0];
+    let motion =
+        &recordings::motion::Motion::stretches(trace, 20.0, recordings::motion::Instant::Middle)
+            .unwrap()[0];
     let ranges = [&motion.q_rad, &motion.qd_rad_per_s, &motion.qdd_rad_per_s2]
         .map(|signals| signals.each_ref().map(|s| uniform_within(s)));
     let mut random = Pcg64Mcg::new(77);
@@ -262,7 +259,7 @@ fn coverage(outcomes: &[&Outcome]) -> Vec<(String, f64)> {
             count((*name).to_owned(), estimate, truth);
         }
         for joint in 0..3 {
-            let truth = to_array(&outcome.truth.friction[joint]);
+            let truth = outcome.truth.friction[joint].to_array();
             for ((name, estimate), truth) in
                 outcome.refined.friction_estimates[joint].iter().zip(truth)
             {
@@ -290,9 +287,9 @@ fn coverage(outcomes: &[&Outcome]) -> Vec<(String, f64)> {
 #[test]
 #[ignore = "records 120 robots for 40 s each: a minute"]
 fn intervals_hold_the_truth() {
-    let none = ModelDoubt { inertia: 0.0, viscous: 0.0, stiffness: 0.0, damping: 0.0 };
+    let none = ModelUncertainty { inertia: 0.0, viscous: 0.0, stiffness: 0.0, damping: 0.0 };
     let settings = refinement::Settings::default();
-    let settings = [settings, refinement::Settings { doubt: none, ..settings }];
+    let settings = [settings, refinement::Settings { model_uncertainty: none, ..settings }];
     let all: Vec<[Outcome; 2]> =
         (100..220).into_par_iter().map(|seed| outcomes(seed, &settings)).collect();
     let worst = |f: fn(&Outcome) -> f64| all.iter().map(|o| f(&o[0])).fold(0.0, f64::max);
@@ -358,7 +355,7 @@ fn half_a_step_of_another_simulator_is_seen_for_what_it_is() {
         assert!((lag_s + 5e-5).abs() < 2e-6, "{lag_s}");
     }
     assert!(torque_error(&robot, &refined.base, &trace) < 2e-4);
-    let held = refinement::Settings { timing_doubt_periods: 1e-6, ..settings };
+    let held = refinement::Settings { timing_error_periods: 1e-6, ..settings };
     let blind = refine(&[&trace], &known(&robot), &knowledge(&robot, 1), &held).unwrap();
     for joint in 0..3 {
         let rms_v = |refined: &Refined| refined.residuals[joint].rms_v;
@@ -369,7 +366,7 @@ fn half_a_step_of_another_simulator_is_seen_for_what_it_is() {
 #[test]
 fn logs_that_do_not_serve_are_refused() {
     let robot = reference_robot::<f64>();
-    let friction = robot.friction.map(FrictionKnowledge::certain);
+    let friction = robot.friction.map(FrictionEstimate::exact);
     let identify = |traces: &[&Trace]| {
         base_parameters::identify(
             traces,

@@ -70,7 +70,7 @@ fn intervals_hold_the_truth() {
         let found = identify(&recorded_campaign(&robot, seed), &|_| {}).unwrap();
         score(&mut scores, &found, &robot);
         torque = torque.max(torque_error(&found.robot, &robot));
-        let residuals = found.held.iter().flat_map(|held| held.residuals());
+        let residuals = found.held_out.iter().flat_map(|held| held.residuals());
         share = residuals.map(|residual| residual.share).fold(share, f64::max);
     }
     println!(
@@ -111,7 +111,7 @@ fn an_unknown_robot_is_identified_within_the_promised_errors() {
     }
     let error = torque_error(&found.robot, &robot);
     assert!(error < 0.01, "{error}");
-    for residual in found.held.iter().flat_map(|held| held.residuals()) {
+    for residual in found.held_out.iter().flat_map(|held| held.residuals()) {
         assert!(residual.share < 0.02, "{residual:?}");
     }
 }

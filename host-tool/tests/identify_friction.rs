@@ -106,12 +106,12 @@ fn another_robot() -> Robot<f64> {
 fn static_friction_holds(trace: &Trace, joint: u8, known: &Known, truth: &Friction<f64>) {
     let found = static_friction::identify(trace, joint, known).unwrap();
     let breakaway = truth.alpha0_v + truth.alpha1_v;
-    within(&format!("joint {joint} alpha0"), &found.alpha0_v, truth.alpha0_v, SLIDING);
+    within(&format!("joint {joint} alpha0"), &found.friction.alpha0_v, truth.alpha0_v, SLIDING);
     let alpha2 = truth.alpha2_v_s_per_rad;
-    within(&format!("joint {joint} alpha2"), &found.alpha2_v_s_per_rad, alpha2, SLIDING);
-    within(&format!("joint {joint} breakaway"), &found.breakaway_v, breakaway, BREAKAWAY);
+    within(&format!("joint {joint} alpha2"), &found.friction.alpha2_v_s_per_rad, alpha2, SLIDING);
+    within(&format!("joint {joint} breakaway"), &found.friction.breakaway_v, breakaway, BREAKAWAY);
     let v_s = truth.stribeck_velocity_rad_per_s;
-    within(&format!("joint {joint} v_s"), &found.stribeck_velocity_rad_per_s, v_s, 0.15);
+    within(&format!("joint {joint} v_s"), &found.friction.stribeck_velocity_rad_per_s, v_s, 0.15);
     assert!(found.converged);
     let forward = found.legs.iter().filter(|leg| leg.velocity_rad_per_s > 0.0).count();
     let backward = found.legs.len() - forward;
@@ -125,9 +125,14 @@ fn static_friction_holds(trace: &Trace, joint: u8, known: &Known, truth: &Fricti
 fn filter_holds(trace: &Trace, known: &Known, robot: &Robot<f64>) {
     let found = ekf::identify(trace, 3, known, &Start::from_log()).unwrap();
     let truth = &robot.friction[2];
-    within("EKF alpha0", &found.alpha0_v, truth.alpha0_v, SLIDING);
-    within("EKF alpha2", &found.alpha2_v_s_per_rad, truth.alpha2_v_s_per_rad, SLIDING);
-    within("EKF breakaway", &found.breakaway_v, truth.alpha0_v + truth.alpha1_v, BREAKAWAY);
+    within("EKF alpha0", &found.friction.alpha0_v, truth.alpha0_v, SLIDING);
+    within("EKF alpha2", &found.friction.alpha2_v_s_per_rad, truth.alpha2_v_s_per_rad, SLIDING);
+    within(
+        "EKF breakaway",
+        &found.friction.breakaway_v,
+        truth.alpha0_v + truth.alpha1_v,
+        BREAKAWAY,
+    );
     let base = &robot.base;
     within("EKF J3", &found.inertia_kg_m2, base.zz3r + base.ia3, INERTIA);
     let gravity = robot.geometry.gravity_m_s2 * base.mx3r.hypot(base.my3r);
@@ -162,13 +167,13 @@ fn a_log_without_slow_legs_says_so() {
             column.command_v.drain(..from);
         }
         let found = static_friction::identify(&trace, joint, &known).unwrap();
-        within("alpha0", &found.alpha0_v, truth.alpha0_v, SLIDING);
-        within("alpha2", &found.alpha2_v_s_per_rad, truth.alpha2_v_s_per_rad, SLIDING);
-        let v_s = &found.stribeck_velocity_rad_per_s;
-        eprintln!("v_s {v_s:?} breakaway {:?}", found.breakaway_v);
+        within("alpha0", &found.friction.alpha0_v, truth.alpha0_v, SLIDING);
+        within("alpha2", &found.friction.alpha2_v_s_per_rad, truth.alpha2_v_s_per_rad, SLIDING);
+        let v_s = &found.friction.stribeck_velocity_rad_per_s;
+        eprintln!("v_s {v_s:?} breakaway {:?}", found.friction.breakaway_v);
         assert!(v_s.note.is_some() && v_s.covers(truth.stribeck_velocity_rad_per_s));
-        assert!(found.breakaway_v.note.is_some());
-        assert!(found.breakaway_v.covers(truth.alpha0_v + truth.alpha1_v));
+        assert!(found.friction.breakaway_v.note.is_some());
+        assert!(found.friction.breakaway_v.covers(truth.alpha0_v + truth.alpha1_v));
     }
 }
 
@@ -211,10 +216,10 @@ fn a_poor_start_is_survived() {
     let inertia = 1.3 * robot.base.zz3r / robot.torque_constant_nm_per_v[2];
     let start = Start { friction: Some(friction), inertia: Some(inertia) };
     let found = ekf::identify(&trace, 3, &known(), &start).unwrap();
-    within("alpha0 from a poor start", &found.alpha0_v, truth.alpha0_v, SLIDING);
+    within("alpha0 from a poor start", &found.friction.alpha0_v, truth.alpha0_v, SLIDING);
     within(
         "alpha2 from a poor start",
-        &found.alpha2_v_s_per_rad,
+        &found.friction.alpha2_v_s_per_rad,
         truth.alpha2_v_s_per_rad,
         SLIDING,
     );

@@ -4,7 +4,7 @@ mod common;
 
 use files::{Dataset, Experiment, RobotFile, Role};
 use identification::Estimate;
-use identification::presliding::{self, Presliding, Prior, Rigid, Settings, Sliding};
+use identification::presliding::{self, Presliding, Prior, RigidBody, Settings, Sliding};
 use model::reference_robot::reference_robot;
 use model::{BaseParameters, Friction, FrictionState, Pendulum, Robot};
 use rand_distr::{Distribution, StandardNormal, Uniform};
@@ -242,7 +242,7 @@ fn a_rig_of_one_joint_is_found() {
         ..known(&robot)
     };
     let trace = pendulum_log(&pendulum, &robot.friction[2], known.encoder_step_rad);
-    let rigid = Rigid::Pendulum { pendulum, relative_error: 0.02 };
+    let rigid = RigidBody::Pendulum { pendulum, relative_error: 0.02 };
     let prior = Prior { rigid: Some(rigid), ..Prior::default() };
     let prior = prior.with_sliding(3, sliding(&robot.friction[2]));
     let found = presliding::identify(&trace, 3, &known, &prior).expect("identified");

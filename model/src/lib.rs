@@ -9,7 +9,7 @@
 //! | --- | --- |
 //! | [`dynamics`] | mass matrix, Coriolis, gravity, inverse and forward dynamics, eq. (1) |
 //! | [`regressor`] | the 3x16 matrix of eq. (5) |
-//! | [`friction`] | LuGre friction and its exact step, eq. (9)-(10) |
+//! | [`friction`], [`friction_parameters`] | LuGre friction and its exact step, eq. (9)-(10); its parameters as a list |
 //! | [`effects`] | effects that eq. (1) and (9) lack, and their inverses |
 //! | [`base`], [`geometry`], [`links`] | the 16 base parameters of eq. (4), and their computation from link masses |
 //! | [`robot`], [`pendulum`] | a complete rig: three joints, or the one joint of eq. (11) |
@@ -39,6 +39,7 @@ mod base_check;
 pub mod dynamics;
 pub mod effects;
 pub mod friction;
+pub mod friction_parameters;
 pub mod geometry;
 pub mod links;
 pub mod parameter;

@@ -3,8 +3,7 @@
 //! | module | step |
 //! | --- | --- |
 //! | [`ekf`] | friction, inertia and gravity of a joint by the augmented Kalman filter, eq. (11) |
-//! | [`estimate`] | a value with its uncertainty |
-//! | [`motion`] | motion and command of all joints at the same instants |
+//! | [`estimate`], [`friction_estimates`] | a value, and a joint's friction, with uncertainty |
 //! | [`one_joint`] | what the steps on one joint share, and rigs that have but one |
 //! | [`static_friction`] | static friction from constant-velocity runs, eq. (10) |
 //! | [`base_parameters`] | base parameters by least squares, eq. (13)-(16) |
@@ -22,7 +21,7 @@ pub mod base_parameters;
 pub mod ekf;
 pub mod estimate;
 pub mod excitation_design;
-pub mod motion;
+pub mod friction_estimates;
 pub mod one_joint;
 pub mod physical;
 pub mod prediction;

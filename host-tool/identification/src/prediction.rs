@@ -8,9 +8,9 @@ use model::{FrictionState, Robot};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::motion::{Instant, Motion};
 use recordings::StepError;
 use recordings::campaign::Trace;
+use recordings::motion::{Instant, Motion};
 use signal::rms;
 use simulation::{Settings, SimulatedRobot};
 

@@ -5,9 +5,9 @@ use serde::Serialize;
 
 use super::base_parameters::rows::{RowSampler, RowSettings, friction_voltage};
 use super::base_parameters::{JointResidual, rms};
-use super::motion::Motion;
 use recordings::StepError;
 use recordings::campaign::Trace;
+use recordings::motion::Motion;
 
 /// Commands of all joints over an unbroken stretch of a log, recorded and reconstructed.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -3,7 +3,10 @@
 
 pub mod campaign;
 mod error;
+pub mod motion;
+pub mod one_joint;
 pub mod plausibility;
+pub mod smoothed;
 pub mod tracking;
 mod unbroken;
 

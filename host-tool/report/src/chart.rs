@@ -79,8 +79,6 @@ pub struct Chart {
     pub series: Vec<Series>,
     /// Lowest and highest x, where the data are not to choose.
     pub x_range: Option<(f64, f64)>,
-    /// Lowest and highest y, where the data are not to choose.
-    pub y_range: Option<(f64, f64)>,
     /// Width and height [px]; 0 takes the standard 760 x 300.
     pub size_px: (u32, u32),
 }
@@ -140,11 +138,6 @@ impl Chart {
     /// With x from the lowest to the highest.
     pub fn x_from_to(self, lowest: f64, highest: f64) -> Self {
         Self { x_range: Some((lowest, highest)), ..self }
-    }
-
-    /// With y from the lowest to the highest, so that charts compare.
-    pub fn y_from_to(self, lowest: f64, highest: f64) -> Self {
-        Self { y_range: Some((lowest, highest)), ..self }
     }
 
     /// With this size [px].
@@ -298,7 +291,7 @@ impl Chart {
             Axis::Logarithmic => high * (high / low).powf(room),
         };
         let x = self.x_range.unwrap_or_else(|| padded(x, self.x_axis, 0.0));
-        Some((x, self.y_range.unwrap_or((low, high))))
+        Some((x, (low, high)))
     }
 }
 

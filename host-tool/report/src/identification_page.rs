@@ -19,11 +19,11 @@ const THIRD: (u32, u32) = (352, 260);
 
 /// The page of a result.
 pub fn identification_page(campaign: &Campaign, identified: &Identified) -> Page {
-    let mut page = Page::new("Identification of an RRR robot", &lead(&identified.held));
+    let mut page = Page::new("Identification of an RRR robot", &lead(&identified.held_out));
     for remark in &identified.missing {
         page.paragraph(&format!("Note: {remark}"));
     }
-    page.heading("What is left on motion held out").table(&HEADER, &rows(&identified.held));
+    page.heading("What is left on motion held out").table(&HEADER, &rows(&identified.held_out));
     page.heading("Static friction (Table 2)").table(&FRICTION_HEADER, &friction_rows(identified));
     page.charts(&identified.statics.iter().flatten().map(stribeck_chart).collect::<Vec<_>>());
     if let Some(found) = &identified.filtered {
@@ -46,7 +46,7 @@ pub fn identification_page(campaign: &Campaign, identified: &Identified) -> Page
     page.heading("Convergence (Fig. 9)")
         .charts(&[convergence_chart(&identified.paper.convergence)]);
     page.heading("Command, recorded and reconstructed (Fig. 8 and 10)");
-    page.charts(&identified.held.iter().flat_map(command_charts).collect::<Vec<_>>());
+    page.charts(&identified.held_out.iter().flat_map(command_charts).collect::<Vec<_>>());
     page
 }
 
@@ -158,9 +158,9 @@ fn ekf_rows(found: &EkfResult, identified: &Identified) -> Vec<Vec<String>> {
         vec![name.to_owned(), shown(estimate), format!("{value:.5}")]
     };
     let mut rows = vec![
-        row("alpha0_V", &found.alpha0_v, friction.alpha0_v),
-        row("alpha0_V + alpha1_V", &found.breakaway_v, friction.stribeck_level(0.0)),
-        row("alpha2_V_s_per_rad", &found.alpha2_v_s_per_rad, friction.alpha2_v_s_per_rad),
+        row("alpha0_V", &found.friction.alpha0_v, friction.alpha0_v),
+        row("alpha0_V + alpha1_V", &found.friction.breakaway_v, friction.stribeck_level(0.0)),
+        row("alpha2_V_s_per_rad", &found.friction.alpha2_v_s_per_rad, friction.alpha2_v_s_per_rad),
         row("J3 [kg m^2]", &found.inertia_kg_m2, robot.base.zz3r + robot.base.ia3),
     ];
     rows.extend(found.gravity_torque_nm.as_ref().map(|l| row("l3 [Nm]", l, gravity_nm)));

@@ -52,7 +52,7 @@ impl<'a> Summary<'a> {
             filtered: identified.filtered.as_ref(),
             presliding: &identified.presliding,
             command_lag_s: refined.command_lag_s,
-            holdout: identified.held.iter().map(|h| (h.file.as_str(), h.residuals())).collect(),
+            holdout: identified.held_out.iter().map(|h| (h.file.as_str(), h.residuals())).collect(),
             missing: &identified.missing,
         }
     }

@@ -25,11 +25,11 @@ pub fn static_page(found: &[StaticFriction]) -> Page {
         page.table(
             &HEADER,
             &named_rows(&[
-                ("alpha0_V", &joint.alpha0_v),
-                ("alpha1_V", &joint.alpha1_v),
-                ("alpha0_V + alpha1_V", &joint.breakaway_v),
-                ("stribeck_velocity_rad_per_s", &joint.stribeck_velocity_rad_per_s),
-                ("alpha2_V_s_per_rad", &joint.alpha2_v_s_per_rad),
+                ("alpha0_V", &joint.friction.alpha0_v),
+                ("alpha1_V", &joint.friction.alpha1_v),
+                ("alpha0_V + alpha1_V", &joint.friction.breakaway_v),
+                ("stribeck_velocity_rad_per_s", &joint.friction.stribeck_velocity_rad_per_s),
+                ("alpha2_V_s_per_rad", &joint.friction.alpha2_v_s_per_rad),
             ]),
         );
         page.charts(&[stribeck_chart(joint)]);
@@ -43,10 +43,10 @@ pub fn ekf_page(found: &[EkfResult]) -> Page {
     for joint in found {
         page.heading(&format!("Joint {}", joint.joint));
         let mut rows = vec![
-            ("alpha0_V", &joint.alpha0_v),
-            ("alpha1_V", &joint.alpha1_v),
-            ("stribeck_velocity_rad_per_s", &joint.stribeck_velocity_rad_per_s),
-            ("alpha2_V_s_per_rad", &joint.alpha2_v_s_per_rad),
+            ("alpha0_V", &joint.friction.alpha0_v),
+            ("alpha1_V", &joint.friction.alpha1_v),
+            ("stribeck_velocity_rad_per_s", &joint.friction.stribeck_velocity_rad_per_s),
+            ("alpha2_V_s_per_rad", &joint.friction.alpha2_v_s_per_rad),
             ("inertia_kg_m2", &joint.inertia_kg_m2),
         ];
         rows.extend(joint.gravity_torque_nm.as_ref().map(|l| ("gravity_torque_Nm", l)));

@@ -2,13 +2,13 @@
 
 use super::{Chart, Page, Series, Stroke};
 use identification::base_parameters::JointResidual;
-use identification::procedure::Held;
+use identification::procedure::HeldOutLog;
 use identification::reconstruction::JointReconstruction;
 
 const THIRD: (u32, u32) = (352, 260);
 
 /// The page of `rrr validate`.
-pub fn validation_page(held: &[Held]) -> Page {
+pub fn validation_page(held: &[HeldOutLog]) -> Page {
     let mut page = Page::new("Validation of an RRR model", &lead(held));
     page.table(&HEADER, &rows(held));
     page.paragraph(
@@ -23,8 +23,8 @@ pub fn validation_page(held: &[Held]) -> Page {
 }
 
 /// The worst share left on any log held out, as a sentence.
-pub fn lead(held: &[Held]) -> String {
-    let residuals = held.iter().flat_map(Held::residuals);
+pub fn lead(held: &[HeldOutLog]) -> String {
+    let residuals = held.iter().flat_map(HeldOutLog::residuals);
     match residuals.max_by(|a, b| a.share.total_cmp(&b.share)) {
         Some(worst) => format!(
             "On motion held out, the model explains all but {:.2} % of the command of every \
@@ -42,8 +42,8 @@ pub const HEADER: [&str; 6] =
     ["Log", "joint", "left, rms [mV]", "command, rms [V]", "share [%]", "drift, rms [mrad]"];
 
 /// A row per log and joint.
-pub fn rows(held: &[Held]) -> Vec<Vec<String>> {
-    let row = |held: &Held, residual: JointResidual| {
+pub fn rows(held: &[HeldOutLog]) -> Vec<Vec<String>> {
+    let row = |held: &HeldOutLog, residual: JointResidual| {
         let drift_rad = held.prediction_rms_rad()[usize::from(residual.joint) - 1];
         vec![
             held.file.clone(),
@@ -58,7 +58,7 @@ pub fn rows(held: &[Held]) -> Vec<Vec<String>> {
 }
 
 /// Commands of a log, joint by joint.
-pub fn command_charts(held: &Held) -> Vec<Chart> {
+pub fn command_charts(held: &HeldOutLog) -> Vec<Chart> {
     let Some(stretch) = held.stretches.first() else { return Vec::new() };
     let points = |values: &[f64]| -> Vec<(f64, f64)> {
         stretch.time_s.iter().copied().zip(values.iter().copied()).collect()
@@ -76,7 +76,7 @@ pub fn command_charts(held: &Held) -> Vec<Chart> {
     stretch.joints.iter().enumerate().map(chart).collect()
 }
 
-fn drift_charts(held: &Held) -> Vec<Chart> {
+fn drift_charts(held: &HeldOutLog) -> Vec<Chart> {
     let Some(prediction) = held.predictions.first() else { return Vec::new() };
     let chart = |joint: usize| {
         let errors = prediction.error_rad[joint].iter().map(|error| 1e3 * error);

@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use crate::output_files::create_directory;
 use crate::terminal::progress::Steps;
 use files::{Dataset, RobotFile, Role};
-use identification::procedure::Held;
+use identification::procedure::HeldOutLog;
 use recordings::Trace;
 use report::validation_page::{HEADER, rows, validation_page};
 
@@ -42,8 +42,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::new(message, "give one log that role; the model is judged on it"));
     }
     steps.at("reconstructing");
-    let held: Result<Vec<Held>, _> =
-        recordings.into_iter().map(|recording| Held::of(&Trace::of(recording), &robot)).collect();
+    let held: Result<Vec<HeldOutLog>, _> = recordings
+        .into_iter()
+        .map(|recording| HeldOutLog::of(&Trace::of(recording), &robot))
+        .collect();
     let held = held?;
     create_directory(&arguments.out)?;
     let page = arguments.out.join("validation.html");

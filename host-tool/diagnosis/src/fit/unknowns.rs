@@ -5,7 +5,7 @@ use model::{BaseParameters, Friction};
 
 use crate::logs::subject::Subject;
 use crate::trial::voltage::Hypothesis;
-use identification::base_parameters::friction::{FRICTION_COUNT, from_array, to_array};
+use model::friction_parameters::COUNT as FRICTION_COUNT;
 
 /// One open parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,7 +62,7 @@ pub fn expected(subject: &Subject, period_s: f64) -> Vec<Expected> {
         })
         .collect();
     for &joint in &subject.joints {
-        let values = to_array(&subject.robot.friction[joint]);
+        let values = subject.robot.friction[joint].to_array();
         all.extend((0..FRICTION_COUNT).map(|parameter| Expected {
             unknown: Unknown::Friction { joint, parameter },
             mean: values[parameter],
@@ -139,7 +139,7 @@ impl Unknown {
         match self {
             Self::Base(k) => hypothesis.robot.base.to_array()[k],
             Self::Friction { joint, parameter } => {
-                to_array(&hypothesis.robot.friction[joint])[parameter]
+                hypothesis.robot.friction[joint].to_array()[parameter]
             }
             Self::Lag(joint) => hypothesis.lag_s[joint],
             Self::Effect { index, value } => hypothesis.effects[index].values[value],
@@ -156,9 +156,9 @@ impl Unknown {
             }
             Self::Friction { joint, parameter } => {
                 let friction = &mut hypothesis.robot.friction[joint];
-                let mut values = to_array(friction);
+                let mut values = friction.to_array();
                 values[parameter] = to;
-                *friction = from_array(values);
+                *friction = Friction::from_array(values);
             }
             Self::Lag(joint) => hypothesis.lag_s[joint] = to,
             Self::Effect { index, value } => hypothesis.effects[index].values[value] = to,

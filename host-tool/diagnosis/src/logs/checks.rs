@@ -1,9 +1,9 @@
 //! Why a log says nothing about a model, whatever it holds.
 
 use super::subject::Subject;
-use identification::one_joint::pendulum::{MOVED_FROM_OUTSIDE, is_moved_from_outside};
 use recordings::Trace;
 use recordings::campaign::{JointTrace, Known};
+use recordings::one_joint::{NotDriven, check_driven};
 
 /// Other joints of an arm stand still if they move by less [rad].
 const STILL_RAD: f64 = 0.05;
@@ -32,8 +32,9 @@ pub fn cannot_be_judged(trace: &Trace, subject: &Subject) -> Option<String> {
     };
     let outside = || {
         let alone = subject.one_joint.then_some(subject.numbers[0])?;
-        is_moved_from_outside(trace, alone, &subject.known)
-            .then(|| format!("{MOVED_FROM_OUTSIDE}; record motion that the motor drives"))
+        let why = check_driven(trace, alone, &subject.known).err()?;
+        (why == NotDriven::ExternalForce)
+            .then(|| format!("{why}; record motion that the motor drives"))
     };
     trace.joints.iter().find_map(of_joint).or_else(outside)
 }

@@ -16,7 +16,7 @@ pub mod rows;
 pub mod solve;
 
 pub use convergence::ConvergencePoint;
-pub use friction::FrictionKnowledge;
+pub use friction::FrictionEstimate;
 pub use rows::{RowSettings, Rows};
 pub use solve::Stack;
 
@@ -97,7 +97,7 @@ pub struct BaseResult {
 pub fn identify(
     traces: &[&Trace],
     known: &Known,
-    friction: &[FrictionKnowledge; 3],
+    friction: &[FrictionEstimate; 3],
     settings: &Settings,
 ) -> Result<BaseResult, StepError> {
     let values = friction.map(|joint| joint.value);
@@ -192,15 +192,15 @@ fn covariance_of_friction(
     stack: &Stack,
     fit: &LinearFit,
     weight: &[f64],
-    friction: &[FrictionKnowledge; 3],
+    friction: &[FrictionEstimate; 3],
 ) -> DMatrix<f64> {
     let mut covariance = DMatrix::zeros(COUNT, COUNT);
-    for (joint, knowledge) in friction.iter().enumerate() {
-        let errors = friction::to_array(&knowledge.standard_error);
+    for (joint, estimate) in friction.iter().enumerate() {
+        let errors = estimate.standard_error.to_array();
         for (parameter, error) in errors.into_iter().enumerate() {
             if error > 0.0 && error.is_finite() {
                 let shift =
-                    shift_by_friction(stretches, stack, fit, weight, knowledge, joint, parameter);
+                    shift_by_friction(stretches, stack, fit, weight, estimate, joint, parameter);
                 covariance.ger(error * error, &shift, &shift, 1.0);
             }
         }
@@ -214,15 +214,15 @@ fn shift_by_friction(
     stack: &Stack,
     fit: &LinearFit,
     weight: &[f64],
-    knowledge: &FrictionKnowledge,
+    estimate: &FrictionEstimate,
     joint: usize,
     parameter: usize,
 ) -> DVector<f64> {
     let slopes: Vec<Vec<f64>> = stretches
         .iter()
         .map(|rows| {
-            let friction_v = rows.friction_raw_v(joint, &knowledge.value);
-            friction::sensitivity(rows, joint, &knowledge.value, parameter, &friction_v)
+            let friction_v = rows.friction_raw_v(joint, &estimate.value);
+            friction::sensitivity(rows, joint, &estimate.value, parameter, &friction_v)
         })
         .collect();
     let mut moment = DVector::zeros(COUNT);

@@ -5,9 +5,9 @@ use model::regressor::regressor;
 use model::{Friction, FrictionState, Geometry, Posture};
 use rayon::prelude::*;
 
-use super::super::motion::{Instant, Motion};
 use recordings::StepError;
 use recordings::campaign::{Known, Trace};
+use recordings::motion::{Instant, Motion};
 use signal::{LowPass, derivative};
 
 /// How equations are made of a log.

@@ -1,4 +1,4 @@
-//! From equations to parameters: weights, robustness, honest covariance.
+//! From equations to parameters: robust weights, and covariances that allow for correlation.
 
 use model::base::COUNT;
 use nalgebra::{DMatrix, DVector};
@@ -17,7 +17,7 @@ pub struct Stack {
 }
 
 /// Columns of one joint behind the base parameters, each with its place.
-pub type MoreColumns = Vec<(usize, Vec<f64>)>;
+pub type ExtraColumns = Vec<(usize, Vec<f64>)>;
 
 /// Where an equation comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,22 +34,22 @@ pub struct Origin {
 
 impl Stack {
     /// Stacks equations in the order of time, `right` giving y of a stretch and joint,
-    /// with columns for more parameters behind the base parameters.
+    /// with columns for further parameters behind the base parameters.
     pub fn new(
         stretches: &[Rows],
         right: &[[Vec<f64>; 3]],
-        more: &[[MoreColumns; 3]],
-        more_count: usize,
+        extra: &[[ExtraColumns; 3]],
+        extra_count: usize,
     ) -> Self {
         let origin = origins(stretches);
-        let mut rows = DMatrix::zeros(origin.len(), COUNT + more_count);
+        let mut rows = DMatrix::zeros(origin.len(), COUNT + extra_count);
         let mut y = DVector::zeros(origin.len());
         for (index, at) in origin.iter().enumerate() {
             let joint = &stretches[at.stretch].joints[at.joint];
             for (parameter, column) in joint.columns.iter().enumerate() {
                 rows[(index, parameter)] = column.get(at.instant).copied().unwrap_or(0.0);
             }
-            for (place, column) in more.get(at.stretch).map_or(&[][..], |m| &m[at.joint][..]) {
+            for (place, column) in extra.get(at.stretch).map_or(&[][..], |m| &m[at.joint][..]) {
                 rows[(index, COUNT + place)] = column[at.instant];
             }
             y[index] = right[at.stretch][at.joint][at.instant];

@@ -18,9 +18,9 @@ mod result;
 mod start;
 
 use super::one_joint::innovations::{Innovations, most_likely_noise};
+use super::one_joint::log_rows::log_rows;
 use super::one_joint::noise::NoiseVariances;
 use super::one_joint::parameters::FRICTION;
-use super::one_joint::rows::Rows;
 use super::one_joint::samples::{Samples, samples};
 use filter::{FilterPass, ParameterEstimate};
 use recordings::StepError;
@@ -49,7 +49,7 @@ pub fn identify(
     known: &Known,
     start: &Start,
 ) -> Result<EkfResult, StepError> {
-    let rows = Rows::of(trace, joint, known)?;
+    let rows = log_rows(trace, joint, known)?;
     let missing = || StepError::Unusable {
         file: trace.file.clone(),
         what: format!("joint {joint} or a neighbour is missing; record all joints"),

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::filter::FilterPass;
 use crate::estimate::Estimate;
+use crate::friction_estimates::FrictionEstimates;
 use crate::one_joint::dynamics::State;
 use crate::one_joint::innovations::Innovations;
 use crate::one_joint::noise::NoiseVariances;
@@ -60,26 +61,9 @@ impl EkfPass {
 pub struct EkfResult {
     /// Joint, 1 to 3.
     pub joint: u8,
-    /// Coulomb level alpha_0 [V].
-    #[serde(rename = "alpha0_V")]
-    pub alpha0_v: Estimate,
-    /// Static level above it alpha_1 [V].
-    #[serde(rename = "alpha1_V")]
-    pub alpha1_v: Estimate,
-    /// Breakaway level alpha_0 + alpha_1 [V].
-    #[serde(rename = "breakaway_V")]
-    pub breakaway_v: Estimate,
-    /// Stribeck velocity v_s [rad/s].
-    pub stribeck_velocity_rad_per_s: Estimate,
-    /// Viscous coefficient alpha_2 [V s/rad].
-    #[serde(rename = "alpha2_V_s_per_rad")]
-    pub alpha2_v_s_per_rad: Estimate,
-    /// Stiffness sigma_0 [V/rad].
-    #[serde(rename = "sigma0_V_per_rad")]
-    pub sigma0_v_per_rad: Estimate,
-    /// Damping sigma_1 [V s/rad].
-    #[serde(rename = "sigma1_V_s_per_rad")]
-    pub sigma1_v_s_per_rad: Estimate,
+    /// Its friction.
+    #[serde(flatten)]
+    pub friction: FrictionEstimates,
     /// Inertia J of eq. (11) [kg m^2].
     pub inertia_kg_m2: Estimate,
     /// Gravity torque l of eq. (11) [Nm]; `None` for joint 1.
@@ -100,20 +84,6 @@ pub struct EkfResult {
     pub noise: NoiseVariances,
     /// Correlation of the innovations from tick to tick: 0 where they are white.
     pub innovation_correlation: f64,
-}
-
-impl EkfResult {
-    /// The friction found.
-    pub fn friction(&self) -> Friction<f64> {
-        Friction {
-            alpha0_v: self.alpha0_v.value,
-            alpha1_v: self.alpha1_v.value,
-            stribeck_velocity_rad_per_s: self.stribeck_velocity_rad_per_s.value,
-            alpha2_v_s_per_rad: self.alpha2_v_s_per_rad.value,
-            sigma0_v_per_rad: self.sigma0_v_per_rad.value,
-            sigma1_v_s_per_rad: self.sigma1_v_s_per_rad.value,
-        }
-    }
 }
 
 /// Relative errors (rms) that the method leaves whatever the data: neighbours' motion above
@@ -141,17 +111,11 @@ pub(super) fn assembled(
     }
     covariance[(FRICTION, FRICTION)] += (INERTIA_ERROR * parameters[FRICTION]).powi(2);
     let converged = settled(&history) && small(step, &covariance);
-    let estimate = |k: usize| logarithmic(parameters[k], covariance[(k, k)].sqrt(), converged);
+    let friction = FrictionEstimates::from_logarithms(parameters, &covariance);
     let gravity = gravity_estimates(rows, parameters, &covariance);
     EkfResult {
         joint,
-        alpha0_v: estimate(0),
-        alpha1_v: noted(alpha1(parameters, &covariance), converged),
-        breakaway_v: estimate(1),
-        stribeck_velocity_rad_per_s: estimate(2),
-        alpha2_v_s_per_rad: estimate(3),
-        sigma0_v_per_rad: estimate(4),
-        sigma1_v_s_per_rad: estimate(5),
+        friction: friction.map(|estimate| noted(estimate, converged)),
         inertia_kg_m2: noted(
             Estimate::new(
                 k_t * parameters[FRICTION],
@@ -189,21 +153,6 @@ fn small(step: Option<DVector<f64>>, covariance: &DMatrix<f64>) -> bool {
 
 fn noted(estimate: Estimate, converged: bool) -> Estimate {
     if converged { estimate } else { estimate.with_note("the filter has not converged") }
-}
-
-fn logarithmic(logarithm: f64, error: f64, converged: bool) -> Estimate {
-    let value = logarithm.exp();
-    let at = |deviations: f64| (logarithm + deviations * error).exp();
-    let normal = Estimate::new(value, value * error);
-    noted(Estimate { interval: [at(-1.96), at(1.96)], ..normal }, converged)
-}
-
-fn alpha1(parameters: &[f64], covariance: &DMatrix<f64>) -> Estimate {
-    let (coulomb, breakaway) = (parameters[0].exp(), parameters[1].exp());
-    let variance = coulomb * coulomb * covariance[(0, 0)]
-        + breakaway * breakaway * covariance[(1, 1)]
-        - 2.0 * coulomb * breakaway * covariance[(0, 1)];
-    Estimate::new(breakaway - coulomb, variance.max(0.0).sqrt())
 }
 
 /// Parameter indices of gravity's cosine and sine.

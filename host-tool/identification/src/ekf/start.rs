@@ -4,8 +4,7 @@ use model::Friction;
 
 use crate::one_joint::parameters::to_logarithms;
 use crate::one_joint::rows::{Rows, Term};
-use crate::one_joint::start::sliding;
-use crate::static_friction::StaticFriction;
+use crate::one_joint::sliding::sliding;
 
 /// First estimates; what is absent is taken from the log itself by least squares where
 /// the joint slides.
@@ -21,14 +20,6 @@ impl Start {
     /// Nothing is known but the log.
     pub fn from_log() -> Self {
         Self::default()
-    }
-
-    /// From an earlier step's estimates.
-    pub fn from_static(friction: &StaticFriction, torque_constant_nm_per_v: f64) -> Self {
-        Self {
-            friction: Some(friction.friction()),
-            inertia: Some(friction.inertia_kg_m2.value / torque_constant_nm_per_v),
-        }
     }
 
     /// Friction's logarithms, inertia, factors of the linear terms.

@@ -2,11 +2,10 @@
 //!
 //! | module | what it holds |
 //! | --- | --- |
-//! | [`motion`] | motion and command, smoothed alike and differentiated |
 //! | [`reconstruction`] | motion from encoder and command together, without a friction model |
-//! | [`rows`] | a log laid out for the fit |
+//! | [`rows`], [`log_rows`] | the rows of a fit, and those of a log |
 //! | [`grey_box`] | the command explained from the motion by LuGre friction and linear terms |
-//! | [`start`] | where that search begins |
+//! | [`sliding`] | sliding friction alone, by linear least squares |
 //! | [`pendulum`] | rigs of one joint with a coarse encoder |
 //! | [`parameters`] | a joint's parameters as one list |
 //! | [`friction_step`], [`dynamics`] | friction and motion over a step of time, with Jacobians |
@@ -21,7 +20,7 @@ pub mod gauss_newton;
 pub mod grey_box;
 pub mod innovations;
 pub mod kalman_filter;
-pub mod motion;
+pub mod log_rows;
 pub mod noise;
 pub mod parameters;
 pub mod pendulum;
@@ -30,4 +29,4 @@ pub mod rows;
 pub mod samples;
 pub mod sandwich;
 pub mod sensitivity;
-pub mod start;
+pub mod sliding;

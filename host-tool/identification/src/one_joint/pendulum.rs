@@ -8,13 +8,14 @@
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
-use super::motion::{Motion, Smoothing, smoothed, typical_period_s};
 use super::sandwich;
 use crate::estimate::Estimate;
 use recordings::StepError;
 use recordings::campaign::{Known, Trace};
+use recordings::one_joint::{check_driven, motion, slow_below};
+use recordings::smoothed::SmoothedMotion;
 
-/// What a log of one joint told.
+/// The parameters of one joint.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OneJoint {
     /// Joint, 1 to 3.
@@ -62,9 +63,9 @@ pub fn identify(traces: &[&Trace], joint: u8, known: &Known) -> Result<OneJoint,
     let mut left_out = Vec::new();
     let mut usable = Vec::new();
     for trace in traces {
-        match why_not(trace, joint, known) {
-            Some(why) => left_out.push((trace.file.clone(), why)),
-            None => usable.push(*trace),
+        match check_driven(trace, joint, known) {
+            Err(why) => left_out.push((trace.file.clone(), why.to_string())),
+            Ok(()) => usable.push(*trace),
         }
     }
     if usable.is_empty() {
@@ -97,7 +98,7 @@ struct Table {
 }
 
 fn rows(traces: &[&Trace], joint: u8, known: &Known, delay_s: f64) -> Table {
-    let motions: Vec<Motion> =
+    let motions: Vec<SmoothedMotion> =
         traces.iter().filter_map(|trace| motion(trace, joint, known, delay_s)).collect();
     let step_s = motions.first().map_or(1.0, |motion| motion.step_s);
     let (mut flat, mut command) = (Vec::new(), Vec::new());
@@ -117,94 +118,6 @@ fn rows(traces: &[&Trace], joint: u8, known: &Known, delay_s: f64) -> Table {
         command_v: DVector::from_vec(command),
         rows_per_block: (BLOCK_S / step_s).ceil() as usize,
     }
-}
-
-/// Below this the sign of the velocity is not sure [rad/s].
-fn slow_below(motion: &Motion) -> f64 {
-    const SHARE: f64 = 0.05;
-    let squares: f64 = motion.qd_rad_per_s.iter().map(|v| v * v).sum();
-    SHARE * (squares / motion.len().max(1) as f64).sqrt()
-}
-
-/// A log's motion, the command brought forward by the delay.
-fn motion(trace: &Trace, joint: u8, known: &Known, delay_s: f64) -> Option<Motion> {
-    let column = trace.joint(joint)?;
-    let period_s = typical_period_s(&trace.time_s);
-    if period_s <= 0.0 {
-        return None;
-    }
-    let step_rad = match known.encoder_step_rad {
-        step if step > 0.0 => step,
-        _ => smallest_step(&column.q_rad),
-    };
-    let width_s = width_for(step_rad, period_s);
-    let how = Smoothing { width_s, step_s: (0.5 * width_s).max(period_s) };
-    let late = (delay_s / period_s).round() as i64;
-    let last = column.command_v.len() as i64 - 1;
-    let delayed: Vec<f64> =
-        (0..=last).map(|k| column.command_v[(k - late).clamp(0, last) as usize]).collect();
-    Some(smoothed(&trace.time_s, &column.q_rad, &delayed, &how))
-}
-
-/// The smallest step that the angle makes [rad].
-fn smallest_step(q_rad: &[f64]) -> f64 {
-    const ROUNDING: f64 = 1e-9;
-    let steps = q_rad.windows(2).map(|pair| (pair[1] - pair[0]).abs());
-    let smallest = steps.filter(|&step| step > ROUNDING).fold(f64::INFINITY, f64::min);
-    if smallest.is_finite() { smallest } else { 0.0 }
-}
-
-/// The Gaussian under which an encoder leaves 0.1 rad/s^2 of acceleration noise [s]: its
-/// second derivative passes white rounding errors with the gain 3 T / (8 sqrt(pi) s^5).
-fn width_for(encoder_step_rad: f64, period_s: f64) -> f64 {
-    const NOISE_RAD_PER_S2: f64 = 0.1;
-    let variance = encoder_step_rad * encoder_step_rad / 12.0;
-    let gain = 8.0 * std::f64::consts::PI.sqrt() / 3.0;
-    let width_s = (period_s * variance / (gain * NOISE_RAD_PER_S2.powi(2))).powf(0.2);
-    width_s.clamp(3.0 * period_s, 0.06)
-}
-
-/// Why a log tells nothing of the joint, where it does not.
-fn why_not(trace: &Trace, joint: u8, known: &Known) -> Option<String> {
-    const FEWEST_ROWS: usize = 20;
-    let Some(motion) = motion(trace, joint, known, 0.0) else {
-        return Some(format!("joint {joint} is not in it"));
-    };
-    let slow = slow_below(&motion).max(1e-3);
-    let moving: Vec<usize> = (0..motion.len())
-        .filter(|&k| motion.qd_rad_per_s[k].abs() > slow && motion.measured[k])
-        .collect();
-    if moving.len() < FEWEST_ROWS {
-        return Some(format!("joint {joint} never moved"));
-    }
-    if follows_position(&motion, &moving) {
-        return Some(MOVED_FROM_OUTSIDE.to_owned());
-    }
-    None
-}
-
-/// Whether the command of a log is a mere function of the joint's position, as under
-/// gravity compensation: then an outside force moved it.
-pub fn is_moved_from_outside(trace: &Trace, joint: u8, known: &Known) -> bool {
-    why_not(trace, joint, known).is_some_and(|why| why == MOVED_FROM_OUTSIDE)
-}
-
-/// What is said of such a log.
-pub const MOVED_FROM_OUTSIDE: &str =
-    "its command is a function of the position alone: an outside force moved it";
-
-/// Whether 1, sin q and cos q explain the command all but 2 %.
-fn follows_position(motion: &Motion, rows: &[usize]) -> bool {
-    const SHARE: f64 = 0.02;
-    let regressors = DMatrix::from_fn(rows.len(), 3, |i, column| {
-        let (sine, cosine) = motion.q_rad[rows[i]].sin_cos();
-        [1.0, sine, cosine][column]
-    });
-    let command = DVector::from_fn(rows.len(), |i, _| motion.command_v[rows[i]]);
-    let Ok(solution) = regressors.clone().svd(true, true).solve(&command, 1e-9) else {
-        return false;
-    };
-    (&command - regressors * solution).norm() < SHARE * command.norm()
 }
 
 struct RobustFit {

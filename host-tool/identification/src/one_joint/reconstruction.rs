@@ -1,30 +1,30 @@
 //! A joint's motion from its encoder and its command together.
 //!
 //! A Kalman filter and the smoother of Rauch, Tung and Striebel on
-//! J qdd = u - f, where f, everything that is not command, wanders: where the command
-//! shakes the joint its motion is known far beyond what the encoder alone resolves, and
-//! no friction model is presumed.
+//! J qdd = u - f, where f, everything that is not command, is a random walk: where the
+//! command excites the joint, its motion is known far better than the encoder alone
+//! resolves, and no friction model is needed.
 
 use model::vector::{self, Matrix3};
 
-use super::motion::{Motion, typical_period_s};
+use recordings::smoothed::{SmoothedMotion, typical_period_s};
 
-/// What the smoother is told.
+/// The smoother's model of the joint and of its noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Belief {
+pub struct SmootherSettings {
     /// Inertia in volts per acceleration [V s^2/rad].
     pub inertia: f64,
     /// Variance of a measured angle [rad^2].
     pub measurement_rad2: f64,
-    /// By how much f wanders per radian that the joint moves [V/rad].
+    /// Standard deviation of f's change per radian that the joint moves [V/rad].
     pub stiffness_v_per_rad: f64,
-    /// The least and the most that f wanders in a millisecond [V].
-    pub wander_v: [f64; 2],
+    /// Its least and its largest value over a millisecond [V].
+    pub random_walk_v: [f64; 2],
 }
 
 /// Mean and covariance of (q, qd, f).
 #[derive(Clone, Copy, Debug, Default)]
-struct JointState {
+struct StateEstimate {
     x: [f64; 3],
     p: Matrix3<f64>,
 }
@@ -36,24 +36,29 @@ pub fn reconstructed(
     time_s: &[f64],
     q_rad: &[f64],
     command_v: &[f64],
-    belief: &Belief,
+    settings: &SmootherSettings,
     stride: usize,
-) -> Motion {
+) -> SmoothedMotion {
     if time_s.len() < 2 {
-        return Motion::default();
+        return SmoothedMotion::default();
     }
-    let smoother =
-        Smoother { time_s, q_rad, command_v, belief, wander_v2: wander_v2(time_s, q_rad, belief) };
+    let smoother = Smoother {
+        time_s,
+        q_rad,
+        command_v,
+        settings,
+        random_walk_v2: random_walk_v2(time_s, q_rad, settings),
+    };
     let states = smoother.backward(&smoother.forward());
-    averaged(time_s, command_v, &states, belief.inertia, stride)
+    averaged(time_s, command_v, &states, settings.inertia, stride)
 }
 
 struct Smoother<'a> {
     time_s: &'a [f64],
     q_rad: &'a [f64],
     command_v: &'a [f64],
-    belief: &'a Belief,
-    wander_v2: Vec<f64>,
+    settings: &'a SmootherSettings,
+    random_walk_v2: Vec<f64>,
 }
 
 impl Smoother<'_> {
@@ -66,35 +71,35 @@ impl Smoother<'_> {
 
     fn transition(&self, k: usize) -> Matrix3<f64> {
         let h = self.time_s[k + 1] - self.time_s[k];
-        let j = self.belief.inertia;
+        let j = self.settings.inertia;
         [[1.0, h, -h * h / (2.0 * j)], [0.0, 1.0, -h / j], [0.0, 0.0, 1.0]]
     }
 
     /// Covariance a sample later.
-    fn spread(&self, p: &Matrix3<f64>, k: usize) -> Matrix3<f64> {
+    fn predicted_covariance(&self, p: &Matrix3<f64>, k: usize) -> Matrix3<f64> {
         let f = self.transition(k);
         let mut out = product_transposed(&product(&f, p), &f);
-        out[2][2] += self.wander_v2[k];
+        out[2][2] += self.random_walk_v2[k];
         out
     }
 
-    fn first(&self) -> JointState {
+    fn first(&self) -> StateEstimate {
         const VELOCITY_RAD_PER_S: f64 = 0.01;
         const FRICTION_V: f64 = 1.0;
         let mut p = [[0.0; 3]; 3];
-        p[0][0] = self.belief.measurement_rad2;
+        p[0][0] = self.settings.measurement_rad2;
         p[1][1] = VELOCITY_RAD_PER_S * VELOCITY_RAD_PER_S;
         p[2][2] = FRICTION_V * FRICTION_V;
-        JointState { x: [self.q_rad[0], 0.0, self.command_v[0]], p }
+        StateEstimate { x: [self.q_rad[0], 0.0, self.command_v[0]], p }
     }
 
-    fn forward(&self) -> Vec<JointState> {
+    fn forward(&self) -> Vec<StateEstimate> {
         let mut now = self.first();
         let mut filtered = Vec::with_capacity(self.time_s.len());
         filtered.push(now);
         for k in 0..self.time_s.len() - 1 {
-            let (x, p) = (self.advance(&now.x, k), self.spread(&now.p, k));
-            let variance = p[0][0] + self.belief.measurement_rad2;
+            let (x, p) = (self.advance(&now.x, k), self.predicted_covariance(&now.p, k));
+            let variance = p[0][0] + self.settings.measurement_rad2;
             let innovation = self.q_rad[k + 1] - x[0];
             now.x = [0, 1, 2].map(|i| x[i] + p[i][0] / variance * innovation);
             now.p = [0, 1, 2].map(|i| [0, 1, 2].map(|j| p[i][j] - p[i][0] / variance * p[0][j]));
@@ -105,14 +110,14 @@ impl Smoother<'_> {
 
     /// The means given all samples: x + P F' P-^-1 (x smoothed - x predicted), from the
     /// end to the beginning.
-    fn backward(&self, filtered: &[JointState]) -> Vec<[f64; 3]> {
-        let mut states: Vec<[f64; 3]> = filtered.iter().map(|moment| moment.x).collect();
+    fn backward(&self, filtered: &[StateEstimate]) -> Vec<[f64; 3]> {
+        let mut states: Vec<[f64; 3]> = filtered.iter().map(|state| state.x).collect();
         for k in (0..states.len() - 1).rev() {
-            let JointState { x, p } = filtered[k];
+            let StateEstimate { x, p } = filtered[k];
             let predicted = self.advance(&x, k);
             let difference = [0, 1, 2].map(|i| states[k + 1][i] - predicted[i]);
             let f = self.transition(k);
-            let weighted = vector::solve_symmetric(&self.spread(&p, k), &difference);
+            let weighted = vector::solve_symmetric(&self.predicted_covariance(&p, k), &difference);
             let back = [0, 1, 2].map(|i| (0..3).map(|j| f[j][i] * weighted[j]).sum());
             let step = vector::multiply(&p, &back);
             states[k] = [0, 1, 2].map(|i| x[i] + step[i]);
@@ -128,10 +133,11 @@ fn averaged(
     states: &[[f64; 3]],
     inertia: f64,
     stride: usize,
-) -> Motion {
+) -> SmoothedMotion {
     const GAP_IN_PERIODS: f64 = 3.0;
     let period_s = typical_period_s(time_s);
-    let mut motion = Motion { step_s: stride as f64 * period_s, ..Motion::default() };
+    let mut motion =
+        SmoothedMotion { step_s: stride as f64 * period_s, ..SmoothedMotion::default() };
     for begin in (0..states.len().saturating_sub(stride)).step_by(stride) {
         let end = begin + stride;
         let span_s = time_s[end] - time_s[begin];
@@ -146,9 +152,9 @@ fn averaged(
     motion
 }
 
-/// How far f may wander from each sample to the next [V^2]: what friction changes over
+/// Variance of f's change from each sample to the next [V^2]: what friction changes over
 /// the distance travelled, within limits.
-fn wander_v2(time_s: &[f64], q_rad: &[f64], belief: &Belief) -> Vec<f64> {
+fn random_walk_v2(time_s: &[f64], q_rad: &[f64], settings: &SmootherSettings) -> Vec<f64> {
     const REACH: usize = 8;
     let last = q_rad.len() - 1;
     (0..last)
@@ -156,8 +162,8 @@ fn wander_v2(time_s: &[f64], q_rad: &[f64], belief: &Belief) -> Vec<f64> {
             let (from, to) = (k.saturating_sub(REACH), (k + REACH).min(last));
             let speed = (q_rad[to] - q_rad[from]).abs() / (time_s[to] - time_s[from]);
             let milliseconds = (time_s[k + 1] - time_s[k]) / 1e-3;
-            let per_ms = belief.stiffness_v_per_rad * speed * 1e-3;
-            let per_ms = per_ms.clamp(belief.wander_v[0], belief.wander_v[1]);
+            let per_ms = settings.stiffness_v_per_rad * speed * 1e-3;
+            let per_ms = per_ms.clamp(settings.random_walk_v[0], settings.random_walk_v[1]);
             per_ms * per_ms * milliseconds
         })
         .collect()
@@ -178,7 +184,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_shaken_joint_is_seen_below_the_encoder_step() {
+    fn an_excited_joint_is_seen_below_the_encoder_step() {
         const INERTIA: f64 = 0.02;
         let step_rad = 9.6e-6;
         let time_s: Vec<f64> = (0..4000).map(|k| 1e-3 * f64::from(k)).collect();
@@ -189,13 +195,13 @@ mod tests {
         let q: Vec<f64> =
             time_s.iter().map(|&t| (truth(t) / step_rad).round() * step_rad).collect();
         let u: Vec<f64> = time_s.iter().map(|&t| command(t + 0.5e-3)).collect();
-        let belief = Belief {
+        let settings = SmootherSettings {
             inertia: INERTIA,
             measurement_rad2: step_rad * step_rad / 12.0,
             stiffness_v_per_rad: 200.0,
-            wander_v: [1e-4, 5e-3],
+            random_walk_v: [1e-4, 5e-3],
         };
-        let motion = reconstructed(&time_s, &q, &u, &belief, 2);
+        let motion = reconstructed(&time_s, &q, &u, &settings, 2);
         let errors = (200..1800).map(|k| motion.qd_rad_per_s[k] - velocity(motion.time_s[k]));
         let rms = (errors.map(|e| e * e).sum::<f64>() / 1600.0).sqrt();
         assert!(rms < 1.5e-4, "{rms:e} rad/s of a shake of 4e-4");

@@ -1,23 +1,15 @@
-//! A log of one joint as rows of the fit.
+//! The rows of a fit on one joint: mean motion, command and linear terms.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::grey_box::Data;
-use super::motion::{Motion, Smoothing, smoothed};
-use super::reconstruction::{Belief, reconstructed};
-use super::start;
 use model::HANGING_RAD;
-use recordings::StepError;
-use recordings::campaign::{JointTrace, Known, Trace};
+use recordings::smoothed::SmoothedMotion;
 
 /// Points of the motion that are averaged to a row.
 const POINTS_PER_ROW: usize = 5;
-/// Samples of the log that are averaged to a point.
-const SAMPLES_PER_POINT: usize = 2;
 /// Length of a block for the standard errors: a good part of a leg [s].
 const BLOCK_S: f64 = 1.5;
-/// Velocity noise that smoothing may leave: a twentieth of the usual Stribeck velocity [rad/s].
-const VELOCITY_NOISE_RAD_PER_S: f64 = 1.5e-4;
 
 /// A linear term of the command besides friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,38 +53,13 @@ pub struct Rows {
 }
 
 impl Rows {
-    /// Smooths a log and lays it out in rows.
-    ///
-    /// # Errors
-    /// The joint is not in the log, stands still, or the log is too short.
-    pub fn of(trace: &Trace, joint: u8, known: &Known) -> Result<Self, StepError> {
-        let moving = joint_of(trace, joint)?;
-        let how = Smoothing::for_encoder(
-            known.encoder_step_rad,
-            trace.period_s,
-            VELOCITY_NOISE_RAD_PER_S,
-        );
-        let of = |joint: &JointTrace| smoothed(&trace.time_s, &joint.q_rad, &joint.command_v, &how);
-        let motion = of(moving);
-        check(trace, joint, &motion, known)?;
-        let neighbours: Vec<(u8, Motion)> = trace
-            .joints
-            .iter()
-            .filter(|other| other.number != joint)
-            .map(|other| (other.number, of(other)))
-            .collect();
-        let terms = terms(joint, &neighbours, known);
-        let rough = Self::laid_out(&motion, &neighbours, terms.clone(), joint);
-        let Some(sliding) = start::sliding(&rough) else { return Ok(rough) };
-        let belief = belief(sliding.factors[0], known);
-        let (q, u) = (&moving.q_rad, &moving.command_v);
-        let motion = reconstructed(&trace.time_s, q, u, &belief, SAMPLES_PER_POINT);
-        let neighbours: Vec<(u8, Motion)> =
-            neighbours.iter().map(|(n, other)| (*n, other.at_times_of(&motion))).collect();
-        Ok(Self::laid_out(&motion, &neighbours, terms, joint))
-    }
-
-    fn laid_out(motion: &Motion, neighbours: &[(u8, Motion)], terms: Vec<Term>, joint: u8) -> Self {
+    /// Rows of a motion, with the neighbours' at the same times.
+    pub fn of_motion(
+        motion: &SmoothedMotion,
+        neighbours: &[(u8, SmoothedMotion)],
+        terms: Vec<Term>,
+        joint: u8,
+    ) -> Self {
         let count = motion.len() / POINTS_PER_ROW;
         let mean = |values: &[f64], row: usize| -> f64 {
             let points = &values[row * POINTS_PER_ROW..(row + 1) * POINTS_PER_ROW];
@@ -150,67 +117,4 @@ impl Rows {
     pub fn column(&self, term: Term) -> Option<usize> {
         self.terms.iter().position(|&t| t == term)
     }
-}
-
-fn joint_of(trace: &Trace, joint: u8) -> Result<&JointTrace, StepError> {
-    trace.joint(joint).ok_or_else(|| StepError::Unusable {
-        file: trace.file.clone(),
-        what: format!("joint {joint} is not in the log; name the joint that moved in dataset.toml"),
-    })
-}
-
-/// The terms that a joint's command has: gravity where its arm is lifted, neighbours
-/// where they move by more than a few encoder steps.
-fn terms(joint: u8, neighbours: &[(u8, Motion)], known: &Known) -> Vec<Term> {
-    const STEPS: f64 = 10.0;
-    let mut terms = vec![Term::Inertia];
-    if joint != 1 {
-        terms.extend([Term::GravityCosine, Term::GravitySine]);
-    }
-    for (number, motion) in neighbours {
-        let range = |f: fn(f64, f64) -> f64, from| motion.q_rad.iter().copied().fold(from, f);
-        let span_rad = range(f64::max, f64::MIN) - range(f64::min, f64::MAX);
-        if span_rad > STEPS * known.encoder_step_rad {
-            terms.push(Term::Neighbour(*number));
-            if joint == 3 && *number == 2 {
-                terms.push(Term::NeighbourCosine(2));
-            }
-            if joint == 2 && *number == 3 {
-                terms.push(Term::GiveWay);
-            }
-        }
-    }
-    terms
-}
-
-/// What the reconstruction of the motion is told. The wandering covers what friction
-/// does: bristles of some 200 V/rad at any speed up to their steady value.
-fn belief(inertia: f64, known: &Known) -> Belief {
-    let step_rad = known.encoder_step_rad;
-    Belief {
-        inertia: inertia.max(1e-6),
-        measurement_rad2: step_rad * step_rad / 12.0,
-        stiffness_v_per_rad: 200.0,
-        wander_v: [5e-4, 1e-2],
-    }
-}
-
-fn check(trace: &Trace, joint: u8, motion: &Motion, known: &Known) -> Result<(), StepError> {
-    const SHORTEST_POINTS: usize = 500;
-    let unusable = |what: String| StepError::Unusable { file: trace.file.clone(), what };
-    if motion.len() < SHORTEST_POINTS {
-        let have_s = motion.len() as f64 * motion.step_s;
-        return Err(unusable(format!(
-            "{have_s:.2} s are too short for friction; record legs of a second and more"
-        )));
-    }
-    let range = |f: fn(f64, f64) -> f64, from| motion.q_rad.iter().copied().fold(from, f);
-    let span_rad = range(f64::max, f64::MIN) - range(f64::min, f64::MAX);
-    if span_rad <= 20.0 * known.encoder_step_rad {
-        return Err(unusable(format!(
-            "joint {joint} never moved (its encoder saw {span_rad:.1e} rad): check that the \
-             encoder counts and that `joint` in dataset.toml is the one that was driven"
-        )));
-    }
-    Ok(())
 }

@@ -1,10 +1,10 @@
 //! A log as samples of one joint, with what its neighbours do.
 
 use super::dynamics::{INERTIA, Inputs, Regressor};
-use super::motion::{Smoothing, smoothed};
 use super::rows::Term;
 use model::HANGING_RAD;
 use recordings::campaign::{Known, Trace};
+use recordings::smoothed::{Smoothing, smoothed};
 
 /// A joint's samples and its external inputs.
 #[derive(Clone, Debug, Default)]

@@ -18,7 +18,7 @@ pub struct Creep {
 
 /// Coulomb level, static level above it [V] and Stribeck velocity [rad/s] of eq. (10).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Level {
+pub struct StribeckCurve {
     /// alpha_0 [V].
     pub alpha0_v: f64,
     /// alpha_1 [V].
@@ -27,7 +27,7 @@ pub struct Level {
     pub stribeck_velocity_rad_per_s: f64,
 }
 
-impl Level {
+impl StribeckCurve {
     /// g(v) = |v| / gamma(v) [rad/(V s)].
     fn yielding(&self, velocity: f64) -> f64 {
         let ratio = velocity / self.stribeck_velocity_rad_per_s;
@@ -37,11 +37,11 @@ impl Level {
 
 /// The creep under a velocity of standard deviation `velocity_rms` about each of the
 /// drifts [rad/s], averaged over them.
-pub fn creep(level: &Level, velocity_rms: f64, drifts_rad_per_s: &[f64]) -> Creep {
+pub fn creep(curve: &StribeckCurve, velocity_rms: f64, drifts_rad_per_s: &[f64]) -> Creep {
     if drifts_rad_per_s.is_empty() || velocity_rms <= 0.0 {
         return Creep::default();
     }
-    let each = drifts_rad_per_s.iter().map(|&drift| at_drift(level, velocity_rms, drift));
+    let each = drifts_rad_per_s.iter().map(|&drift| at_drift(curve, velocity_rms, drift));
     let sum = each.fold(Creep::default(), |sum, one| Creep {
         rate_per_sigma0: sum.rate_per_sigma0 + one.rate_per_sigma0,
         drift_share: sum.drift_share + one.drift_share,
@@ -51,19 +51,19 @@ pub fn creep(level: &Level, velocity_rms: f64, drifts_rad_per_s: &[f64]) -> Cree
 }
 
 /// E[g'] = E[g x] / velocity_rms for a standard normal x.
-fn at_drift(level: &Level, velocity_rms: f64, drift: f64) -> Creep {
+fn at_drift(curve: &StribeckCurve, velocity_rms: f64, drift: f64) -> Creep {
     const HALF_POINTS: i32 = 60;
     const REACH: f64 = 5.0;
-    let (mut weights, mut mean, mut tilt) = (0.0, 0.0, 0.0);
+    let (mut weights, mut mean, mut first_moment) = (0.0, 0.0, 0.0);
     for point in -HALF_POINTS..=HALF_POINTS {
         let x = REACH * f64::from(point) / f64::from(HALF_POINTS);
         let weight = (-0.5 * x * x).exp();
-        let value = weight * level.yielding(drift + velocity_rms * x);
+        let value = weight * curve.yielding(drift + velocity_rms * x);
         weights += weight;
         mean += value;
-        tilt += value * x;
+        first_moment += value * x;
     }
-    let share = if mean > 0.0 { drift * tilt / (velocity_rms * mean) } else { 0.0 };
+    let share = if mean > 0.0 { drift * first_moment / (velocity_rms * mean) } else { 0.0 };
     Creep { rate_per_sigma0: mean / weights, drift_share: share.clamp(0.0, 0.9) }
 }
 
@@ -73,16 +73,16 @@ mod tests {
     use model::{Friction, FrictionState};
     use rand_distr::{Distribution, StandardNormal};
 
-    const LEVEL: Level =
-        Level { alpha0_v: 0.25, alpha1_v: 0.05, stribeck_velocity_rad_per_s: 0.003 };
+    const CURVE: StribeckCurve =
+        StribeckCurve { alpha0_v: 0.25, alpha1_v: 0.05, stribeck_velocity_rad_per_s: 0.003 };
 
     /// Bristles moved by a known noisy velocity: the gain and the rate that a least-
     /// squares fit of dz/dt = a v - lambda z + constant finds.
     fn fitted(velocity_rms: f64, drift: f64) -> (f64, f64) {
         let friction = Friction {
-            alpha0_v: LEVEL.alpha0_v,
-            alpha1_v: LEVEL.alpha1_v,
-            stribeck_velocity_rad_per_s: LEVEL.stribeck_velocity_rad_per_s,
+            alpha0_v: CURVE.alpha0_v,
+            alpha1_v: CURVE.alpha1_v,
+            stribeck_velocity_rad_per_s: CURVE.stribeck_velocity_rad_per_s,
             alpha2_v_s_per_rad: 0.0,
             sigma0_v_per_rad: 1000.0,
             sigma1_v_s_per_rad: 3.0,
@@ -109,7 +109,7 @@ mod tests {
     #[test]
     fn noise_lets_the_models_bristles_creep_as_computed() {
         let (gain, rate) = fitted(1e-3, 0.0);
-        let computed = creep(&LEVEL, 1e-3, &[0.0]);
+        let computed = creep(&CURVE, 1e-3, &[0.0]);
         assert!((rate / (1000.0 * computed.rate_per_sigma0) - 1.0).abs() < 0.05, "{rate}");
         assert!((gain - 1.0).abs() < 0.02, "{gain}");
     }
@@ -117,7 +117,7 @@ mod tests {
     #[test]
     fn a_drift_under_load_takes_its_share() {
         let (gain, _) = fitted(1e-3, 3e-4);
-        let computed = creep(&LEVEL, 1e-3, &[3e-4]);
+        let computed = creep(&CURVE, 1e-3, &[3e-4]);
         assert!(computed.drift_share > 0.05);
         assert!((1.0 - gain - computed.drift_share).abs() < 0.02, "{gain} {computed:?}");
     }

@@ -5,13 +5,12 @@ use std::f64::consts::TAU;
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra::{Complex, DVector};
 
-use super::STEP;
-use super::belief::{Belief, belief, known_inertia};
-use super::creep::{Creep, Level, creep};
+use super::creep::{Creep, StribeckCurve, creep};
 use super::linear::LinearRobot;
 use super::prior::{Prior, Settings, Sliding};
-use super::problem::{Problem, place};
-use super::record::Record;
+use super::prior_distribution::{PriorDistribution, known_inertia, prior_distribution};
+use super::problem::{Problem, index};
+use super::record::{Record, STEP};
 use super::start::start;
 use recordings::StepError;
 use recordings::campaign::Known;
@@ -54,15 +53,15 @@ pub fn fit(
     };
     let first = start(record, &bins, known_inertia(record, known, prior))
         .ok_or_else(|| failed("the FRF is not that of an inertia on a spring"))?;
-    let belief = belief(record, known, prior, &first);
+    let distribution = prior_distribution(record, known, prior, &first);
     let sliding = prior.sliding[record.excited].as_ref();
-    let mut parameters = DVector::zeros(place::COUNT);
-    let mut robot = belief.robot;
+    let mut parameters = DVector::zeros(index::COUNT);
+    let mut robot = distribution.robot;
     let mut solved = None;
     for round in 0..ROUNDS {
         let creep = creep_of(record, &robot, sliding);
         let power = residual_power(record, &bins, (round > 0).then_some(&robot));
-        let problem = Problem::new(record, &bins, &power, belief, creep, sliding, settings);
+        let problem = Problem::new(record, &bins, &power, distribution, creep, sliding, settings);
         let (problem, report) = LevenbergMarquardt::new().minimize(problem.at(parameters));
         if !report.termination.was_successful() {
             return Err(failed("the fit did not converge"));
@@ -72,29 +71,31 @@ pub fn fit(
         solved = Some(problem);
     }
     let problem = solved.ok_or_else(|| failed("the fit did not begin"))?;
-    conclude(&problem, record, bins.clone(), belief).ok_or_else(|| failed("the fit is singular"))
+    conclude(&problem, record, bins.clone(), distribution)
+        .ok_or_else(|| failed("the fit is singular"))
 }
 
 fn conclude(
     problem: &Problem<'_>,
     record: &Record,
     bins: Vec<usize>,
-    belief: Belief,
+    prior: PriorDistribution,
 ) -> Option<Fitted> {
     let jacobian = problem.jacobian()?;
     let covariance = (jacobian.transpose() * jacobian).try_inverse()?;
     let misfit = problem.misfit()?;
-    let error = |place: usize| {
-        (covariance[(place + record.excited, place + record.excited)] * misfit.max(1.0)).sqrt()
+    let error = |first: usize| {
+        let k = first + record.excited;
+        (covariance[(k, k)] * misfit.max(1.0)).sqrt()
     };
     let robot = problem.robot();
     Some(Fitted {
         robot,
-        relative_error: [error(place::SIGMA0), error(place::SIGMA1)],
+        relative_error: [error(index::SIGMA0), error(index::SIGMA1)],
         misfit,
         bins,
-        body_known: belief.body_known,
-        inertia_error: belief.inertia[record.excited],
+        body_known: prior.body_known,
+        inertia_error: prior.inertia[record.excited],
         motion_rms_rad: motion_rms(record, &robot, 0),
     })
 }
@@ -129,15 +130,15 @@ fn band(record: &Record, settings: &Settings) -> Result<Vec<usize>, StepError> {
 /// lambda and kappa under the motion that a linear robot makes of the recorded commands.
 fn creep_of(record: &Record, robot: &LinearRobot, sliding: Option<&Sliding>) -> Creep {
     // Without earlier estimates only the shape of g counts: lambda itself is then free.
-    let level = sliding.map_or(
-        Level { alpha0_v: 0.3, alpha1_v: 0.0, stribeck_velocity_rad_per_s: 1.0 },
-        |sliding| Level {
+    let curve = sliding.map_or(
+        StribeckCurve { alpha0_v: 0.3, alpha1_v: 0.0, stribeck_velocity_rad_per_s: 1.0 },
+        |sliding| StribeckCurve {
             alpha0_v: sliding.alpha0_v.value,
             alpha1_v: sliding.alpha1_v.value.max(-0.9 * sliding.alpha0_v.value),
             stribeck_velocity_rad_per_s: sliding.stribeck_velocity_rad_per_s.value.max(1e-6),
         },
     );
-    creep(&level, motion_rms(record, robot, 1), &record.drifts_rad_per_s)
+    creep(&curve, motion_rms(record, robot, 1), &record.drifts_rad_per_s)
 }
 
 /// RMS of the excited joint's angle (`derivatives` 0, [rad]) or velocity (1, [rad/s])

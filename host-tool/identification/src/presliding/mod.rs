@@ -19,32 +19,29 @@
 //!
 //! | module | what it holds |
 //! | --- | --- |
-//! | [`prior`] | what earlier steps and settings say |
+//! | [`prior`] | the earlier steps' results, and settings |
 //! | `record` | a log as spectra |
 //! | [`linear`] | the linearised robot, M and its inverse |
 //! | [`creep`] | lambda and kappa |
-//! | `start`, `belief`, `problem`, `fit` | first guess, prior as numbers, least-squares problem, weighted fit |
+//! | `start`, `prior_distribution`, `problem`, `fit` | first guess, means and errors before the fit, least-squares problem, weighted fit |
 //! | [`result`] | estimates, intervals, remarks, the FRF for Fig. 4 |
 
-mod belief;
 pub mod creep;
 mod fit;
 pub mod linear;
 pub mod prior;
+mod prior_distribution;
 mod problem;
 mod record;
 pub mod result;
 mod start;
 
-pub use prior::{Bristles, Prior, Rigid, Settings, Sliding};
+pub use prior::{Bristles, Prior, RigidBody, Settings, Sliding};
 pub use result::{FrfPoint, Presliding};
 
 use record::Record;
 use recordings::StepError;
 use recordings::campaign::{Known, Trace};
-
-/// The name of this step in messages.
-const STEP: &str = "pre-sliding FRF";
 
 /// Stiffness and damping of a joint's bristles from a log of noise on it.
 ///
@@ -99,7 +96,9 @@ pub fn identify_all(
     let mut informed = prior.clone();
     for (joint, found) in pass(prior) {
         if let Ok(found) = found {
-            informed.learn(joint, &found);
+            if let Some(bristles) = informed.bristles.get_mut(usize::from(joint).wrapping_sub(1)) {
+                *bristles = Some(found.bristles());
+            }
         }
     }
     pass(&informed)

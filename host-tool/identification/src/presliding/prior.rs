@@ -1,8 +1,7 @@
-//! What earlier steps and settings say.
+//! The earlier steps' results, and settings.
 
 use model::{BaseParameters, Pendulum};
 
-use super::result::Presliding;
 use crate::estimate::Estimate;
 use signal::spectrum::Welch;
 
@@ -11,7 +10,7 @@ use signal::spectrum::Welch;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Prior {
     /// The rigid body and how well it is known.
-    pub rigid: Option<Rigid>,
+    pub rigid: Option<RigidBody>,
     /// Sliding friction of joints 1 to 3.
     pub sliding: [Option<Sliding>; 3],
     /// Bristles of joints 1 to 3, used for the neighbours of the excited joint.
@@ -19,9 +18,9 @@ pub struct Prior {
 }
 
 impl Prior {
-    /// A prior with the base parameters, known to `relative_error` (see [`Rigid`]).
+    /// A prior with the base parameters, known to `relative_error` (see [`RigidBody`]).
     pub fn with_base(base: BaseParameters<f64>, relative_error: f64) -> Self {
-        Self { rigid: Some(Rigid::Robot { base, relative_error }), ..Self::default() }
+        Self { rigid: Some(RigidBody::Robot { base, relative_error }), ..Self::default() }
     }
 
     /// The same with sliding friction of a joint, 1 to 3; other numbers are ignored.
@@ -32,26 +31,11 @@ impl Prior {
         }
         self
     }
-
-    /// Takes a joint's bristles over for the fits of its neighbours, with room for error.
-    pub(super) fn learn(&mut self, joint: u8, found: &Presliding) {
-        let relative =
-            |estimate: &Estimate, least: f64| (estimate.standard_error / estimate.value).max(least);
-        if let Some(slot) = usize::from(joint).checked_sub(1).and_then(|i| self.bristles.get_mut(i))
-        {
-            *slot = Some(Bristles {
-                sigma0_v_per_rad: found.sigma0_v_per_rad.value,
-                sigma0_relative_error: relative(&found.sigma0_v_per_rad, 0.03),
-                sigma1_v_s_per_rad: found.sigma1_v_s_per_rad.value,
-                sigma1_relative_error: relative(&found.sigma1_v_s_per_rad, 0.08),
-            });
-        }
-    }
 }
 
 /// The rigid body of the rig.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Rigid {
+pub enum RigidBody {
     /// Three joints.
     Robot {
         /// Base parameters of eq. (19).

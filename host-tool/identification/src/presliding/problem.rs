@@ -1,18 +1,18 @@
-//! The least-squares problem of the fit: parameters, residuals, slopes.
+//! The least-squares problem of the fit: parameters, residuals, Jacobian.
 
 use std::f64::consts::TAU;
 
 use levenberg_marquardt::LeastSquaresProblem;
 use nalgebra::{Complex, DMatrix, DVector, Dyn, Owned, Vector3};
 
-use super::belief::Belief;
 use super::creep::Creep;
 use super::linear::LinearRobot;
 use super::prior::{Settings, Sliding};
+use super::prior_distribution::PriorDistribution;
 use super::record::Record;
 
 /// Positions in the parameter vector.
-pub mod place {
+pub mod index {
     /// log sigma_0 over its centre, joints 1 to 3.
     pub const SIGMA0: usize = 0;
     /// log sigma_1 over its centre, joints 1 to 3.
@@ -32,7 +32,7 @@ pub mod place {
 /// The pairs of neighbours, in the order of their parameters.
 const PAIRS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
 /// One frequency of the fit.
-struct Point {
+struct FrequencyPoint {
     frequency_hz: f64,
     /// Cross spectra with the instrument, times the weight: commands and angle.
     command: Vector3<Complex<f64>>,
@@ -42,12 +42,12 @@ struct Point {
 /// The least-squares problem: residuals of the FRF and of the prior.
 pub struct Problem<'a> {
     record: &'a Record,
-    points: Vec<Point>,
-    belief: Belief,
+    points: Vec<FrequencyPoint>,
+    prior: PriorDistribution,
     creep: Creep,
     creep_error: f64,
     settings: &'a Settings,
-    prior_error: [f64; place::COUNT],
+    prior_error: [f64; index::COUNT],
     /// Where the solver is.
     pub parameters: DVector<f64>,
 }
@@ -58,7 +58,7 @@ impl<'a> Problem<'a> {
         record: &'a Record,
         bins: &[usize],
         power: &[f64],
-        belief: Belief,
+        prior: PriorDistribution,
         creep: Creep,
         sliding: Option<&Sliding>,
         settings: &'a Settings,
@@ -68,7 +68,7 @@ impl<'a> Problem<'a> {
         let point = |(&bin, &power): (&usize, &f64)| {
             let weight = 1.0 / (power * record.instrument_power(bin) * variance).sqrt();
             let command = |joint| record.command_by_instrument(bin, joint) * weight;
-            Point {
+            FrequencyPoint {
                 frequency_hz: spectra.frequency_hz[bin],
                 command: Vector3::new(command(0), command(1), command(2)),
                 angle: record.angle_by_instrument(bin) * weight,
@@ -79,30 +79,30 @@ impl<'a> Problem<'a> {
         let mut problem = Self {
             record,
             points,
-            belief,
+            prior,
             creep,
             creep_error,
             settings,
-            prior_error: [1.0; place::COUNT],
-            parameters: DVector::zeros(place::COUNT),
+            prior_error: [1.0; index::COUNT],
+            parameters: DVector::zeros(index::COUNT),
         };
         problem.prior_error = problem.prior_errors();
         problem
     }
 
-    fn prior_errors(&self) -> [f64; place::COUNT] {
-        let mut errors = [1.0; place::COUNT];
+    fn prior_errors(&self) -> [f64; index::COUNT] {
+        let mut errors = [1.0; index::COUNT];
         for joint in 0..3 {
-            errors[place::SIGMA0 + joint] = self.belief.sigma0[joint];
-            errors[place::SIGMA1 + joint] = self.belief.sigma1[joint];
-            errors[place::INERTIA + joint] = self.belief.inertia[joint];
-            errors[place::COUPLING + joint] = self.belief.coupling;
+            errors[index::SIGMA0 + joint] = self.prior.sigma0[joint];
+            errors[index::SIGMA1 + joint] = self.prior.sigma1[joint];
+            errors[index::INERTIA + joint] = self.prior.inertia[joint];
+            errors[index::COUPLING + joint] = self.prior.coupling;
         }
-        errors[place::CREEP] = self.creep_error;
+        errors[index::CREEP] = self.creep_error;
         errors
     }
 
-    /// The same elsewhere.
+    /// The same problem at other parameters.
     pub fn at(mut self, parameters: DVector<f64>) -> Self {
         self.parameters = parameters;
         self
@@ -111,43 +111,43 @@ impl<'a> Problem<'a> {
     /// The robot at the parameters.
     pub fn robot(&self) -> LinearRobot {
         let p = &self.parameters;
-        let mut robot = self.belief.robot;
+        let mut robot = self.prior.robot;
         for joint in 0..3 {
             let friction = &mut robot.friction[joint];
-            friction.sigma0_v_per_rad *= p[place::SIGMA0 + joint].exp();
-            friction.sigma1_v_s_per_rad *= p[place::SIGMA1 + joint].exp();
-            robot.mass_kg_m2[joint][joint] *= p[place::INERTIA + joint].exp();
+            friction.sigma0_v_per_rad *= p[index::SIGMA0 + joint].exp();
+            friction.sigma1_v_s_per_rad *= p[index::SIGMA1 + joint].exp();
+            robot.mass_kg_m2[joint][joint] *= p[index::INERTIA + joint].exp();
         }
         for (pair, (a, b)) in PAIRS.into_iter().enumerate() {
-            let change = p[place::COUPLING + pair] * self.coupling_scale(a, b);
+            let change = p[index::COUPLING + pair] * self.coupling_scale(a, b);
             robot.mass_kg_m2[a][b] += change;
             robot.mass_kg_m2[b][a] += change;
         }
         let own = &mut robot.friction[self.record.excited];
-        let rate = self.creep.rate_per_sigma0 * p[place::CREEP].exp();
+        let rate = self.creep.rate_per_sigma0 * p[index::CREEP].exp();
         own.creep_per_s = own.sigma0_v_per_rad * rate;
         own.drift_share = self.creep.drift_share;
-        robot.delay_s = self.settings.delay_s + p[place::DELAY] * self.settings.delay_error_s;
+        robot.delay_s = self.settings.delay_s + p[index::DELAY] * self.settings.delay_error_s;
         robot
     }
 
     fn coupling_scale(&self, a: usize, b: usize) -> f64 {
-        let mass = &self.belief.robot.mass_kg_m2;
+        let mass = &self.prior.robot.mass_kg_m2;
         (mass[a][a] * mass[b][b]).sqrt()
     }
 
-    /// Weighted residual of one frequency, and its derivatives.
+    /// Weighted residual of one frequency, and its derivatives by the parameters.
     fn at_point(
         &self,
         robot: &LinearRobot,
-        point: &Point,
-    ) -> Option<(Complex<f64>, [Complex<f64>; place::COUNT])> {
+        point: &FrequencyPoint,
+    ) -> Option<(Complex<f64>, [Complex<f64>; index::COUNT])> {
         let s = Complex::new(0.0, TAU * point.frequency_hz);
         let frf = robot.frf(point.frequency_hz, self.record.period_s)?;
         let angles = frf * point.command;
         let row = robot.matrix(s).try_inverse()?.row(self.record.excited).into_owned();
         let residual = point.angle - angles[self.record.excited];
-        let mut slope = [Complex::default(); place::COUNT];
+        let mut slope = [Complex::default(); index::COUNT];
         for joint in (0..3).filter(|&joint| robot.present[joint]) {
             self.friction_slopes(robot, joint, s, row[joint] * angles[joint], &mut slope);
         }
@@ -155,10 +155,10 @@ impl<'a> Problem<'a> {
             if robot.present[a] && robot.present[b] {
                 let k = &robot.torque_constant_nm_per_v;
                 let both = row[a] * angles[b] / k[a] + row[b] * angles[a] / k[b];
-                slope[place::COUPLING + pair] = both * s * s * self.coupling_scale(a, b);
+                slope[index::COUPLING + pair] = both * s * s * self.coupling_scale(a, b);
             }
         }
-        slope[place::DELAY] = angles[self.record.excited] * s * self.settings.delay_error_s;
+        slope[index::DELAY] = angles[self.record.excited] * s * self.settings.delay_error_s;
         Some((residual, slope))
     }
 
@@ -170,18 +170,18 @@ impl<'a> Problem<'a> {
         joint: usize,
         s: Complex<f64>,
         through: Complex<f64>,
-        slope: &mut [Complex<f64>; place::COUNT],
+        slope: &mut [Complex<f64>; index::COUNT],
     ) {
         let friction = &robot.friction[joint];
         let bristles = friction.bristles(s) * through;
-        slope[place::SIGMA0 + joint] = bristles * friction.sigma0_v_per_rad;
-        slope[place::SIGMA1 + joint] = bristles * s * friction.sigma1_v_s_per_rad;
+        slope[index::SIGMA0 + joint] = bristles * friction.sigma0_v_per_rad;
+        slope[index::SIGMA1 + joint] = bristles * s * friction.sigma1_v_s_per_rad;
         let inertia = robot.mass_kg_m2[joint][joint] / robot.torque_constant_nm_per_v[joint];
-        slope[place::INERTIA + joint] = through * s * s * inertia;
+        slope[index::INERTIA + joint] = through * s * s * inertia;
         if joint == self.record.excited && friction.creep_per_s > 0.0 {
             let by_creep = friction.impedance_by_log_creep(s) * through;
-            slope[place::CREEP] = by_creep;
-            slope[place::SIGMA0 + joint] += by_creep;
+            slope[index::CREEP] = by_creep;
+            slope[index::SIGMA0 + joint] += by_creep;
         }
     }
 
@@ -209,7 +209,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
     fn residuals(&self) -> Option<DVector<f64>> {
         let robot = self.robot();
         let count = self.points.len();
-        let mut residuals = DVector::zeros(2 * count + place::COUNT);
+        let mut residuals = DVector::zeros(2 * count + index::COUNT);
         for (k, point) in self.points.iter().enumerate() {
             let frf = robot.frf(point.frequency_hz, self.record.period_s)?;
             let predicted = frf.row(self.record.excited).transpose().dot(&point.command);
@@ -225,7 +225,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
     fn jacobian(&self) -> Option<DMatrix<f64>> {
         let robot = self.robot();
         let count = self.points.len();
-        let mut jacobian = DMatrix::zeros(2 * count + place::COUNT, place::COUNT);
+        let mut jacobian = DMatrix::zeros(2 * count + index::COUNT, index::COUNT);
         for (k, point) in self.points.iter().enumerate() {
             let (_, slope) = self.at_point(&robot, point)?;
             for (column, slope) in slope.iter().enumerate() {

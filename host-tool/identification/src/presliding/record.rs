@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::{STEP, Settings};
+use super::prior::Settings;
 use recordings::StepError;
 use recordings::campaign::{JointTrace, Known, Trace};
 use signal::spectrum::{Spectra, Welch};
@@ -24,7 +24,7 @@ pub struct Record {
     /// Drift of the excited joint in each segment [rad/s].
     pub drifts_rad_per_s: Vec<f64>,
     /// Mean position of the excited joint in each segment [encoder steps].
-    pub places_in_steps: Vec<f64>,
+    pub positions_in_steps: Vec<f64>,
     /// Segments averaged.
     pub segments: usize,
     /// RMS of the noise [V].
@@ -37,6 +37,8 @@ pub struct Record {
     columns: [Option<usize>; 3],
 }
 
+/// The name of this step in messages.
+pub const STEP: &str = "pre-sliding FRF";
 /// Fewer segments than this are no average.
 const LEAST_SEGMENTS: usize = 8;
 /// Shorter segments resolve no resonance.
@@ -65,7 +67,7 @@ impl Record {
             period_s: trace.period_s,
             posture_rad: [1, 2, 3].map(mean_of),
             drifts_rad_per_s: pieces().map(|p| slope_per_sample(p) / trace.period_s).collect(),
-            places_in_steps: pieces().map(|p| mean(p) / step_rad).collect(),
+            positions_in_steps: pieces().map(|p| mean(p) / step_rad).collect(),
             segments: starts.len(),
             command_rms_v: deviation(&moving.command_v),
             spectra,
@@ -75,19 +77,19 @@ impl Record {
         })
     }
 
-    /// What the noise does to a joint's command, the reference spectrum's [V].
+    /// Cross spectrum of a joint's command with the instrument.
     pub fn command_by_instrument(&self, bin: usize, joint: usize) -> Complex<f64> {
         self.columns[joint].map_or_else(Complex::default, |column| {
             self.spectra.cross(bin, column, self.instrument)
         })
     }
 
-    /// What the noise does to the excited joint's angle.
+    /// Cross spectrum of the excited joint's angle with the instrument.
     pub fn angle_by_instrument(&self, bin: usize) -> Complex<f64> {
         self.spectra.cross(bin, self.angle_column(), self.instrument)
     }
 
-    /// Power of the noise.
+    /// Power spectrum of the instrument: the noise, or the reference.
     pub fn instrument_power(&self, bin: usize) -> f64 {
         self.spectra.auto(bin, self.instrument)
     }

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::fit::Fitted;
-use super::prior::{Prior, Settings};
+use super::prior::{Bristles, Prior, Settings};
 use super::record::Record;
 use crate::estimate::Estimate;
 
@@ -40,6 +40,20 @@ pub struct Presliding {
     /// The FRF, for Fig. 4.
     #[serde(skip)]
     pub frf: Vec<FrfPoint>,
+}
+
+impl Presliding {
+    /// The bristles for the fits of the neighbours, with least errors.
+    pub(super) fn bristles(&self) -> Bristles {
+        let relative =
+            |estimate: &Estimate, least: f64| (estimate.standard_error / estimate.value).max(least);
+        Bristles {
+            sigma0_v_per_rad: self.sigma0_v_per_rad.value,
+            sigma0_relative_error: relative(&self.sigma0_v_per_rad, 0.03),
+            sigma1_v_s_per_rad: self.sigma1_v_s_per_rad.value,
+            sigma1_relative_error: relative(&self.sigma1_v_s_per_rad, 0.08),
+        }
+    }
 }
 
 /// One frequency of the FRF.
@@ -136,8 +150,8 @@ fn root_sum_square(parts: &[f64]) -> f64 {
 /// the gain 1 + 2 cos(2 pi m) exp(-2 pi^2 steps^2); the drift of m averages that.
 fn quantisation_error(record: &Record, steps: f64) -> f64 {
     use std::f64::consts::{PI, TAU};
-    let count = record.places_in_steps.len().max(1) as f64;
-    let sum = |f: fn(f64) -> f64| record.places_in_steps.iter().map(|m| f(TAU * m)).sum::<f64>();
+    let count = record.positions_in_steps.len().max(1) as f64;
+    let sum = |f: fn(f64) -> f64| record.positions_in_steps.iter().map(|m| f(TAU * m)).sum::<f64>();
     let coherent = sum(f64::cos).hypot(sum(f64::sin)) / count;
     2.0 * coherent.max(count.sqrt().recip()) * (-2.0 * PI * PI * steps * steps).exp()
 }
@@ -155,8 +169,9 @@ fn gravity_error(record: &Record, fitted: &Fitted) -> f64 {
 /// Standard error of alpha_2 [V s/rad].
 fn viscous_error(record: &Record, prior: &Prior) -> f64 {
     let sliding = prior.sliding[record.excited].as_ref();
-    sliding
-        .map_or(super::belief::USUAL_VISCOUS_V_S_PER_RAD, |s| s.alpha2_v_s_per_rad.standard_error)
+    sliding.map_or(super::prior_distribution::TYPICAL_VISCOUS_V_S_PER_RAD, |s| {
+        s.alpha2_v_s_per_rad.standard_error
+    })
 }
 
 fn remarks(record: &Record, fitted: &Fitted, prior: &Prior, steps: Option<f64>) -> Vec<String> {

@@ -4,20 +4,19 @@
 //! The FRF needs the mass matrix, the base parameters need friction; the bristles that
 //! the static step finds along are good enough for the first round.
 
-mod knowledge;
 mod one_joint;
+mod priors;
 mod result;
 mod table;
 
 pub use one_joint::{OneJointIdentified, identify_one_joint};
-pub use result::{Held, Identified};
+pub use result::{HeldOutLog, Identified};
 pub use table::model_file;
 
 use model::{Geometry, Robot};
 use rayon::prelude::*;
 
-use super::base_parameters::friction::FrictionKnowledge;
-use super::base_parameters::{self, BaseResult};
+use super::base_parameters::{self, BaseResult, FrictionEstimate};
 use super::ekf::{self, EkfResult};
 use super::physical;
 use super::presliding::{self, Presliding, Prior};
@@ -29,42 +28,42 @@ use recordings::{Campaign, StepError, Trace};
 
 /// Runs all steps on the `train` logs and judges the model on the `holdout` logs.
 ///
-/// `say` hears what is being done. Experiments that are missing are named in the
+/// `progress` is called with the name of each step. Experiments that are missing are named in the
 /// result's `missing`; what needs them is done without, or not at all.
 ///
 /// # Errors
 /// No excitation, or one that cannot be used: without it there is no model.
-pub fn identify(campaign: &Campaign, say: &dyn Fn(&str)) -> Result<Identified, StepError> {
+pub fn identify(campaign: &Campaign, progress: &dyn Fn(&str)) -> Result<Identified, StepError> {
     let geometry = geometry(campaign)?;
-    say("examining the logs");
+    progress("examining the logs");
     let mut missing = examine_all(campaign)?;
-    say("static friction");
+    progress("static friction");
     let (statics, filtered) =
         rayon::join(|| static_friction_of_all(campaign), || filtered(campaign));
-    let statics = noted(statics, &mut missing);
-    let [filtered] = noted([filtered], &mut missing);
-    let mut knowledge = [0, 1, 2].map(|i| {
+    let statics = separated(statics, &mut missing);
+    let [filtered] = separated([filtered], &mut missing);
+    let mut friction = [0, 1, 2].map(|i| {
         let of_joint = filtered.as_ref().filter(|found| usize::from(found.joint) == i + 1);
-        knowledge::of_joint(statics[i].as_ref(), of_joint)
+        priors::of_joint(statics[i].as_ref(), of_joint)
     });
-    say("base parameters");
+    progress("base parameters");
     let excitations: Vec<&Trace> =
         campaign.traces_of(Experiment::Excitation, Role::Train, None).collect();
-    let (paper, base) = both_base(campaign, &excitations, &knowledge)?;
-    say("pre-sliding friction");
-    let prior = knowledge::prior(&base, &statics);
+    let (paper, base) = both_base(campaign, &excitations, &friction)?;
+    progress("pre-sliding friction");
+    let prior = priors::of_presliding(&base, &statics);
     let presliding = presliding_of_all(campaign, &prior, &mut missing);
     for found in &presliding {
-        knowledge::learn(&mut knowledge[usize::from(found.joint) - 1], found);
+        priors::take_bristles(&mut friction[usize::from(found.joint) - 1], found);
     }
-    say("all parameters together");
+    progress("all parameters together");
     let refined = refinement::refine(
         &excitations,
         &campaign.known,
-        &knowledge,
+        &friction,
         &refinement::Settings::default(),
     )?;
-    say("rigid links");
+    progress("rigid links");
     let physical = physical::nearest(&refined.base, &refined.base_covariance, &geometry);
     let rigid = physical.as_ref().filter(|found| found.consistent && found.positive_definite);
     let robot = Robot {
@@ -73,8 +72,8 @@ pub fn identify(campaign: &Campaign, say: &dyn Fn(&str)) -> Result<Identified, S
         torque_constant_nm_per_v: [1, 2, 3].map(|j| campaign.known.torque_constant(j)),
         friction: refined.friction,
     };
-    say("validation");
-    let held = held_out(campaign, &robot);
+    progress("validation");
+    let held_out = held_out(campaign, &robot);
     let mut identified = Identified {
         statics,
         filtered,
@@ -84,7 +83,7 @@ pub fn identify(campaign: &Campaign, say: &dyn Fn(&str)) -> Result<Identified, S
         refined,
         physical,
         robot,
-        held,
+        held_out,
         missing,
     };
     identified.note_contradictions();
@@ -109,7 +108,7 @@ fn geometry(campaign: &Campaign) -> Result<Geometry<f64>, StepError> {
 /// Static friction of each joint from its run at constant velocities.
 fn static_friction_of_all(campaign: &Campaign) -> [Result<StaticFriction, StepError>; 3] {
     let one = |joint: u8| {
-        let trace = the_log(campaign, Experiment::ConstantVelocity, joint, "static friction")?;
+        let trace = first_log(campaign, Experiment::ConstantVelocity, joint, "static friction")?;
         static_friction::identify(trace, joint, &campaign.known)
     };
     let (first, (second, third)) = rayon::join(|| one(1), || rayon::join(|| one(2), || one(3)));
@@ -118,12 +117,12 @@ fn static_friction_of_all(campaign: &Campaign) -> [Result<StaticFriction, StepEr
 
 /// The augmented filter on the friction excitation of joint 3, section 3.1.
 fn filtered(campaign: &Campaign) -> Result<EkfResult, StepError> {
-    let trace = the_log(campaign, Experiment::FrictionExcitation, 3, "augmented EKF")?;
+    let trace = first_log(campaign, Experiment::FrictionExcitation, 3, "augmented EKF")?;
     ekf::identify(trace, 3, &campaign.known, &ekf::Start::from_log())
 }
 
 /// The first `train` log of an experiment on a joint.
-fn the_log<'a>(
+fn first_log<'a>(
     campaign: &'a Campaign,
     experiment: Experiment,
     joint: u8,
@@ -138,8 +137,8 @@ fn the_log<'a>(
     campaign.traces_of(experiment, Role::Train, Some(joint)).next().ok_or_else(no_log)
 }
 
-/// What worked, and a note of what did not.
-fn noted<T, const N: usize>(
+/// The results; errors go into `missing`.
+fn separated<T, const N: usize>(
     results: [Result<T, StepError>; N],
     missing: &mut Vec<String>,
 ) -> [Option<T>; N] {
@@ -150,10 +149,10 @@ fn noted<T, const N: usize>(
 fn both_base(
     campaign: &Campaign,
     excitations: &[&Trace],
-    knowledge: &[FrictionKnowledge; 3],
+    friction: &[FrictionEstimate; 3],
 ) -> Result<(BaseResult, BaseResult), StepError> {
     let solve = |settings: base_parameters::Settings| {
-        base_parameters::identify(excitations, &campaign.known, knowledge, &settings)
+        base_parameters::identify(excitations, &campaign.known, friction, &settings)
     };
     let (paper, weighted) = rayon::join(
         || solve(base_parameters::Settings::paper()),
@@ -178,19 +177,19 @@ fn presliding_of_all(
     }
     let settings = presliding::Settings::default();
     let results = presliding::identify_all(&traces, &campaign.known, prior, &settings);
-    let mut kept = Vec::new();
+    let mut all = Vec::new();
     for (_, result) in results {
         match result {
-            Ok(found) => kept.push(found),
+            Ok(found) => all.push(found),
             Err(error) => missing.push(error.to_string()),
         }
     }
-    kept
+    all
 }
 
 /// The command of each `holdout` log, reconstructed.
-fn held_out(campaign: &Campaign, robot: &Robot<f64>) -> Vec<Held> {
+fn held_out(campaign: &Campaign, robot: &Robot<f64>) -> Vec<HeldOutLog> {
     let traces: Vec<&Trace> =
         campaign.traces.iter().filter(|trace| trace.role == Role::Holdout).collect();
-    traces.par_iter().filter_map(|trace| Held::of(trace, robot).ok()).collect()
+    traces.par_iter().filter_map(|trace| HeldOutLog::of(trace, robot).ok()).collect()
 }

@@ -7,7 +7,7 @@ use crate::static_friction::{self, StaticFriction};
 use files::{Experiment, FrictionTable, RobotFile, Role};
 use recordings::{Campaign, StepError, Trace, plausibility};
 
-/// What the logs of one joint tell.
+/// The result on a rig of one joint.
 #[derive(Clone, Debug)]
 pub struct OneJointIdentified {
     /// Inertia, gravity and sliding friction from motion.
@@ -24,18 +24,18 @@ pub struct OneJointIdentified {
 /// No log in which the joint moves by its own command.
 pub fn identify_one_joint(
     campaign: &Campaign,
-    say: &dyn Fn(&str),
+    progress: &dyn Fn(&str),
 ) -> Result<OneJointIdentified, StepError> {
     let known = &campaign.known;
     let joint = known.joints[0];
-    say("examining the logs");
+    progress("examining the logs");
     let mut missing = Vec::new();
     for trace in &campaign.traces {
         missing.extend(plausibility::examine(trace, known)?);
     }
     let train: Vec<&Trace> =
         campaign.traces.iter().filter(|trace| trace.role == Role::Train).collect();
-    say("inertia, gravity and friction");
+    progress("inertia, gravity and friction");
     let motion = pendulum::identify(&train, joint, known)?;
     missing.extend(motion.left_out.iter().map(|(file, why)| format!("{file}: {why}")));
     let run = train.iter().find(|trace| trace.experiment == Experiment::ConstantVelocity);
@@ -60,7 +60,7 @@ impl OneJointIdentified {
 
     fn friction_table(&self) -> FrictionTable {
         if let Some(statics) = &self.statics {
-            return FrictionTable::of(self.motion.joint, &statics.friction());
+            return FrictionTable::of(self.motion.joint, &statics.friction.values());
         }
         FrictionTable {
             joint: self.motion.joint,

@@ -1,4 +1,4 @@
-//! What the procedure found.
+//! The result of the procedure.
 
 use model::Robot;
 
@@ -34,14 +34,14 @@ pub struct Identified {
     /// The model.
     pub robot: Robot<f64>,
     /// The commands of the logs held out, reconstructed.
-    pub held: Vec<Held>,
+    pub held_out: Vec<HeldOutLog>,
     /// What could not be done, and why.
     pub missing: Vec<String>,
 }
 
 /// A log held out.
 #[derive(Clone, Debug)]
-pub struct Held {
+pub struct HeldOutLog {
     /// Its file.
     pub file: String,
     /// Its unbroken stretches, reconstructed.
@@ -50,7 +50,7 @@ pub struct Held {
     pub predictions: Vec<Prediction>,
 }
 
-impl Held {
+impl HeldOutLog {
     /// A log's command and motion by a model.
     ///
     /// # Errors

@@ -6,14 +6,14 @@ use rayon::prelude::*;
 use super::super::base_parameters::friction::sensitivity;
 use super::super::base_parameters::rows::Rows;
 use super::super::base_parameters::solve::Stack;
-use super::super::motion::Motion;
 use super::layout::{CORIOLIS_LAG, Layout, TIMING_COUNT};
 use super::solution::Solution;
 use recordings::campaign::Known;
+use recordings::motion::Motion;
 use signal::derivative;
 
-/// Where the equations are linearised.
-pub(super) struct Point {
+/// The values about which the equations are linearised.
+pub(super) struct LinearisationPoint {
     pub friction: [Friction<f64>; 3],
     /// Known from the first step on.
     pub rigid: Option<RigidBody>,
@@ -55,16 +55,16 @@ impl RigidBody {
 
 /// The equations linearised about a friction: right-hand sides and the columns of timing
 /// and friction.
-pub(super) fn linearised(stretches: &[Rows], layout: &Layout, point: &Point) -> Stack {
+pub(super) fn linearised(stretches: &[Rows], layout: &Layout, point: &LinearisationPoint) -> Stack {
     let pieces: Vec<[JointPiece; 3]> = stretches
         .par_iter()
         .map(|rows| [0, 1, 2].map(|joint| JointPiece::of(rows, joint, layout, point)))
         .collect();
-    let (right, more): (Vec<_>, Vec<_>) = pieces
+    let (right, extra): (Vec<_>, Vec<_>) = pieces
         .into_iter()
         .map(|[a, b, c]| ([a.right, b.right, c.right], [a.columns, b.columns, c.columns]))
         .unzip();
-    Stack::new(stretches, &right, &more, layout.more_count())
+    Stack::new(stretches, &right, &extra, layout.extra_count())
 }
 
 /// One joint's right-hand side and columns over a stretch.
@@ -74,7 +74,7 @@ struct JointPiece {
 }
 
 impl JointPiece {
-    fn of(rows: &Rows, joint: usize, layout: &Layout, point: &Point) -> Self {
+    fn of(rows: &Rows, joint: usize, layout: &Layout, point: &LinearisationPoint) -> Self {
         let friction = &point.friction[joint];
         let period_s = rows.motion.period_s;
         let friction_v = rows.friction_raw_v(joint, friction);

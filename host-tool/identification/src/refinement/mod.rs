@@ -5,26 +5,25 @@
 //! the command; the rest of LuGre friction is linearised about the last estimate
 //! (Gauss-Newton), the state z driven by the measured velocity.
 
-mod doubt;
 mod layout;
 mod linearised;
+mod model_uncertainty;
 mod solution;
 
 use model::base::COUNT;
-use model::{BaseParameters, Friction};
+use model::{BaseParameters, Friction, friction_parameters};
 use nalgebra::DMatrix;
 
-pub use super::base_parameters::FrictionKnowledge;
-use super::base_parameters::friction::{FRICTION_NAMES, to_array};
+pub use super::base_parameters::FrictionEstimate;
 use super::base_parameters::rows::{RowSettings, Rows};
 use super::base_parameters::solve::Stack;
 use super::base_parameters::{
     JointResidual, all_rows, joint_residuals, named_estimates, undetermined,
 };
 use super::estimate::Estimate;
-pub use doubt::ModelDoubt;
-use layout::{Layout, UNSEEN};
-use linearised::{Point, RigidBody, linearised};
+use layout::{Layout, UNDETERMINED};
+use linearised::{LinearisationPoint, RigidBody, linearised};
+pub use model_uncertainty::ModelUncertainty;
 use recordings::StepError;
 use recordings::campaign::{Known, Trace};
 use solution::{Solution, prior_rows};
@@ -36,15 +35,15 @@ pub struct Settings {
     pub rows: RowSettings,
     /// Residuals further apart than this are independent [s].
     pub block_s: f64,
-    /// Doubt about the instants of command and of friction against the encoder's, in parts
-    /// of the sample period.
+    /// Standard deviation of the lag of command and friction behind the encoder, in sample
+    /// periods.
     ///
     /// Converters take time, and so does a simulator's integration step. Lag that is not
     /// accounted for poses as inertia: a friction that is late by t takes t k_t alpha_2 off
     /// the inertia, which at 0.05 ms is several of its standard errors.
-    pub timing_doubt_periods: f64,
-    /// Doubt about the model itself.
-    pub doubt: ModelDoubt,
+    pub timing_error_periods: f64,
+    /// Uncertainty of the model itself.
+    pub model_uncertainty: ModelUncertainty,
     /// Most steps.
     pub most_steps: usize,
 }
@@ -54,8 +53,8 @@ impl Default for Settings {
         Self {
             rows: RowSettings::parallel(20.0),
             block_s: 0.25,
-            timing_doubt_periods: 0.05,
-            doubt: ModelDoubt::default(),
+            timing_error_periods: 0.05,
+            model_uncertainty: ModelUncertainty::default(),
             most_steps: 12,
         }
     }
@@ -72,7 +71,7 @@ pub struct Refined {
     pub base_covariance: DMatrix<f64>,
     /// Friction of the joints.
     pub friction: [Friction<f64>; 3],
-    /// The same with standard errors and intervals, in the order of [`FRICTION_NAMES`].
+    /// The same with standard errors and intervals, in the order of [`friction_parameters::NAMES`].
     pub friction_estimates: [Vec<(&'static str, Estimate)>; 3],
     /// By how much commands come later than the log says [s], found along.
     pub command_lag_s: [f64; 3],
@@ -91,28 +90,29 @@ pub struct Refined {
 pub fn refine(
     traces: &[&Trace],
     known: &Known,
-    friction: &[FrictionKnowledge; 3],
+    friction: &[FrictionEstimate; 3],
     settings: &Settings,
 ) -> Result<Refined, StepError> {
     let start = friction.map(|joint| joint.value);
     let stretches = all_rows(traces, known, &start, &settings.rows)?;
     let layout = Layout::of(friction);
-    let timing_s = settings.timing_doubt_periods * stretches[0].motion.period_s;
-    let mut point = Point { friction: start, rigid: None };
+    let timing_s = settings.timing_error_periods * stretches[0].motion.period_s;
+    let mut point = LinearisationPoint { friction: start, rigid: None };
     let mut weight = None;
     for steps in 1.. {
         let stack = linearised(&stretches, &layout, &point);
         let prior = prior_rows(&layout, friction, &point.friction, timing_s);
         let solution = Solution::of(&stack, &prior, settings.block_s, weight.take())
             .ok_or_else(undetermined)?;
-        let (next, largest) = layout.moved(&point.friction, &solution);
+        let (next, largest) = solution.applied_to(&point.friction, &layout);
         let converged = largest < SMALL_STEP;
         if converged || steps >= settings.most_steps {
-            let solution = solution.with_doubt(&settings.doubt, &layout, &next);
+            let solution =
+                solution.with_model_uncertainty(&settings.model_uncertainty, &layout, &next);
             return Ok(refined(&stretches, &stack, &layout, next, &solution, steps, converged));
         }
         let rigid = RigidBody::of(known, &solution);
-        point = Point { friction: next, rigid };
+        point = LinearisationPoint { friction: next, rigid };
         // Weights that keep changing with the residuals would keep the search from resting.
         weight = (steps >= SETTLED_STEPS).then_some(solution.weight);
     }
@@ -154,7 +154,7 @@ fn friction_estimates(
     covariance: &DMatrix<f64>,
 ) -> [Vec<(&'static str, Estimate)>; 3] {
     [0, 1, 2].map(|joint| {
-        let values = to_array(&friction[joint]);
+        let values = friction[joint].to_array();
         let estimate = |parameter: usize| {
             let place = layout.free.iter().position(|&free| free == (joint, parameter));
             let Some(index) = place else {
@@ -163,11 +163,15 @@ fn friction_estimates(
             let column = layout.column(index);
             let error = covariance[(column, column)].max(0.0).sqrt();
             let estimate = Estimate::new(values[parameter], error);
-            if UNSEEN.contains(&parameter) {
+            if UNDETERMINED.contains(&parameter) {
                 return estimate.with_note("as given; this motion does not tell it");
             }
             estimate
         };
-        FRICTION_NAMES.into_iter().enumerate().map(|(k, name)| (name, estimate(k))).collect()
+        friction_parameters::NAMES
+            .into_iter()
+            .enumerate()
+            .map(|(k, name)| (name, estimate(k)))
+            .collect()
     })
 }

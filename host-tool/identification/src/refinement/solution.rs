@@ -4,12 +4,12 @@ use model::base::COUNT;
 use model::{BaseParameters, Friction};
 use nalgebra::{DMatrix, DVector};
 
-use super::super::base_parameters::friction::{FrictionKnowledge, to_array};
+use super::super::base_parameters::friction::{ALPHA2, FrictionEstimate, magnitude};
 use super::super::base_parameters::solve::Stack;
-use super::doubt::ModelDoubt;
-use super::layout::{Layout, TIMING_COUNT};
+use super::layout::{Layout, TIMING_COUNT, UNDETERMINED};
+use super::model_uncertainty::ModelUncertainty;
 use signal::estimation::LinearProblem;
-use signal::estimation::autocorrelation::meat;
+use signal::estimation::autocorrelation::score_covariance;
 
 /// A Gauss-Newton step with its covariance.
 pub(super) struct Solution {
@@ -46,7 +46,7 @@ impl Solution {
         let weighted = stack.problem.clone().weighted(&weight);
         let left = &weighted.right - &weighted.rows * &parameters;
         let blocks = stack.blocks(block_s);
-        let scores = meat(&weighted.rows, &left, &blocks);
+        let scores = score_covariance(&weighted.rows, &left, &blocks);
         let known = prior.rows.tr_mul(&prior.rows);
         // Residuals of a fit are smaller than the errors: one block is spent per parameter
         // that the data, not the prior, determine.
@@ -56,22 +56,47 @@ impl Solution {
         let covariance = &unit * (scores * spent + known) * &unit;
         Some(Self { parameters, covariance, residuals, weight })
     }
-}
 
-impl Solution {
-    /// The same with the model's doubts in its covariance.
-    pub fn with_doubt(
+    /// Friction after a step, and the step's largest part in standard errors.
+    ///
+    /// A step changes no value by more than a third, so that none leaves its range.
+    pub fn applied_to(
+        &self,
+        from: &[Friction<f64>; 3],
+        layout: &Layout,
+    ) -> ([Friction<f64>; 3], f64) {
+        let mut values = from.each_ref().map(Friction::to_array);
+        let mut largest = 0.0f64;
+        let moving =
+            layout.free.iter().enumerate().filter(|(_, free)| !UNDETERMINED.contains(&free.1));
+        for (index, &(joint, parameter)) in moving {
+            let column = layout.column(index);
+            let wanted = self.parameters[column];
+            let error = self.covariance[(column, column)].sqrt();
+            let scale = magnitude(&values[joint], parameter);
+            let allowed = if parameter == ALPHA2 { f64::INFINITY } else { scale.abs() / 3.0 };
+            values[joint][parameter] += wanted.clamp(-allowed, allowed);
+            largest = largest.max(wanted.abs() / error);
+        }
+        for joint in &mut values {
+            joint[ALPHA2] = joint[ALPHA2].max(0.0);
+        }
+        (values.map(Friction::from_array), largest)
+    }
+
+    /// The same with the model's uncertainty in its covariance.
+    pub fn with_model_uncertainty(
         mut self,
-        doubt: &ModelDoubt,
+        uncertainty: &ModelUncertainty,
         layout: &Layout,
         friction: &[Friction<f64>; 3],
     ) -> Self {
         let base = BaseParameters::from_array(std::array::from_fn(|k| self.parameters[k]));
-        for (k, error) in doubt.of_base(&base).into_iter().enumerate() {
+        for (k, error) in uncertainty.of_base(&base).into_iter().enumerate() {
             self.covariance[(k, k)] += error * error;
         }
         for (index, &(joint, parameter)) in layout.free.iter().enumerate() {
-            let error = doubt.of_friction(&to_array(&friction[joint]), parameter);
+            let error = uncertainty.of_friction(&friction[joint].to_array(), parameter);
             let column = layout.column(index);
             self.covariance[(column, column)] += error * error;
         }
@@ -79,21 +104,21 @@ impl Solution {
     }
 }
 
-/// What earlier steps know, as equations of variance one.
+/// The earlier steps' estimates as equations of variance one.
 pub(super) fn prior_rows(
     layout: &Layout,
-    friction: &[FrictionKnowledge; 3],
+    friction: &[FrictionEstimate; 3],
     current: &[Friction<f64>; 3],
     timing_s: f64,
 ) -> LinearProblem {
-    let count = COUNT + layout.more_count();
+    let count = COUNT + layout.extra_count();
     let mut entries: Vec<(usize, f64, f64)> =
         (0..TIMING_COUNT).map(|k| (COUNT + k, 0.0, timing_s)).collect();
     for (index, &(joint, parameter)) in layout.free.iter().enumerate() {
-        let error = to_array(&friction[joint].standard_error)[parameter];
+        let error = friction[joint].standard_error.to_array()[parameter];
         if error.is_finite() {
-            let known = to_array(&friction[joint].value)[parameter];
-            let change = known - to_array(&current[joint])[parameter];
+            let known = friction[joint].value.to_array()[parameter];
+            let change = known - current[joint].to_array()[parameter];
             entries.push((layout.column(index), change, error));
         }
     }

@@ -8,16 +8,18 @@
 //! the neighbours' reaction must be the command ([`super::one_joint::grey_box`]).
 //! sigma_0 and sigma_1 come out as well, roughly; the FRF (12) gives them better.
 
+mod start;
 pub mod steady;
 
-use model::Friction;
 use serde::Serialize;
 
 use super::estimate::Estimate;
+use super::friction_estimates::FrictionEstimates;
 use super::one_joint::grey_box::{self, Fit, LINEAR};
+use super::one_joint::log_rows::log_rows;
 use super::one_joint::parameters::{FRICTION, from_logarithms};
 use super::one_joint::rows::{Rows, Term};
-use super::one_joint::start;
+use super::one_joint::sliding::sliding;
 use recordings::StepError;
 use recordings::campaign::{Known, Trace};
 use steady::SteadyLeg;
@@ -33,26 +35,10 @@ const REWEIGHTINGS: usize = 2;
 pub struct StaticFriction {
     /// Joint, 1 to 3.
     pub joint: u8,
-    /// Coulomb level alpha_0 [V].
-    #[serde(rename = "alpha0_V")]
-    pub alpha0_v: Estimate,
-    /// Static level above it alpha_1 [V].
-    #[serde(rename = "alpha1_V")]
-    pub alpha1_v: Estimate,
-    /// Breakaway level alpha_0 + alpha_1 [V].
-    #[serde(rename = "breakaway_V")]
-    pub breakaway_v: Estimate,
-    /// Stribeck velocity v_s [rad/s].
-    pub stribeck_velocity_rad_per_s: Estimate,
-    /// Viscous coefficient alpha_2 [V s/rad].
-    #[serde(rename = "alpha2_V_s_per_rad")]
-    pub alpha2_v_s_per_rad: Estimate,
-    /// Stiffness sigma_0 as the reversals show it [V/rad]; a start for the FRF (12).
-    #[serde(rename = "sigma0_V_per_rad")]
-    pub sigma0_v_per_rad: Estimate,
-    /// Damping sigma_1 as the reversals show it [V s/rad]; a start for the FRF (12).
-    #[serde(rename = "sigma1_V_s_per_rad")]
-    pub sigma1_v_s_per_rad: Estimate,
+    /// Its friction; sigma_0 and sigma_1 as the reversals show them, a start for the FRF,
+    /// eq. (12).
+    #[serde(flatten)]
+    pub friction: FrictionEstimates,
     /// Inertia about the joint in this posture [kg m^2].
     pub inertia_kg_m2: Estimate,
     /// Gravity torque = this * cos + [`Self::gravity_sine_nm`] * sin of the moving arm's
@@ -72,23 +58,11 @@ pub struct StaticFriction {
 }
 
 impl StaticFriction {
-    /// The friction of the estimated values.
-    pub fn friction(&self) -> Friction<f64> {
-        Friction {
-            alpha0_v: self.alpha0_v.value,
-            alpha1_v: self.alpha1_v.value,
-            stribeck_velocity_rad_per_s: self.stribeck_velocity_rad_per_s.value,
-            alpha2_v_s_per_rad: self.alpha2_v_s_per_rad.value,
-            sigma0_v_per_rad: self.sigma0_v_per_rad.value,
-            sigma1_v_s_per_rad: self.sigma1_v_s_per_rad.value,
-        }
-    }
-
     /// Points (velocity [rad/s], friction [V]) of the fitted curve (10), evenly spaced in
     /// the logarithm of the speed, for both directions.
     pub fn curve(&self) -> Vec<(f64, f64)> {
         const POINTS: usize = 120;
-        let friction = self.friction();
+        let friction = self.friction.values();
         let fastest = self.legs.iter().map(|leg| leg.velocity_rad_per_s.abs()).fold(0.1, f64::max);
         let slowest = 0.2 * friction.stribeck_velocity_rad_per_s;
         let ratio = (fastest / slowest).ln() / (POINTS - 1) as f64;
@@ -128,14 +102,14 @@ fn is_stribeck(fit: &Fit) -> bool {
 /// # Errors
 /// As [`identify`].
 pub fn fit_log(trace: &Trace, joint: u8, known: &Known) -> Result<(Rows, Fit), StepError> {
-    let rows = Rows::of(trace, joint, known)?;
+    let rows = log_rows(trace, joint, known)?;
     let unusable = || StepError::Unusable {
         file: trace.file.clone(),
         what: format!(
             "joint {joint} does not slide above 0.02 rad/s in both directions; record legs both ways"
         ),
     };
-    let sliding = start::sliding(&rows).ok_or_else(unusable)?;
+    let sliding = sliding(&rows).ok_or_else(unusable)?;
     let free: Vec<usize> = (0..LINEAR + rows.terms.len()).collect();
     let mut rows = rows;
     let rough = |start| grey_box::fit(&rows.data, start, &free, ROUGHLY);
@@ -156,21 +130,23 @@ fn result(rows: &Rows, fit: &Fit, joint: u8, known: &Known) -> StaticFriction {
         let parameter = LINEAR + rows.column(term)?;
         Some(Estimate::new(k_t * fit.parameters[parameter], k_t * fit.standard_error(parameter)))
     };
-    let friction = fit.friction();
+    let mut friction =
+        FrictionEstimates::from_logarithms(fit.parameters.as_slice(), &fit.covariance);
+    for estimate in [
+        &mut friction.alpha1_v,
+        &mut friction.breakaway_v,
+        &mut friction.stribeck_velocity_rad_per_s,
+    ] {
+        note_missing_low_speed(fit, estimate);
+    }
     StaticFriction {
         joint,
-        alpha0_v: logarithmic(fit, 0),
-        alpha1_v: at_low_speed(fit, alpha1(fit)),
-        breakaway_v: at_low_speed(fit, logarithmic(fit, 1)),
-        stribeck_velocity_rad_per_s: at_low_speed(fit, logarithmic(fit, 2)),
-        alpha2_v_s_per_rad: logarithmic(fit, 3),
-        sigma0_v_per_rad: logarithmic(fit, 4),
-        sigma1_v_s_per_rad: logarithmic(fit, 5),
+        legs: steady::legs(rows, fit, &fit.friction()),
+        friction,
         inertia_kg_m2: torque(Term::Inertia).unwrap_or_else(|| Estimate::new(f64::NAN, f64::NAN)),
         gravity_cosine_nm: torque(Term::GravityCosine),
         gravity_sine_nm: torque(Term::GravitySine),
         residual_rms_v: fit.rms_v,
-        legs: steady::legs(rows, fit, &friction),
         converged: fit.converged,
     }
 }
@@ -193,34 +169,16 @@ fn with_method_error(fit: Fit) -> Fit {
     fit
 }
 
-/// The value behind a logarithm, with an interval that stays positive.
-fn logarithmic(fit: &Fit, parameter: usize) -> Estimate {
-    let (logarithm, error) = (fit.parameters[parameter], fit.standard_error(parameter));
-    let value = logarithm.exp();
-    let at = |deviation: f64| (logarithm + deviation * error).exp();
-    let normal = Estimate::new(value, value * error);
-    Estimate { interval: [at(-1.96), at(1.96)], ..normal }
-}
-
-/// alpha_1 = breakaway level - Coulomb level.
-fn alpha1(fit: &Fit) -> Estimate {
-    let (coulomb, breakaway) = (fit.parameters[0].exp(), fit.parameters[1].exp());
-    let c = &fit.covariance;
-    let variance = coulomb * coulomb * c[(0, 0)] + breakaway * breakaway * c[(1, 1)]
-        - 2.0 * coulomb * breakaway * c[(0, 1)];
-    Estimate::new(breakaway - coulomb, variance.max(0.0).sqrt())
-}
-
 /// Standard error of ln v_s from which on the log does not tell the Stribeck curve.
 const BARELY_KNOWN: f64 = 0.5;
 /// Relative error of the breakaway level then.
 const UNSEEN_BREAKAWAY: f64 = 0.3;
 
-/// An estimate of the Stribeck curve, with a note where the log holds too little of it.
-fn at_low_speed(fit: &Fit, estimate: Estimate) -> Estimate {
+/// Notes where the log holds too little of the Stribeck curve.
+fn note_missing_low_speed(fit: &Fit, estimate: &mut Estimate) {
     if fit.standard_error(2) < BARELY_KNOWN {
-        return estimate;
+        return;
     }
-    estimate
-        .with_note("the log has too little sliding at speeds near v_s to tell the Stribeck curve")
+    let note = "the log has too little sliding at speeds near v_s to tell the Stribeck curve";
+    estimate.note = Some(note.into());
 }

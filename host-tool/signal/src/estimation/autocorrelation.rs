@@ -19,23 +19,28 @@ pub fn clustered_covariance(
     blocks: &[Vec<usize>],
 ) -> DMatrix<f64> {
     let number = blocks.len() as f64;
-    let meat = meat(rows, residuals, blocks);
-    unit_covariance * meat * unit_covariance * (number / (number - 1.0).max(1.0))
+    let scores = score_covariance(rows, residuals, blocks);
+    unit_covariance * scores * unit_covariance * (number / (number - 1.0).max(1.0))
 }
 
 /// Covariance of the scores Phi^T r, summed within each block of rows and independent
-/// from block to block: what stands between two (Phi^T Phi)^-1 in a covariance.
-pub fn meat(rows: &DMatrix<f64>, residuals: &DVector<f64>, blocks: &[Vec<usize>]) -> DMatrix<f64> {
+/// from block to block: the middle factor of a sandwich covariance, between two
+/// (Phi^T Phi)^-1.
+pub fn score_covariance(
+    rows: &DMatrix<f64>,
+    residuals: &DVector<f64>,
+    blocks: &[Vec<usize>],
+) -> DMatrix<f64> {
     let count = rows.ncols();
-    let mut meat = DMatrix::<f64>::zeros(count, count);
+    let mut covariance = DMatrix::<f64>::zeros(count, count);
     for block in blocks {
         let mut score = DVector::<f64>::zeros(count);
         for &index in block {
             score.axpy(residuals[index], &rows.row(index).transpose(), 1.0);
         }
-        meat.ger(1.0, &score, &score, 1.0);
+        covariance.ger(1.0, &score, &score, 1.0);
     }
-    meat
+    covariance
 }
 
 /// How many samples carry as much information as `residuals` do, from their own

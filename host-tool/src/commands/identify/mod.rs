@@ -116,7 +116,7 @@ impl Whole {
 fn print_table(identified: &Identified) {
     println!("What the model leaves of the command on the logs held out:\n");
     println!("  log                          joint 1            joint 2            joint 3");
-    for held in &identified.held {
+    for held in &identified.held_out {
         let shares: Vec<String> = held
             .residuals()
             .iter()

@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::failure::Failure;
 use crate::output_files::{create_directory, json, write_text};
 use files::{Dataset, Experiment, RobotFile, Role};
-use identification::base_parameters::friction::FrictionKnowledge;
+use identification::base_parameters::friction::FrictionEstimate;
 use identification::presliding::Prior;
 use identification::{base_parameters, ekf, presliding, static_friction};
 use recordings::{Campaign, StepError, Trace};
@@ -110,8 +110,8 @@ impl StepArguments {
     fn base_parameters(&self) -> Result<(), Failure> {
         let campaign = self.campaign()?;
         let file = &campaign.robot_file;
-        let exact = |joint| -> Result<FrictionKnowledge, Failure> {
-            Ok(FrictionKnowledge::certain(file.friction(joint)?))
+        let exact = |joint| -> Result<FrictionEstimate, Failure> {
+            Ok(FrictionEstimate::exact(file.friction(joint)?))
         };
         let friction = [exact(1)?, exact(2)?, exact(3)?];
         let traces: Vec<&Trace> =

@@ -1,4 +1,4 @@
-//! A joint's motion, smoothed and differentiated on an even grid.
+//! One joint's motion and command, smoothed alike and differentiated on an even grid.
 
 /// How a motion is smoothed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,7 +26,7 @@ impl Smoothing {
 
 /// One joint on an even grid; all of one length.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Motion {
+pub struct SmoothedMotion {
     /// Time between points [s].
     pub step_s: f64,
     /// Times [s].
@@ -43,7 +43,7 @@ pub struct Motion {
     pub measured: Vec<bool>,
 }
 
-impl Motion {
+impl SmoothedMotion {
     /// How many points there are.
     pub fn len(&self) -> usize {
         self.time_s.len()
@@ -80,12 +80,18 @@ impl Motion {
 /// Position and command pass the same Gaussian, so that every linear equation between
 /// them stays exact. The command of a row holds from its time on: its centre lies half
 /// a sample later, which the Gaussian of the command makes good.
-pub fn smoothed(time_s: &[f64], q_rad: &[f64], command_v: &[f64], how: &Smoothing) -> Motion {
-    let even = Even::of(time_s, q_rad, command_v);
+pub fn smoothed(
+    time_s: &[f64],
+    q_rad: &[f64],
+    command_v: &[f64],
+    how: &Smoothing,
+) -> SmoothedMotion {
+    let even = EvenSamples::of(time_s, q_rad, command_v);
     let kernel = Kernel::new(how.width_s / even.period_s);
     let stride = (how.step_s / even.period_s).round().max(1.0) as usize;
     let reach = kernel.reach();
-    let mut motion = Motion { step_s: stride as f64 * even.period_s, ..Motion::default() };
+    let mut motion =
+        SmoothedMotion { step_s: stride as f64 * even.period_s, ..SmoothedMotion::default() };
     let last = even.q_rad.len().saturating_sub(reach);
     for centre in (reach..last).step_by(stride) {
         let q = &even.q_rad[centre - reach..centre + reach];
@@ -102,7 +108,7 @@ pub fn smoothed(time_s: &[f64], q_rad: &[f64], command_v: &[f64], how: &Smoothin
 }
 
 /// Columns on an even grid of the typical period.
-struct Even {
+struct EvenSamples {
     start_s: f64,
     period_s: f64,
     q_rad: Vec<f64>,
@@ -111,7 +117,7 @@ struct Even {
     gaps_before: Vec<u32>,
 }
 
-impl Even {
+impl EvenSamples {
     fn of(time_s: &[f64], q_rad: &[f64], command_v: &[f64]) -> Self {
         const GAP_IN_PERIODS: f64 = 5.0;
         let period_s = typical_period_s(time_s);

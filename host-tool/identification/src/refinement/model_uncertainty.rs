@@ -1,9 +1,7 @@
-//! What no amount of data takes away.
+//! The part of the standard errors that no amount of data takes away.
 
-use model::BaseParameters;
 use model::base::COUNT;
-
-use super::super::base_parameters::friction::FRICTION_COUNT;
+use model::{BaseParameters, friction_parameters};
 
 /// Relative standard errors that no amount of data takes away: what the model's equations
 /// and their sampling are trusted to.
@@ -13,7 +11,7 @@ use super::super::base_parameters::friction::FRICTION_COUNT;
 /// amplifiers make noise of millivolts these are the smaller part of most errors; on a rig
 /// without noise they are nearly all of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ModelDoubt {
+pub struct ModelUncertainty {
     /// Of moments of inertia, in parts of the largest one of their link.
     pub inertia: f64,
     /// Of alpha_2.
@@ -24,13 +22,13 @@ pub struct ModelDoubt {
     pub damping: f64,
 }
 
-impl Default for ModelDoubt {
+impl Default for ModelUncertainty {
     fn default() -> Self {
         Self { inertia: 1e-4, viscous: 2e-4, stiffness: 0.003, damping: 0.012 }
     }
 }
 
-impl ModelDoubt {
+impl ModelUncertainty {
     /// Standard errors of the base parameters.
     pub(super) fn of_base(&self, base: &BaseParameters<f64>) -> [f64; COUNT] {
         let one = self.inertia * base.zz1r.abs();
@@ -58,7 +56,11 @@ impl ModelDoubt {
     }
 
     /// Standard error of a friction parameter, in the order of their names.
-    pub(super) fn of_friction(&self, values: &[f64; FRICTION_COUNT], parameter: usize) -> f64 {
+    pub(super) fn of_friction(
+        &self,
+        values: &[f64; friction_parameters::COUNT],
+        parameter: usize,
+    ) -> f64 {
         let relative = [0.0, 0.0, 0.0, self.viscous, self.stiffness, self.damping];
         relative[parameter] * values[parameter].abs()
     }

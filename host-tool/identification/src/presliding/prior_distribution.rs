@@ -1,15 +1,15 @@
-//! The prior as numbers of the fit: a centre and a standard error for each parameter.
+//! The prior distribution of the fit's parameters: a mean and a standard error for each.
 
 use super::linear::{LinearFriction, LinearRobot, rigid_at};
-use super::prior::{Bristles, Prior, Rigid};
+use super::prior::{Bristles, Prior, RigidBody};
 use super::record::Record;
 use super::start::Start;
 use recordings::campaign::Known;
 
-/// Where the fit begins and how firmly it is held there.
+/// Means and standard errors of the parameters; the fit begins at the means.
 #[derive(Clone, Copy, Debug)]
-pub struct Belief {
-    /// The robot in the middle of the prior.
+pub struct PriorDistribution {
+    /// The robot of the means.
     pub robot: LinearRobot,
     /// Standard error of log sigma_0, per joint; infinite for the excited one.
     pub sigma0: [f64; 3],
@@ -29,7 +29,7 @@ const UNKNOWN_INERTIA: f64 = 0.7;
 /// Errors of log sigma_0 and log sigma_1 of a neighbour of which nothing is known.
 const UNKNOWN_BRISTLES: [f64; 2] = [1.5, 1.0];
 /// alpha_2 of a joint without an earlier estimate [V s/rad].
-pub const USUAL_VISCOUS_V_S_PER_RAD: f64 = 0.1;
+pub const TYPICAL_VISCOUS_V_S_PER_RAD: f64 = 0.1;
 
 /// The rigid body: D, gravity stiffness, errors of D_ii and D_ij.
 struct Body {
@@ -48,7 +48,12 @@ pub fn known_inertia(record: &Record, known: &Known, prior: &Prior) -> Option<f6
 }
 
 /// The prior around a first guess.
-pub fn belief(record: &Record, known: &Known, prior: &Prior, start: &Start) -> Belief {
+pub fn prior_distribution(
+    record: &Record,
+    known: &Known,
+    prior: &Prior,
+    start: &Start,
+) -> PriorDistribution {
     let torque_constant_nm_per_v = [1, 2, 3].map(|joint| {
         let constant = known.torque_constant(joint);
         if constant > 0.0 { constant } else { 1.0 }
@@ -72,7 +77,7 @@ pub fn belief(record: &Record, known: &Known, prior: &Prior, start: &Start) -> B
         ..LinearFriction::default()
     });
     let error = |joint: usize, error: f64| if joint == i { f64::INFINITY } else { error };
-    Belief {
+    PriorDistribution {
         robot: LinearRobot {
             present: record.present,
             mass_kg_m2: body.mass,
@@ -92,7 +97,7 @@ pub fn belief(record: &Record, known: &Known, prior: &Prior, start: &Start) -> B
 /// alpha_2 of a joint, 0 to 2 [V s/rad].
 pub fn viscous(prior: &Prior, joint: usize) -> f64 {
     let sliding = prior.sliding[joint].as_ref();
-    sliding.map_or(USUAL_VISCOUS_V_S_PER_RAD, |sliding| sliding.alpha2_v_s_per_rad.value)
+    sliding.map_or(TYPICAL_VISCOUS_V_S_PER_RAD, |sliding| sliding.alpha2_v_s_per_rad.value)
 }
 
 fn neighbour(prior: Option<Bristles>, own_sigma0: f64, own_damping: f64) -> Bristles {
@@ -106,7 +111,7 @@ fn neighbour(prior: Option<Bristles>, own_sigma0: f64, own_damping: f64) -> Bris
 
 fn known_body(record: &Record, known: &Known, prior: &Prior) -> Option<Body> {
     match (prior.rigid?, known.geometry) {
-        (Rigid::Robot { base, relative_error }, Some(geometry)) => {
+        (RigidBody::Robot { base, relative_error }, Some(geometry)) => {
             let (mass, gravity) = rigid_at(&base, &geometry, record.posture_rad);
             Some(Body {
                 mass,
@@ -116,7 +121,7 @@ fn known_body(record: &Record, known: &Known, prior: &Prior) -> Option<Body> {
                 body_known: true,
             })
         }
-        (Rigid::Pendulum { pendulum, relative_error }, _)
+        (RigidBody::Pendulum { pendulum, relative_error }, _)
             if usize::from(pendulum.joint) == record.excited + 1 =>
         {
             let i = record.excited;

@@ -2,9 +2,9 @@
 
 use model::vector::Vector3;
 
-use recordings::StepError;
-use recordings::campaign::Trace;
-use recordings::unbroken;
+use crate::StepError;
+use crate::campaign::Trace;
+use crate::unbroken::unbroken;
 use signal::{LowPass, derivative};
 
 /// At which instants of a sample interval motion and command are compared.
@@ -173,8 +173,8 @@ fn interpolated(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::campaign::JointTrace;
     use files::{Experiment, Role};
-    use recordings::campaign::JointTrace;
 
     /// Joints that swing at 1 Hz, sampled at given times.
     fn swinging(time_s: Vec<f64>) -> Trace {
