@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use diagnosis::{Cause, Diagnosis, Value, Verdict, diagnose};
 use files::{Dataset, RobotFile};
 use recordings::Campaign;
+use rig::effects::Catalogue;
 
 /// The labelled data, where it is there.
 fn labelled(number: u32) -> Option<PathBuf> {
@@ -21,7 +22,7 @@ fn diagnosis(directory: &Path) -> Diagnosis {
     let dataset = Dataset::read(directory).unwrap();
     let model = RobotFile::read(directory.join("model.toml")).unwrap();
     let campaign = Campaign::read(&dataset, model).unwrap();
-    diagnose(&campaign, &|_| ()).unwrap()
+    diagnose(&campaign, &Catalogue::standard(), &|_| ()).unwrap()
 }
 
 fn number(cause: &Cause, name: &str) -> f64 {

@@ -19,6 +19,7 @@ use model::reference_robot::reference_robot;
 use recordings::tracking::Tracking;
 use recordings::{Campaign, Trace};
 use rig::compensation::Compensations;
+use rig::effects::Catalogue;
 use rig::plan::{excitation, task};
 use rig::{Plan, Recipe, Rig};
 use signal::rms;
@@ -126,9 +127,10 @@ struct Found {
 
 fn found(case: &Case, board: &mut dyn Board, name: &str) -> Found {
     let campaign = case.campaign();
-    let diagnosis = diagnose(&campaign, &|_| ()).unwrap();
+    let diagnosis = diagnose(&campaign, &Catalogue::standard(), &|_| ()).unwrap();
     let file = amended(&diagnosis, name);
-    let (compensations, left_out) = Compensations::of(&file.effects).unwrap();
+    let (compensations, left_out) =
+        Compensations::of(&file.effects, &Catalogue::standard()).unwrap();
     assert_eq!(left_out, []);
     let refitted = refitted(&campaign);
     let knowing = Rig::of_file(&file).unwrap().with_compensations(compensations);

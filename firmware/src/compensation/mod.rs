@@ -12,6 +12,7 @@
 
 mod apply;
 mod check;
+pub mod limits;
 
 pub(crate) use apply::Moving;
 

@@ -57,7 +57,7 @@ pub struct Case {
     /// What the true robot does beyond its model.
     pub causes: Vec<TrueCause>,
     /// How much the causes show.
-    pub visibility: Option<super::detectability::Visibility>,
+    pub visibility: Option<super::visibility::Visibility>,
     /// What is played.
     pub motions: Motions,
     /// All durations of the recipe times this.

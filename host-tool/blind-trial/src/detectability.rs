@@ -7,16 +7,17 @@
 use model::Robot;
 use model::base::COUNT;
 use nalgebra::{DMatrix, DVector};
-use serde::Serialize;
 
 use super::case::{Case, Recorded};
 use super::error::TrialError;
 use super::plans::{is_excitation, is_train};
+use super::visibility::Visibility;
 use files::{JointLog, RobotFile};
 use identification::base_parameters::rows::{RowSettings, Rows};
 use identification::motion::Instant;
 use recordings::campaign::Known;
 use recordings::{Campaign, Trace};
+use rig::effects::Kind;
 
 /// How a command residual is judged: as far up as the encoder lets accelerations be seen.
 const ROWS: RowSettings = RowSettings {
@@ -29,25 +30,6 @@ const ROWS: RowSettings = RowSettings {
 const MODEL_ERROR: f64 = 0.02;
 /// Parameters that the refit may change: base, level and viscous part of each friction.
 const REFITTED: usize = COUNT + 6;
-
-/// How much the causes of a case show, in noise floors unless it says otherwise.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Visibility {
-    /// What they add to the true model's residual, on the joint and log where most.
-    pub raw: f64,
-    /// What is left of that after a refit held by the model given.
-    pub left: f64,
-    /// How far that refit moved the parameters, in standard deviations of their errors.
-    pub moved: f64,
-}
-
-impl Visibility {
-    /// Whether a diagnosis has a chance: five floors of the true model, and of these two
-    /// and a half after the refit, or parameters where no error of 2 % brings them.
-    pub fn is_detectable(&self) -> bool {
-        self.raw >= 5.0 && (self.left >= 2.5 || self.moved >= 12.0)
-    }
-}
 
 /// The residuals of a recording by the true model, and how they change with parameters.
 pub struct Residuals {
@@ -150,7 +132,8 @@ fn rms(values: &DVector<f64>) -> f64 {
 /// own, and commands are seldom at their limit. Where a motor saturates, joints fall behind
 /// for a while and catch up again: 0.8 rad, and commands may be what they must.
 pub fn is_stable(case: &Case, recorded: &[Recorded]) -> bool {
-    let saturates = case.causes.iter().any(|cause| cause.effect == "saturation");
+    let mut parameters = case.causes.iter().flat_map(|cause| cause.known_parameters());
+    let saturates = parameters.any(|parameter| parameter.kind == Kind::Limit);
     let furthest_rad = if saturates { 0.8 } else { 0.3 };
     let most_at_limit = if saturates { 1.0 } else { 0.03 };
     let limit_v = 0.999 * case.rig().command_limit_v;

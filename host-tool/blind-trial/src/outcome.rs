@@ -8,9 +8,9 @@ use serde::Serialize;
 
 use super::case::{Case, Kind};
 use super::cause::TrueCause;
-use super::detectability::Visibility;
 use super::error::TrialError;
 use super::logs;
+use super::visibility::Visibility;
 use diagnosis::{Cause, Report, Verdict};
 use recordings::Campaign;
 

@@ -1,4 +1,4 @@
-//! What a trial leaves behind: `blind-trial.md` and `blind-trial.json`.
+//! The result of a trial.
 
 use std::io::Write;
 use std::path::Path;
@@ -8,9 +8,10 @@ use serde::Serialize;
 use super::error::TrialError;
 use super::outcome::Outcome;
 use super::score::Score;
-use super::table;
+use super::settings::DrawSettings;
 use files::Problem;
 use files::replace::replace_file;
+use rig::effects::Catalogue;
 
 /// The result of a trial.
 #[derive(Clone, Debug, Serialize)]
@@ -31,18 +32,15 @@ pub struct Results {
 
 impl Results {
     /// Scores the outcomes.
-    pub fn new(seed: u32, first: u32, sha256: &str, cases: Vec<Outcome>) -> Self {
-        Self { format: 1, seed, first, sha256: sha256.into(), score: Score::of(&cases), cases }
-    }
-
-    /// Writes the page and the numbers.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
-    pub fn write(&self, directory: &Path) -> Result<(), TrialError> {
-        let json = serde_json::to_string_pretty(self).unwrap_or_default() + "\n";
-        write(&directory.join("blind-trial.json"), &json)?;
-        write(&directory.join("blind-trial.md"), &table::page(self))
+    pub fn new(
+        catalogue: &Catalogue,
+        settings: &DrawSettings,
+        sha256: &str,
+        cases: Vec<Outcome>,
+    ) -> Self {
+        let (seed, first) = (settings.seed, settings.first);
+        let score = Score::of(&cases, catalogue);
+        Self { format: 1, seed, first, sha256: sha256.into(), score, cases }
     }
 }
 

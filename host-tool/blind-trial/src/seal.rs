@@ -9,10 +9,10 @@ use sha2::{Digest, Sha256};
 
 use super::case::{Case, Kind};
 use super::cause::TrueCause;
-use super::detectability::Visibility;
 use super::error::TrialError;
 use super::plans::Motions;
 use super::results::write;
+use super::visibility::Visibility;
 use files::Problem;
 
 /// What is sealed.

@@ -1,10 +1,23 @@
 //! The result as a page of Markdown, which the terminal shows as it is.
 
+use std::path::Path;
+
 use super::case::Kind;
+use super::error::TrialError;
 use super::outcome::{Answer, Outcome};
-use super::results::Results;
+use super::results::{Results, write};
 use super::score::{ConfusionRow, ParameterScore, Score, Share};
 use super::{TrueCause, cause};
+
+/// Writes `blind-trial.md`, the page, and `blind-trial.json`, the numbers.
+///
+/// # Errors
+/// A file that cannot be written.
+pub fn write_results(results: &Results, directory: &Path) -> Result<(), TrialError> {
+    let json = serde_json::to_string_pretty(results).unwrap_or_default() + "\n";
+    write(&directory.join("blind-trial.json"), &json)?;
+    write(&directory.join("blind-trial.md"), &page(results))
+}
 
 /// The whole page.
 pub fn page(results: &Results) -> String {

@@ -13,6 +13,7 @@ use blind_trial::{
     logs, seal, table,
 };
 use diagnosis::diagnose;
+use rig::effects::Catalogue;
 
 /// Arguments of `rrr blind-trial`.
 #[derive(Debug, Args)]
@@ -60,7 +61,8 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let settings = arguments.draw_settings()?;
     create_directory(&arguments.out)?;
-    let cases = drawn(&settings)?;
+    let catalogue = Catalogue::standard();
+    let cases = drawn(&settings, &catalogue)?;
     let seal = Seal::new(&cases);
     println!("SHA-256 of the truth: {}", seal.hash());
     seal.write_hash(&arguments.out)?;
@@ -70,8 +72,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let outcomes = arguments.diagnose_all(&cases)?;
     seal.open(&arguments.out)?;
     println!("SHA-256 of the truth, opened: {}\n", seal.hash());
-    let results = Results::new(settings.seed, settings.first, seal.hash(), outcomes);
-    results.write(&arguments.out)?;
+    let results = Results::new(&catalogue, &settings, seal.hash(), outcomes);
+    table::write_results(&results, &arguments.out)?;
     println!("{}", table::short(&results));
     println!("Cases: {}", arguments.out.join("blind-trial.md").display());
     Ok(())
@@ -130,7 +132,7 @@ impl Arguments {
         let settings =
             RunSettings { out: self.out.clone(), keep_logs: self.keep_logs, ceiling: self.ceiling };
         let outcome = diagnose_case(case, &settings, &|campaign| {
-            let diagnosis = diagnose(campaign, &|_| ());
+            let diagnosis = diagnose(campaign, &Catalogue::standard(), &|_| ());
             diagnosis.map(|found| found.report).map_err(|error| error.to_string())
         })?;
         Ok(outcome)
@@ -152,10 +154,11 @@ impl Arguments {
     }
 }
 
-fn drawn(settings: &DrawSettings) -> Result<Vec<Case>, Failure> {
+fn drawn(settings: &DrawSettings, catalogue: &Catalogue) -> Result<Vec<Case>, Failure> {
     let progress = Progress::new("drawing cases", u64::from(settings.cases));
     let done = AtomicU64::new(0);
-    let cases = draw(settings, &|| progress.at(done.fetch_add(1, Ordering::Relaxed) + 1))?;
+    let cases =
+        draw(settings, catalogue, &|| progress.at(done.fetch_add(1, Ordering::Relaxed) + 1))?;
     progress.finish();
     Ok(cases)
 }

@@ -10,7 +10,7 @@ use super::{Failure, create_directory};
 use crate::progress::Progress;
 use files::{Dataset, ExcitationFile, Experiment, RobotFile, Role};
 use rig::compensation::Compensations;
-use rig::effects::{Effect, EffectError};
+use rig::effects::{Catalogue, Effect, EffectError};
 use rig::{Plan, Recipe, Rig};
 use simulation::board::{Board, InProcess, Qemu, QemuSettings};
 use simulation::{Settings, SimulatedRobot, record_robot, start_of};
@@ -146,8 +146,8 @@ impl Arguments {
         if !self.compensate {
             return Ok(rig);
         }
-        let (compensations, left_out) =
-            Compensations::of(&file.effects).map_err(|error| self.bad_table(&error))?;
+        let (compensations, left_out) = Compensations::of(&file.effects, &Catalogue::standard())
+            .map_err(|error| self.bad_table(&error))?;
         left_out.iter().try_for_each(say)?;
         Ok(rig.with_compensations(compensations))
     }
@@ -192,12 +192,12 @@ impl Arguments {
     /// The effects of the model file and those of the command line.
     fn effects(&self) -> Result<Vec<Box<dyn Effect>>, Failure> {
         let listed = RobotFile::read(&self.model)?.effects;
-        let from_file = listed
-            .iter()
-            .map(|table| rig::effects::effect_of(table).map_err(|error| self.bad_table(&error)));
+        let from_file = listed.iter().map(|table| {
+            Catalogue::standard().effect_of(table).map_err(|error| self.bad_table(&error))
+        });
         let from_line = self.effect.iter().map(|text| {
             let effect = rig::effects::table_from_text(text)
-                .and_then(|table| rig::effects::effect_of(&table));
+                .and_then(|table| Catalogue::standard().effect_of(&table));
             effect.map_err(|error| Failure::new(format!("--effect {text}: {error}"), EFFECT_HINT))
         });
         from_file.chain(from_line).collect()

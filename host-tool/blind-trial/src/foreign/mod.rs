@@ -2,6 +2,7 @@
 //! honest diagnosis calls unknown. One file each.
 
 mod cross_talk;
+mod definition;
 mod detent;
 mod fading_torque;
 mod hardening_spring;
@@ -11,8 +12,7 @@ mod slew_rate;
 mod uneven_gain;
 mod wandering_torque;
 
-use super::Rng;
-use rig::effects::Effect;
+pub use definition::Definition;
 
 /// All of them.
 pub const ALL: [&Definition; 9] = [
@@ -27,23 +27,6 @@ pub const ALL: [&Definition; 9] = [
     &wandering_torque::DEFINITION,
 ];
 
-/// A foreign effect of one joint, as a kind.
-#[derive(Debug)]
-pub struct Definition {
-    /// Its name.
-    pub name: &'static str,
-    /// What it is, in words.
-    pub words: &'static str,
-    /// Effects of the catalogue for which it may be taken.
-    pub resembles: &'static [&'static str],
-    /// Its parameters, with units.
-    pub parameters: &'static [&'static str],
-    /// Values for them, for a joint (0 to 2).
-    pub draw: fn(joint: usize, rng: &mut Rng) -> Vec<f64>,
-    /// The effect with these values on a joint (0 to 2).
-    pub build: fn(joint: usize, values: &[f64]) -> Box<dyn Effect>,
-}
-
 /// The foreign effect of that name.
 pub fn by_name(name: &str) -> Option<&'static Definition> {
     ALL.into_iter().find(|definition| definition.name == name)
@@ -52,14 +35,16 @@ pub fn by_name(name: &str) -> Option<&'static Definition> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rig::effects;
+    use crate::Rng;
+    use rig::effects::Catalogue;
 
     #[test]
     fn they_are_foreign_to_the_catalogue_and_resemble_what_it_has() {
+        let catalogue = Catalogue::standard();
         for definition in ALL {
-            assert!(effects::Definition::by_name(definition.name).is_none());
+            assert!(catalogue.by_name(definition.name).is_none());
             for name in definition.resembles {
-                assert!(effects::Definition::by_name(name).is_some(), "{name}");
+                assert!(catalogue.by_name(name).is_some(), "{name}");
             }
             let values = (definition.draw)(2, &mut Rng::new(1, 1));
             assert_eq!(values.len(), definition.parameters.len(), "{}", definition.name);
