@@ -12,6 +12,7 @@ use files::{RobotFile, Role};
 use model::reference_robot::reference_robot;
 use recordings::{Campaign, Trace};
 use rig::Rig;
+use rig::effects::Catalogue;
 use rig::plan::{Plan, driven_noise, excitation, slow, task};
 use simulation::board::InProcess;
 use simulation::{Settings, SimulatedRobot, record_robot, start_of};
@@ -39,7 +40,7 @@ fn campaign(length_s: f32) -> Campaign {
     let counts = f64::from(rig.encoder_counts_per_turn);
     let trace = |plan: &Plan| {
         let block = plan.block(&rig);
-        let effects = vec![rig::effects::effect_of(&cogging).expect("its values fit")];
+        let effects = vec![Catalogue::standard().effect_of(&cogging).expect("its values fit")];
         let (start, settings) = (start_of(&block), Settings::default());
         let robot = SimulatedRobot::with_effects(rig.model, effects, start, &settings);
         let (mut board, ticks) = (InProcess::default(), plan.ticks(&rig));
@@ -52,7 +53,7 @@ fn campaign(length_s: f32) -> Campaign {
 }
 
 fn run(campaign: &Campaign) {
-    diagnose(campaign, &|_| ()).expect("the logs can be used");
+    diagnose(campaign, &Catalogue::standard(), &|_| ()).expect("the logs can be used");
 }
 
 /// Processor time of this process [s]; `None` where the system does not tell.

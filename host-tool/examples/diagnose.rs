@@ -9,12 +9,13 @@ use std::path::Path;
 use diagnosis::{diagnose, sentence};
 use files::{Dataset, RobotFile};
 use recordings::Campaign;
+use rig::effects::Catalogue;
 
 /// Diagnoses a folder.
 pub fn diagnosed(folder: &Path) -> Result<String, Box<dyn Error>> {
     let model = RobotFile::read(folder.join("model.toml"))?;
     let campaign = Campaign::read(&Dataset::read(folder)?, model)?;
-    let diagnosis = diagnose(&campaign, &|step| eprintln!("{step}"))?;
+    let diagnosis = diagnose(&campaign, &Catalogue::standard(), &|step| eprintln!("{step}"))?;
     Ok(sentence(&diagnosis))
 }
 

@@ -10,6 +10,7 @@ use blind_trial::{
 };
 use diagnosis::{Cause, Gap, Report, Verdict};
 use files::RobotFile;
+use rig::effects::Catalogue;
 
 fn rrr(out: &Path, arguments: &[&str]) -> assert_cmd::assert::Assert {
     let mut command = Command::cargo_bin("rrr").unwrap();
@@ -30,7 +31,7 @@ fn settings(cases: u32, kind: Option<Kind>, only: &[&str]) -> DrawSettings {
 }
 
 fn drawn(settings: &DrawSettings) -> Vec<Case> {
-    draw(settings, &|| {}).unwrap()
+    draw(settings, &Catalogue::standard(), &|| {}).unwrap()
 }
 
 #[test]
@@ -51,9 +52,9 @@ fn kinds_and_effects_are_drawn_as_asked_for() {
     let pairs = drawn(&settings(1, Some(Kind::Pair), &[]));
     assert!(pairs[0].causes.len() == 2 && pairs[0].causes[0].effect != pairs[0].causes[1].effect);
     let foreign = drawn(&settings(1, Some(Kind::Foreign), &["mains_hum"]));
-    assert!(foreign[0].causes[0].foreign && foreign[0].causes[0].effect == "mains_hum");
+    assert!(foreign[0].causes[0].is_foreign() && foreign[0].causes[0].effect == "mains_hum");
     assert!(drawn(&settings(1, Some(Kind::None), &[]))[0].causes.is_empty());
-    assert!(draw(&settings(1, None, &["coging"]), &|| {}).is_err());
+    assert!(draw(&settings(1, None, &["coging"]), &Catalogue::standard(), &|| {}).is_err());
 }
 
 #[test]
@@ -131,7 +132,8 @@ fn answers_are_scored_and_written() {
     assert_eq!(outcome.ceiling_v, Some(vec![0.01; 3]));
     assert_eq!(std::fs::read_dir(&out).unwrap().count(), 0, "logs are taken away");
     let panics = diagnose_case(case, &run, &|_| panic!("as a diagnosis must not")).unwrap();
-    let results = Results::new(5, 1, "0", vec![outcome, panics]);
+    let results =
+        Results::new(&Catalogue::standard(), &settings(2, None, &[]), "0", vec![outcome, panics]);
     assert_eq!((results.score.singles.right.of, results.score.failed.count), (2, 1));
     output::write(&results, &out).unwrap();
     let page = std::fs::read_to_string(out.join("blind-trial.md")).unwrap();

@@ -7,6 +7,7 @@ use model::reference_robot::reference_robot;
 use recordings::tracking::Tracking;
 use rig::Rig;
 use rig::compensation::Compensations;
+use rig::effects::Catalogue;
 use rig::plan::{Plan, excitation, slow, task};
 use simulation::board::InProcess;
 use simulation::{Settings, SimulatedRobot, record_robot, start_of};
@@ -15,7 +16,8 @@ use simulation::{Settings, SimulatedRobot, record_robot, start_of};
 fn errors_mrad(rig: &Rig, plan: &Plan, effects: &[EffectTable]) -> [f64; 3] {
     let block = plan.block(rig);
     let settings = Settings::default();
-    let effects = effects.iter().map(|table| rig::effects::effect_of(table).unwrap()).collect();
+    let effects =
+        effects.iter().map(|table| Catalogue::standard().effect_of(table).unwrap()).collect();
     let robot = SimulatedRobot::with_effects(rig.model, effects, start_of(&block), &settings);
     let mut board = InProcess::default();
     let recording = record_robot(&mut board, &block, robot, plan.ticks(rig), &mut |_| {}).unwrap();
@@ -28,7 +30,7 @@ fn rig() -> Rig {
 }
 
 fn rig_for(effects: &[EffectTable]) -> Rig {
-    let (compensations, left_out) = Compensations::of(effects).unwrap();
+    let (compensations, left_out) = Compensations::of(effects, &Catalogue::standard()).unwrap();
     assert_eq!(left_out, []);
     rig().with_compensations(compensations)
 }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use diagnosis::{Cause, Diagnosis, Value, Verdict, diagnose};
 use files::{Dataset, RobotFile};
 use recordings::Campaign;
+use rig::effects::Catalogue;
 
 fn labelled(number: u32) -> Option<PathBuf> {
     test_support::data(&format!("labelled/labelled-{number}"))
@@ -14,7 +15,7 @@ fn diagnosis(directory: &Path) -> Diagnosis {
     let dataset = Dataset::read(directory).unwrap();
     let model = RobotFile::read(directory.join("model.toml")).unwrap();
     let campaign = Campaign::read(&dataset, model).unwrap();
-    diagnose(&campaign, &|_| ()).unwrap()
+    diagnose(&campaign, &Catalogue::standard(), &|_| ()).unwrap()
 }
 
 fn number(cause: &Cause, name: &str) -> f64 {

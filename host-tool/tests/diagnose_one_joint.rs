@@ -10,7 +10,7 @@ use rand_distr::{Distribution, Uniform};
 use rand_pcg::Pcg64Mcg;
 use recordings::campaign::JointTrace;
 use recordings::{Campaign, Trace};
-use rig::effects::Definition;
+use rig::effects::Catalogue;
 use simulation::{Settings, SimulatedRobot};
 
 const COUNTS_PER_TURN: f64 = 655_360.0;
@@ -84,7 +84,7 @@ impl Rig {
     fn recorded(self, effects: &[(&str, &[f64])], log: Motion) -> Trace {
         let period_s = 1.0 / self.rate_hz;
         let effects = effects.iter().map(|(name, values)| {
-            let definition = Definition::by_name(name).unwrap();
+            let definition = Catalogue::standard().by_name(name).unwrap();
             definition.with(if definition.whole_robot { 0 } else { 3 }, values).unwrap()
         });
         let settings = Settings {
@@ -155,7 +155,7 @@ impl Rig {
         let traces = logs.iter().map(|log| self.recorded(effects, *log)).collect();
         let counts = self.in_counts.then_some(COUNTS_PER_TURN);
         let campaign = Campaign::new(self.model(), counts, traces).unwrap();
-        let diagnosis = diagnosis::diagnose(&campaign, &|_| ()).unwrap();
+        let diagnosis = diagnosis::diagnose(&campaign, &Catalogue::standard(), &|_| ()).unwrap();
         eprintln!("{self:?} {effects:?}");
         eprintln!("{}", host_tool::commands::diagnose::in_words(&diagnosis));
         diagnosis.report

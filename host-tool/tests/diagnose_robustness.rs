@@ -9,7 +9,7 @@ use files::{RobotFile, Role};
 use model::Robot;
 use model::reference_robot::reference_robot;
 use recordings::{Campaign, Trace};
-use rig::effects::Definition;
+use rig::effects::Catalogue;
 use rig::plan::{driven_noise, excitation, slow};
 use rig::{Plan, Rig};
 use simulation::board::InProcess;
@@ -28,7 +28,7 @@ fn recorded() -> Vec<Trace> {
 fn trace(rig: &Rig, plan: &Plan, seed: u64) -> Trace {
     let block = plan.block(rig);
     let settings = Settings { seed, ..Settings::default() };
-    let definition = Definition::by_name("cogging").unwrap();
+    let definition = Catalogue::standard().by_name("cogging").unwrap();
     let effects = vec![definition.with(3, &[0.11, 8.0, 0.9]).unwrap()];
     let robot =
         SimulatedRobot::with_effects(reference_robot(), effects, start_of(&block), &settings);
@@ -53,7 +53,7 @@ fn file(robot: &Robot<f64>) -> RobotFile {
 
 fn diagnose_with(robot_file: RobotFile, traces: Vec<Trace>) -> Result<Diagnosis, DiagnosisError> {
     let campaign = Campaign::new(robot_file, Some(COUNTS_PER_TURN), traces).unwrap();
-    let found = diagnosis::diagnose(&campaign, &|_| ());
+    let found = diagnosis::diagnose(&campaign, &Catalogue::standard(), &|_| ());
     if let Ok(diagnosis) = &found {
         eprintln!("{}", host_tool::commands::diagnose::in_words(diagnosis));
     }

@@ -39,7 +39,7 @@ fn record(plan: &Plan, directory: &Path) {
     let rig = Rig::new(reference_robot());
     let (settings, block) = (Settings::default(), plan.block(&rig));
     let table = rig::effects::table_from_text("dac_offset:1:offset_V=0.2").unwrap();
-    let effects = vec![rig::effects::effect_of(&table).unwrap()];
+    let effects = vec![rig::effects::Catalogue::standard().effect_of(&table).unwrap()];
     let robot = SimulatedRobot::with_effects(rig.model, effects, start_of(&block), &settings);
     let mut board = InProcess::default();
     let ticks = plan.ticks(&rig);

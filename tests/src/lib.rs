@@ -10,7 +10,7 @@ use firmware::reference::{Injection, Noise};
 use firmware::{Mode, ParameterBlock};
 use model::reference_robot::reference_robot;
 use rig::compensation::Compensations;
-use rig::effects::Effect;
+use rig::effects::{Catalogue, Effect};
 use rig::{Plan, Rig, plan};
 use simulation::board::{Qemu, QemuSettings};
 
@@ -80,7 +80,10 @@ pub fn every_kind_of_effect() -> Vec<EffectTable> {
 /// # Panics
 /// The list above is wrong.
 pub fn simulated(effects: &[EffectTable]) -> Vec<Box<dyn Effect>> {
-    effects.iter().map(|table| rig::effects::effect_of(table).expect("its values fit")).collect()
+    effects
+        .iter()
+        .map(|table| Catalogue::standard().effect_of(table).expect("its values fit"))
+        .collect()
 }
 
 /// The rig with the reference robot, compensating for effects.
@@ -88,7 +91,8 @@ pub fn simulated(effects: &[EffectTable]) -> Vec<Box<dyn Effect>> {
 /// # Panics
 /// One of them cannot be compensated.
 pub fn rig_that_compensates(effects: &[EffectTable]) -> Rig {
-    let (compensations, left_out) = Compensations::of(effects).expect("their values fit");
+    let (compensations, left_out) =
+        Compensations::of(effects, &Catalogue::standard()).expect("their values fit");
     assert!(left_out.is_empty(), "{left_out:?}");
     rig().with_compensations(compensations)
 }

@@ -19,6 +19,7 @@ use model::reference_robot::reference_robot;
 use recordings::tracking::Tracking;
 use recordings::{Campaign, Trace};
 use rig::compensation::Compensations;
+use rig::effects::Catalogue;
 use rig::plan::{excitation, task};
 use rig::{Plan, Recipe, Rig};
 use signal::rms;
@@ -103,7 +104,7 @@ fn recorded(
 
 /// The model retuned to the same logs within its doubt, without any effect.
 fn refitted(campaign: &Campaign) -> Robot<f64> {
-    let subject = Subject::of(campaign).unwrap();
+    let subject = Subject::of(campaign, &rig::effects::Catalogue::standard()).unwrap();
     let logs = campaign.traces.iter().enumerate();
     let stretches = logs.flat_map(|(log, trace)| Stretch::of(trace, log, &subject)).collect();
     let (evidence, free) = prepared(&subject, stretches).unwrap();
@@ -126,9 +127,10 @@ struct Found {
 
 fn found(case: &Case, board: &mut dyn Board, name: &str) -> Found {
     let campaign = case.campaign();
-    let diagnosis = diagnose(&campaign, &|_| ()).unwrap();
+    let diagnosis = diagnose(&campaign, &Catalogue::standard(), &|_| ()).unwrap();
     let file = amended(&diagnosis, name);
-    let (compensations, left_out) = Compensations::of(&file.effects).unwrap();
+    let (compensations, left_out) =
+        Compensations::of(&file.effects, &Catalogue::standard()).unwrap();
     assert_eq!(left_out, []);
     let refitted = refitted(&campaign);
     let knowing = Rig::of_file(&file).unwrap().with_compensations(compensations);

@@ -3,24 +3,24 @@
 use model::ParameterError;
 use model::parameter::named;
 
+use super::limits::{self, Bounds};
 use super::parameters::{AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse};
 
 type Checked = Result<(), ParameterError>;
 
-/// Requires a value from `lowest` to `highest`; `must` says so in words.
-fn within(
-    (name, joint): (&'static str, u8),
-    value: f32,
-    (lowest, highest): (f32, f32),
-    must: &'static str,
-) -> Checked {
-    named(name, value).of_joint(joint).require(value >= lowest && value <= highest, must)?;
+/// Gravity's change has no parameter of its own: the host computes it from the angles.
+const GRAVITY_CHANGE: Bounds = Bounds::new(-2.0, 2.0, "be from -2 to 2");
+
+/// Requires a value within its bounds.
+fn within((name, joint): (&'static str, u8), value: f32, bounds: Bounds) -> Checked {
+    let [lowest, highest] = bounds.single;
+    named(name, value).of_joint(joint).require(value >= lowest && value <= highest, bounds.must)?;
     Ok(())
 }
 
 impl AngularHarmonic {
     fn check(&self, name: &'static str, joint: u8) -> Checked {
-        within((name, joint), f32::from(self.order), (1.0, 1000.0), "be from 1 to 1000")
+        within((name, joint), f32::from(self.order), limits::HARMONIC)
     }
 }
 
@@ -37,26 +37,26 @@ impl Feedforward {
         match *self {
             Self::Cogging { amplitude_v, wave } => {
                 wave.check("cogging harmonic", joint)?;
-                within(("cogging amplitude_V", joint), amplitude_v, (0.0, 5.0), "be from 0 to 5 V")
+                within(("cogging amplitude_V", joint), amplitude_v, limits::COGGING_V)
             }
             Self::CableSpring { stiffness_v_per_rad, rest_rad } => {
                 let name = ("cable_spring stiffness_V_per_rad", joint);
-                within(name, stiffness_v_per_rad, (0.0, 10.0), "be from 0 to 10 V/rad")?;
+                within(name, stiffness_v_per_rad, limits::CABLE_STIFFNESS_V_PER_RAD)?;
                 let name = ("cable_spring rest_rad", joint);
-                within(name, rest_rad, (-100.0, 100.0), "be within 100 rad")
+                within(name, rest_rad, limits::CABLE_REST_RAD)
             }
             Self::QuadraticDrag { coefficient_v_s2_per_rad2 } => {
                 let name = ("quadratic_drag coefficient_V_s2_per_rad2", joint);
-                within(name, coefficient_v_s2_per_rad2, (0.0, 1.0), "be from 0 to 1")
+                within(name, coefficient_v_s2_per_rad2, limits::QUADRATIC_DRAG_V_S2_PER_RAD2)
             }
             Self::PositionFriction { relative_amplitude, wave } => {
                 wave.check("position_friction harmonic", joint)?;
                 let name = ("position_friction relative_amplitude", joint);
-                within(name, relative_amplitude, (0.0, 0.95), "be from 0 to 0.95")
+                within(name, relative_amplitude, limits::POSITION_FRICTION)
             }
             Self::AsymmetricFriction { relative_asymmetry } => {
                 let name = ("asymmetric_friction relative_asymmetry", joint);
-                within(name, relative_asymmetry, (-0.95, 0.95), "be from -0.95 to 0.95")
+                within(name, relative_asymmetry, limits::FRICTION_ASYMMETRY)
             }
         }
     }
@@ -67,19 +67,19 @@ impl InputInverse {
         match *self {
             Self::TorqueConstant { relative_error } => {
                 let name = ("torque_constant relative_error", joint);
-                within(name, relative_error, (-0.5, 0.5), "be from -0.5 to 0.5")
+                within(name, relative_error, limits::TORQUE_CONSTANT_ERROR)
             }
             Self::TorqueRipple { relative_amplitude, wave } => {
                 wave.check("torque_ripple harmonic", joint)?;
                 let name = ("torque_ripple relative_amplitude", joint);
-                within(name, relative_amplitude, (0.0, 0.9), "be from 0 to 0.9")
+                within(name, relative_amplitude, limits::TORQUE_RIPPLE)
             }
             Self::DacOffset { offset_v } => {
-                within(("dac_offset offset_V", joint), offset_v, (-5.0, 5.0), "be from -5 to 5 V")
+                within(("dac_offset offset_V", joint), offset_v, limits::DAC_OFFSET_V)
             }
             Self::DeadZone { half_width_v } => {
                 let name = ("dead_zone half_width_V", joint);
-                within(name, half_width_v, (0.0, 5.0), "be from 0 to 5 V")
+                within(name, half_width_v, limits::DEAD_ZONE_V)
             }
         }
     }
@@ -89,14 +89,14 @@ impl ExternalLoad {
     /// Checks the vectors, component by component.
     pub(crate) fn check(&self) -> Checked {
         for change in &self.tilt.gravity_change {
-            within(("base_tilt gravity_change", 0), *change, (-2.0, 2.0), "be from -2 to 2")?;
+            within(("base_tilt gravity_change", 0), *change, GRAVITY_CHANGE)?;
         }
         for moment in &self.tilt.hidden_moment_kg_m {
             let name = ("base_tilt hidden_moment_kg_m", 0);
-            within(name, *moment, (-10.0, 10.0), "be from -10 to 10 kg m")?;
+            within(name, *moment, limits::HIDDEN_MOMENT_KG_M)?;
         }
         for force_n in &self.tip_force_n {
-            within(("tip_force force_N", 0), *force_n, (-1e3, 1e3), "be within 1000 N")?;
+            within(("tip_force force_N", 0), *force_n, limits::TIP_FORCE_N)?;
         }
         Ok(())
     }

@@ -12,6 +12,7 @@
 
 mod apply;
 mod check;
+pub mod limits;
 mod parameters;
 
 pub(crate) use apply::JointMotion;

@@ -6,7 +6,40 @@ use serde::Serialize;
 
 use super::foreign;
 use diagnosis::{Cause, Value};
-use rig::effects::{Definition, Effect, EffectError};
+use rig::effects::{Definition, Effect, EffectError, Parameter};
+
+/// An effect as a kind, of the catalogue or foreign to it.
+#[derive(Clone, Copy, Debug)]
+pub enum TrueEffect {
+    /// One of the catalogue.
+    Catalogue(&'static Definition),
+    /// One that the catalogue does not have.
+    Foreign(&'static foreign::Definition),
+}
+
+impl TrueEffect {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Catalogue(definition) => definition.name,
+            Self::Foreign(definition) => definition.name,
+        }
+    }
+
+    /// The names of its parameters; components of a vector bear the same.
+    fn parameter_names(self) -> Vec<&'static str> {
+        match self {
+            Self::Catalogue(definition) => definition.parameters.iter().map(|p| p.name).collect(),
+            Self::Foreign(definition) => definition.parameters.to_vec(),
+        }
+    }
+}
+
+impl PartialEq for TrueEffect {
+    fn eq(&self, other: &Self) -> bool {
+        self.name() == other.name()
+    }
+}
 
 /// A true cause, of the catalogue or foreign to it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -20,46 +53,47 @@ pub struct TrueCause {
     /// Values in the order of the definition's parameters.
     #[serde(skip)]
     values: Vec<f64>,
-    /// Whether the catalogue does not have it.
+    /// What it is.
     #[serde(skip)]
-    pub foreign: bool,
+    pub kind: TrueEffect,
 }
 
 impl TrueCause {
-    /// An effect of the catalogue with values in the order of its parameters.
-    pub fn of_catalogue(definition: &Definition, joint: u8, values: Vec<f64>) -> Self {
-        let names = definition.parameters.iter().map(|parameter| parameter.name);
+    /// An effect with values in the order of its parameters.
+    pub fn new(kind: TrueEffect, joint: u8, values: Vec<f64>) -> Self {
         Self {
-            effect: definition.name.to_owned(),
+            effect: kind.name().to_owned(),
             joint,
-            parameters: by_name(names, &values),
+            parameters: by_name(&kind.parameter_names(), &values),
             values,
-            foreign: false,
+            kind,
         }
     }
 
-    /// An effect that the catalogue does not have.
-    pub fn of_foreign(definition: &foreign::Definition, joint: u8, values: Vec<f64>) -> Self {
-        Self {
-            effect: definition.name.to_owned(),
-            joint,
-            parameters: by_name(definition.parameters.iter().copied(), &values),
-            values,
-            foreign: true,
+    /// Whether the catalogue does not have it.
+    pub fn is_foreign(&self) -> bool {
+        matches!(self.kind, TrueEffect::Foreign(_))
+    }
+
+    /// Its parameters as the catalogue knows them; none where it is foreign.
+    pub fn known_parameters(&self) -> &'static [Parameter] {
+        match self.kind {
+            TrueEffect::Catalogue(definition) => definition.parameters,
+            TrueEffect::Foreign(_) => &[],
         }
     }
 
     /// What it does to the simulated robot.
     ///
     /// # Errors
-    /// A name or values that no effect has.
+    /// Values that the effect does not take.
     pub fn build(&self) -> Result<Box<dyn Effect>, EffectError> {
-        let unknown = || EffectError::Unknown(self.effect.clone());
-        if self.foreign {
-            let definition = foreign::by_name(&self.effect).ok_or_else(unknown)?;
-            return Ok((definition.build)(usize::from(self.joint.max(1)) - 1, &self.values));
+        match self.kind {
+            TrueEffect::Catalogue(definition) => definition.with(self.joint, &self.values),
+            TrueEffect::Foreign(definition) => {
+                Ok((definition.build)(usize::from(self.joint.max(1)) - 1, &self.values))
+            }
         }
-        Definition::by_name(&self.effect).ok_or_else(unknown)?.with(self.joint, &self.values)
     }
 
     /// Whether a cause that was named is this one: effect and joint.
@@ -79,10 +113,10 @@ pub fn words(effect: &str, joint: u8) -> String {
 }
 
 /// Values that share a name are a vector.
-fn by_name<'a>(names: impl Iterator<Item = &'a str>, values: &[f64]) -> BTreeMap<String, Value> {
+fn by_name(names: &[&str], values: &[f64]) -> BTreeMap<String, Value> {
     let mut vectors: BTreeMap<String, Vec<f64>> = BTreeMap::new();
-    for (name, &value) in names.zip(values) {
-        vectors.entry(name.to_owned()).or_default().push(value);
+    for (name, &value) in names.iter().zip(values) {
+        vectors.entry((*name).to_owned()).or_default().push(value);
     }
     let value = |values: Vec<f64>| match values[..] {
         [single] => Value::Number(single),
@@ -94,11 +128,12 @@ fn by_name<'a>(names: impl Iterator<Item = &'a str>, values: &[f64]) -> BTreeMap
 #[cfg(test)]
 mod tests {
     use super::*;
+    use rig::effects::Catalogue;
 
     #[test]
     fn components_of_a_vector_stand_together() {
-        let definition = Definition::by_name("tip_force").unwrap();
-        let cause = TrueCause::of_catalogue(definition, 0, vec![1.0, 2.0, 3.0]);
+        let force = TrueEffect::Catalogue(Catalogue::standard().by_name("tip_force").unwrap());
+        let cause = TrueCause::new(force, 0, vec![1.0, 2.0, 3.0]);
         assert_eq!(cause.parameters["force_N"], Value::Vector(vec![1.0, 2.0, 3.0]));
         cause.build().unwrap();
     }

@@ -17,6 +17,7 @@ use identification::base_parameters::rows::{RowSettings, Rows};
 use recordings::campaign::Known;
 use recordings::motion::Instant;
 use recordings::{Campaign, Trace};
+use rig::effects::Kind;
 
 /// How a command residual is judged: as far up as the encoder lets accelerations be seen.
 const ROWS: RowSettings = RowSettings {
@@ -131,7 +132,8 @@ fn rms(values: &DVector<f64>) -> f64 {
 /// own, and commands are seldom at their limit. Where a motor saturates, joints fall behind
 /// for a while and catch up again: 0.8 rad, and commands may be what they must.
 pub fn is_stable(case: &Case, recorded: &[Recorded]) -> bool {
-    let saturates = case.causes.iter().any(|cause| cause.effect == "saturation");
+    let mut parameters = case.causes.iter().flat_map(|cause| cause.known_parameters());
+    let saturates = parameters.any(|parameter| parameter.kind == Kind::Limit);
     let furthest_rad = if saturates { 0.8 } else { 0.3 };
     let most_at_limit = if saturates { 1.0 } else { 0.03 };
     let limit_v = 0.999 * case.rig().command_limit_v;

@@ -4,33 +4,15 @@ use rayon::prelude::*;
 
 use super::Rng;
 use super::case::{Case, Kind};
-use super::cause::TrueCause;
+use super::cause::{TrueCause, TrueEffect};
 use super::detectability::{Residuals, is_stable, peak_command_v};
 use super::error::TrialError;
 use super::plans::Motions;
-use super::population::{DrawnEffect, Population};
+use super::population::Population;
 use super::robots::{RobotGenerator, nominal_model};
-use super::sizes::Site;
+use super::settings::DrawSettings;
 use super::visibility::Visibility;
-
-/// What is drawn.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DrawSettings {
-    /// Same seed, same cases.
-    pub seed: u32,
-    /// Number of the first case.
-    pub first: u32,
-    /// How many cases.
-    pub cases: u32,
-    /// Only cases of this kind.
-    pub kind: Option<Kind>,
-    /// Only these effects, by name; all where it is empty.
-    pub only: Vec<String>,
-    /// All durations of the recipe times this.
-    pub duration_scale: f64,
-    /// Amplifier noise [V rms]; drawn where it is not given.
-    pub noise_v: Option<f64>,
-}
+use rig::effects::{Catalogue, DrawContext, Random};
 
 /// Amplifier noise that is drawn [V rms].
 const NOISE_V: (f64, f64) = (0.003, 0.006);
@@ -43,12 +25,13 @@ const SIZE_TRIES: u32 = 16;
 /// Draws all cases, on as many threads as there are cores; `progress` is called after each.
 ///
 /// # Errors
-/// An unknown name among `only`, or a case for which nothing fit was drawn.
+/// An unknown name among those asked for, or a case for which nothing fit was drawn.
 pub fn draw(
     settings: &DrawSettings,
+    catalogue: &Catalogue,
     progress: &(dyn Fn() + Sync),
 ) -> Result<Vec<Case>, TrialError> {
-    let population = Population::of(settings.kind, &settings.only)?;
+    let population = Population::of(settings, catalogue)?;
     let robots = RobotGenerator::new();
     let numbers: Vec<u32> = (settings.first..settings.first + settings.cases).collect();
     let draw_one = |number: u32| {
@@ -119,7 +102,7 @@ impl<'a> Draw<'a> {
         for _ in 0..CAUSE_TRIES {
             let (effect, joint) = self.population.draw_effect(self.bare.kind, other, &mut self.rng);
             for _ in 0..SIZE_TRIES {
-                let cause = self.sized(&effect, joint);
+                let cause = self.sized(effect, joint);
                 if self.visibility(&cause)?.is_some_and(|visibility| visibility.is_detectable()) {
                     return Ok(cause);
                 }
@@ -128,18 +111,18 @@ impl<'a> Draw<'a> {
         Err(nothing(self.bare.number, CAUSE_TRIES * SIZE_TRIES, "effects"))
     }
 
-    fn sized(&mut self, effect: &DrawnEffect, joint: u8) -> TrueCause {
-        let site = Site { robot: &self.bare.robot, peak_command_v: self.peak_command_v };
-        match effect {
-            DrawnEffect::Catalogue(definition) => {
-                let values = site.values(definition, joint, &mut self.rng);
-                TrueCause::of_catalogue(definition, joint, values)
-            }
-            DrawnEffect::Foreign(definition) => {
-                let values = (definition.draw)(usize::from(joint) - 1, &mut self.rng);
-                TrueCause::of_foreign(definition, joint, values)
-            }
-        }
+    fn sized(&mut self, kind: TrueEffect, joint: u8) -> TrueCause {
+        let index = usize::from(joint.max(1)) - 1;
+        let context = DrawContext {
+            robot: &self.bare.robot,
+            peak_command_v: self.peak_command_v,
+            joint: index,
+        };
+        let values = match kind {
+            TrueEffect::Catalogue(definition) => (definition.draw)(&context, &mut self.rng),
+            TrueEffect::Foreign(definition) => (definition.draw)(index, &mut self.rng),
+        };
+        TrueCause::new(kind, joint, values)
     }
 
     /// How much a cause shows; `None` where the arm does not stay stable with it.

@@ -2,7 +2,7 @@
 //!
 //! | module | what it holds |
 //! | --- | --- |
-//! | [`draw`] | draws [`Case`]s: [`robots`], [`plans`], causes with [`sizes`] that [`detectability`] |
+//! | [`draw`] | draws [`Case`]s: [`robots`], [`plans`], causes with sizes that show: [`detectability`] |
 //! | [`foreign`] | effects that the catalogue does not have |
 //! | [`logs`] | the directory of a case, all that the diagnosis sees |
 //! | [`sealed_truth`] | the truth: its hash is printed before, its text written after |
@@ -29,15 +29,16 @@ mod rng;
 pub mod robots;
 pub mod score;
 pub mod sealed_truth;
-pub mod sizes;
+mod settings;
 pub mod visibility;
 
 pub use case::{Case, Kind};
-pub use cause::TrueCause;
-pub use draw::{DrawSettings, draw};
+pub use cause::{TrueCause, TrueEffect};
+pub use draw::draw;
 pub use error::TrialError;
 pub use outcome::{Answer, Outcome, RunSettings, diagnose_case};
 pub use results::Results;
 pub use rng::Rng;
 pub use score::Score;
 pub use sealed_truth::SealedTruth;
+pub use settings::DrawSettings;

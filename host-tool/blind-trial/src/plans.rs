@@ -5,6 +5,7 @@ use firmware::reference::{FourierSeries, Motion};
 use super::Rng;
 use files::{Experiment, Role};
 use rig::Plan;
+use rig::effects::Random;
 use rig::plan::{driven_noise, excitation, peak_velocity, slow, task};
 
 /// Which motions a case plays.

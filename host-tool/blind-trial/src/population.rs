@@ -1,14 +1,18 @@
 //! The effects and kinds that cases are drawn from.
 
 use super::case::Kind;
-use super::cause::TrueCause;
+use super::cause::{TrueCause, TrueEffect};
 use super::error::TrialError;
+use super::settings::DrawSettings;
 use super::{Rng, foreign};
-use rig::effects::{CATALOGUE, Definition};
+use rig::effects::{Catalogue, Definition, Random};
 
 /// The effects to choose from.
 #[derive(Debug)]
 pub(super) struct Population {
+    /// All that may stand beside another.
+    whole: Vec<&'static Definition>,
+    /// Those wanted of them.
     catalogue: Vec<&'static Definition>,
     foreign: Vec<&'static foreign::Definition>,
     kinds: Vec<(Kind, f64)>,
@@ -19,20 +23,21 @@ impl Population {
     ///
     /// # Errors
     /// An unknown name.
-    pub(super) fn of(kind: Option<Kind>, only: &[String]) -> Result<Self, TrialError> {
-        let is_unknown = |name: &&String| {
-            Definition::by_name(name).is_none() && foreign::by_name(name).is_none()
-        };
-        if let Some(name) = only.iter().find(is_unknown) {
+    pub(super) fn of(settings: &DrawSettings, catalogue: &Catalogue) -> Result<Self, TrialError> {
+        let unknown =
+            |name: &&String| catalogue.by_name(name).is_none() && foreign::by_name(name).is_none();
+        if let Some(name) = settings.only.iter().find(unknown) {
             return Err(TrialError::UnknownEffect(name.clone()));
         }
-        let wanted = |name: &str| only.is_empty() || only.iter().any(|n| n == name);
+        let wanted =
+            |name: &str| settings.only.is_empty() || settings.only.iter().any(|n| n == name);
         let mut population = Self {
-            catalogue: CATALOGUE.into_iter().filter(|d| wanted(d.name)).collect(),
+            whole: catalogue.iter().collect(),
+            catalogue: catalogue.iter().filter(|d| wanted(d.name)).collect(),
             foreign: foreign::ALL.into_iter().filter(|d| wanted(d.name)).collect(),
             kinds: Vec::new(),
         };
-        population.kinds = population.kinds(kind, only);
+        population.kinds = population.kinds(settings.kind, &settings.only);
         population.fill_up();
         Ok(population)
     }
@@ -54,7 +59,7 @@ impl Population {
     /// A kind without any of the effects named takes all that it has.
     fn fill_up(&mut self) {
         if self.catalogue.is_empty() {
-            self.catalogue = CATALOGUE.to_vec();
+            self.catalogue = self.whole.clone();
         }
         if self.foreign.is_empty() {
             self.foreign = foreign::ALL.to_vec();
@@ -81,44 +86,28 @@ impl Population {
         kind: Kind,
         other: Option<&TrueCause>,
         rng: &mut Rng,
-    ) -> (DrawnEffect, u8) {
+    ) -> (TrueEffect, u8) {
         let joint = rng.joint();
         if kind == Kind::Foreign {
             let definition: &'static _ = *rng.pick(&self.foreign);
-            return (DrawnEffect::Foreign(definition), joint);
+            return (TrueEffect::Foreign(definition), joint);
         }
         let different = |d: &&&'static Definition| other.is_none_or(|o| may_join(d, joint, o));
         let mut choices: Vec<_> = self.catalogue.iter().filter(different).copied().collect();
         if choices.is_empty() {
-            choices = CATALOGUE.iter().filter(different).copied().collect();
+            choices = self.whole.iter().filter(different).copied().collect();
         }
         let definition = *rng.pick(&choices);
-        (DrawnEffect::Catalogue(definition), if definition.whole_robot { 0 } else { joint })
+        (TrueEffect::Catalogue(definition), if definition.whole_robot { 0 } else { joint })
     }
-}
-
-/// An effect that was drawn, without its values.
-pub(super) enum DrawnEffect {
-    /// Of the catalogue.
-    Catalogue(&'static Definition),
-    /// Foreign to it.
-    Foreign(&'static foreign::Definition),
 }
 
 /// Whether an effect is a pair with another: a different one, and not the same thing under
 /// another name on the same joint.
 fn may_join(definition: &Definition, joint: u8, other: &TrueCause) -> bool {
-    const SAME: [[&str; 2]; 4] = [
-        ["actuator_lag", "delay"],
-        ["joint_elasticity", "backlash"],
-        ["payload", "tip_force"],
-        ["position_friction", "load_friction"],
-    ];
+    let TrueEffect::Catalogue(known) = other.kind else { return true };
     let same_place = definition.whole_robot || joint == other.joint;
-    let alike = |[a, b]: [&str; 2]| {
-        (definition.name == a && other.effect == b) || (definition.name == b && other.effect == a)
-    };
-    definition.name != other.effect && !(same_place && SAME.into_iter().any(alike))
+    definition.name != known.name && !(same_place && definition.is_twin_of(known))
 }
 
 #[cfg(test)]
@@ -127,13 +116,15 @@ mod tests {
 
     #[test]
     fn twins_under_two_names_are_no_pair() {
-        let of = |name| Definition::by_name(name).unwrap();
-        let lag = TrueCause::of_catalogue(of("actuator_lag"), 2, vec![0.005]);
+        let of = |name| Catalogue::standard().by_name(name).unwrap();
+        let cause =
+            |name, joint, values| TrueCause::new(TrueEffect::Catalogue(of(name)), joint, values);
+        let lag = cause("actuator_lag", 2, vec![0.005]);
         assert!(!may_join(of("delay"), 2, &lag));
         assert!(may_join(of("delay"), 3, &lag));
         assert!(!may_join(of("actuator_lag"), 3, &lag), "the same effect twice");
         assert!(may_join(of("cogging"), 2, &lag));
-        let force = TrueCause::of_catalogue(of("tip_force"), 0, vec![1.0, 0.0, 0.0]);
+        let force = cause("tip_force", 0, vec![1.0, 0.0, 0.0]);
         assert!(!may_join(of("payload"), 1, &force));
     }
 }

@@ -4,6 +4,8 @@ use serde::Serialize;
 
 use super::outcome::Outcome;
 use super::score::Score;
+use super::settings::DrawSettings;
+use rig::effects::Catalogue;
 
 /// The result of a trial.
 #[derive(Clone, Debug, Serialize)]
@@ -24,7 +26,14 @@ pub struct Results {
 
 impl Results {
     /// Scores the outcomes.
-    pub fn new(seed: u32, first: u32, sha256: &str, cases: Vec<Outcome>) -> Self {
-        Self { format: 1, seed, first, sha256: sha256.into(), score: Score::of(&cases), cases }
+    pub fn new(
+        catalogue: &Catalogue,
+        settings: &DrawSettings,
+        sha256: &str,
+        cases: Vec<Outcome>,
+    ) -> Self {
+        let (seed, first) = (settings.seed, settings.first);
+        let score = Score::of(&cases, catalogue);
+        Self { format: 1, seed, first, sha256: sha256.into(), score, cases }
     }
 }

@@ -1,9 +1,9 @@
 //! What a blind trial draws its numbers with.
 
-use std::f64::consts::PI;
-
 use rand_distr::{Distribution, StandardNormal, Uniform};
 use rand_pcg::Pcg64Mcg;
+
+use rig::effects::Random;
 
 /// Random numbers of one case; same seed and case, same numbers.
 #[derive(Clone, Debug)]
@@ -12,7 +12,7 @@ pub struct Rng {
 }
 
 impl Rng {
-    /// The rng of a case of a trial.
+    /// Those of a case of a trial.
     pub fn new(seed: u32, case: u32) -> Self {
         const NAME: u128 = 0xB11D_7E57;
         let state = NAME << 64 | u128::from(seed) << 32 | u128::from(case);
@@ -22,38 +22,6 @@ impl Rng {
             rng.unit();
         }
         rng
-    }
-
-    /// 0 to 1.
-    pub fn unit(&mut self) -> f64 {
-        // 0 and 1 bound a range, so this is the number and never the fallback.
-        Uniform::new(0.0, 1.0).map_or(0.5, |range| range.sample(&mut self.random))
-    }
-
-    /// Evenly from a range.
-    pub fn uniform(&mut self, lowest: f64, highest: f64) -> f64 {
-        lowest + (highest - lowest) * self.unit()
-    }
-
-    /// From a range above 0, evenly in the logarithm.
-    pub fn log_uniform(&mut self, lowest: f64, highest: f64) -> f64 {
-        self.uniform(lowest.ln(), highest.ln()).exp()
-    }
-
-    /// The same, of either sign.
-    pub fn signed_log_uniform(&mut self, lowest: f64, highest: f64) -> f64 {
-        let size = self.log_uniform(lowest, highest);
-        if self.unit() < 0.5 { -size } else { size }
-    }
-
-    /// A whole number from 1 to `highest`.
-    pub fn harmonic(&mut self, highest: u32) -> f64 {
-        1.0 + (self.unit() * f64::from(highest)).floor()
-    }
-
-    /// An angle of the whole turn [rad].
-    pub fn phase_rad(&mut self) -> f64 {
-        self.uniform(-PI, PI)
     }
 
     /// A normal deviate, drawn again beyond `limit` standard deviations.
@@ -75,10 +43,12 @@ impl Rng {
     pub fn joint(&mut self) -> u8 {
         *self.pick(&[1, 2, 3])
     }
+}
 
-    /// A number below 2^32, for seeds.
-    pub fn seed(&mut self) -> u32 {
-        (self.unit() * f64::from(u32::MAX)) as u32
+impl Random for Rng {
+    fn unit(&mut self) -> f64 {
+        // 0 and 1 bound a range, so this is the number and never the fallback.
+        Uniform::new(0.0, 1.0).map_or(0.5, |range| range.sample(&mut self.random))
     }
 }
 

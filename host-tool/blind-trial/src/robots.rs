@@ -7,6 +7,7 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 use super::Rng;
 use identification::physical::{Physical, nearest};
+use rig::effects::Random;
 
 /// How far a true robot's physical quantities are from the reference robot's.
 const ROBOT_SPREAD: f64 = 0.15;

@@ -38,6 +38,7 @@ use logs::subject::Subject;
 use logs::usable::Usable;
 use recordings::{Campaign, StepError};
 use report::assembly::Assembly;
+use rig::effects::Catalogue;
 use search::selection;
 
 /// Why there is no diagnosis.
@@ -51,13 +52,17 @@ pub enum DiagnosisError {
     Logs(#[from] StepError),
 }
 
-/// Diagnoses the logs of a campaign against the model in its robot file; `progress` hears what
-/// is under way.
+/// Diagnoses the logs of a campaign against the model in its robot file, with the effects of a
+/// catalogue; `progress` hears what is under way.
 ///
 /// # Errors
 /// Logs that do not fit the model's robot, or that cannot be used.
-pub fn diagnose(campaign: &Campaign, progress: &dyn Fn(&str)) -> Result<Diagnosis, DiagnosisError> {
-    let mut subject = Subject::of(campaign)?;
+pub fn diagnose(
+    campaign: &Campaign,
+    catalogue: &Catalogue,
+    progress: &dyn Fn(&str),
+) -> Result<Diagnosis, DiagnosisError> {
+    let mut subject = Subject::of(campaign, catalogue)?;
     encoder_step::find(&mut subject.known, &campaign.traces);
     let usable = Usable::of(campaign, &subject)?;
     progress("refitting the model");

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use files::{RobotFile, Role};
+use rig::effects::Catalogue;
 
 /// A diagnosis: its report, what pictures are drawn from, and the amended model.
 #[derive(Clone, Debug)]
@@ -19,6 +20,8 @@ pub struct Diagnosis {
     pub rivals: Vec<Rival>,
     /// The model with the effects added, both refitted.
     pub model: RobotFile,
+    /// The effects that were tried, in which the names above are looked up.
+    pub catalogue: Catalogue,
 }
 
 /// `report.json`.

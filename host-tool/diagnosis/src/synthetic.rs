@@ -127,7 +127,8 @@ pub fn diagnosis(
         remarks: vec!["excitation-1.csv has 3 gaps; they are left out.".into()],
     };
     let model = RobotFile::from_robot(&reference_robot());
-    Diagnosis { report, logs, waterfall, rivals: rivals(), model }
+    let catalogue = Catalogue::standard();
+    Diagnosis { report, logs, waterfall, rivals: rivals(), model, catalogue }
 }
 
 /// Cogging on joint 3.

@@ -3,13 +3,11 @@
 //! The mathematics is in [`model::effects`], the tick's part in [`firmware::compensation`].
 //! A payload is a change of the base parameters, made here when a block is built.
 
-use firmware::Angle;
-use firmware::compensation::{AngularHarmonic, ExternalLoad, Feedforward, InputInverse};
-use model::effects::{Tilt, with_payload};
-use model::vector::Vector3;
+use firmware::compensation::ExternalLoad;
+use model::effects::with_payload;
 use model::{BaseParameters, Robot};
 
-use crate::effects::{EffectError, definition_and_values, effect_of};
+use crate::effects::{ArmLoad, Catalogue, Compensation, EffectError};
 use files::EffectTable;
 
 /// The compensations of a rig.
@@ -17,12 +15,8 @@ use files::EffectTable;
 pub struct Compensations {
     /// Of each joint.
     pub joints: [firmware::compensation::Compensations; 3],
-    /// Mass at the tip [kg].
-    pub payload_kg: f64,
-    /// How the base leans, if it does.
-    pub tilt: Option<Tilt<f64>>,
-    /// Force on the tip [N].
-    pub tip_force_n: Vector3<f64>,
+    /// What acts on the arm as a whole.
+    pub load: ArmLoad,
 }
 
 /// An effect that the controller does not make up for, and why.
@@ -46,15 +40,18 @@ impl Compensations {
     ///
     /// # Errors
     /// An unknown effect, or parameters that do not fit.
-    pub fn of(effects: &[EffectTable]) -> Result<(Self, Vec<LeftOut>), EffectError> {
+    pub fn of(
+        effects: &[EffectTable],
+        catalogue: &Catalogue,
+    ) -> Result<(Self, Vec<LeftOut>), EffectError> {
         let mut compensations = Self::default();
         let mut left_out = Vec::new();
         for table in effects {
-            effect_of(table)?;
-            let (_, values) = definition_and_values(table)?;
-            if let Err(why) = compensations.add(table, &values) {
-                let effect = table.effect.clone();
-                left_out.push(LeftOut { effect, joint: table.joint, why });
+            let (definition, values) = catalogue.definition_and_values(table)?;
+            definition.with(table.joint, &values)?;
+            let joint = table.joint;
+            if let Err(why) = compensations.add(definition.compensation, joint, &values) {
+                left_out.push(LeftOut { effect: table.effect.clone(), joint, why });
             }
         }
         Ok((compensations, left_out))
@@ -62,120 +59,51 @@ impl Compensations {
 
     /// The robot whose base parameters the board shall take.
     pub fn base(&self, robot: &Robot<f64>) -> BaseParameters<f64> {
-        with_payload(&robot.base, &robot.geometry, self.payload_kg)
+        with_payload(&robot.base, &robot.geometry, self.load.payload_kg)
     }
 
     /// What acts on the arm from outside; `None` for nothing.
     pub fn outside(&self) -> Option<ExternalLoad> {
         let outside = ExternalLoad {
-            tilt: self.tilt.map(|tilt| tilt.cast()).unwrap_or_default(),
-            tip_force_n: self.tip_force_n.map(|force_n| force_n as f32),
+            tilt: self.load.tilt.map(|tilt| tilt.cast()).unwrap_or_default(),
+            tip_force_n: self.load.tip_force_n.map(|force_n| force_n as f32),
         };
         (outside != ExternalLoad::default()).then_some(outside)
     }
 
     /// Adds an effect with its checked values, or says why it cannot be compensated.
-    fn add(&mut self, table: &EffectTable, values: &[f64]) -> Result<(), &'static str> {
-        match (table.effect.as_str(), values) {
-            ("payload", &[mass_kg]) => self.payload_kg += mass_kg,
-            ("base_tilt", _) if self.tilt.is_some() => return Err(SECOND_TILT),
-            ("base_tilt", &[a, b, reach, side]) => self.tilt = Some(Tilt::new(a, b, [reach, side])),
-            ("tip_force", &[x, y, z]) => add(&mut self.tip_force_n, [x, y, z]),
-            (name, values) => {
-                let joint = usize::from(table.joint).wrapping_sub(1);
-                let lists = self.joints.get_mut(joint).ok_or(NO_JOINT)?;
-                if let Some(effect) = fed_forward(name, values)? {
-                    lists.feedforward.push(effect).map_err(|_| FULL)?;
-                } else {
-                    lists.input_inverses.push(undone(name, values)?).map_err(|_| FULL)?;
-                }
+    fn add(
+        &mut self,
+        compensation: Compensation,
+        joint: u8,
+        values: &[f64],
+    ) -> Result<(), &'static str> {
+        const FULL: &str = "the board's list of such effects is full for this joint";
+        let lists = self.joints.get_mut(usize::from(joint).wrapping_sub(1));
+        let lists = || lists.ok_or("it acts on no joint");
+        match compensation {
+            Compensation::Feedforward(of) => {
+                lists()?.feedforward.push(of(values)?).map_err(|_| FULL)
             }
+            Compensation::Inverse(of) => {
+                lists()?.input_inverses.push(of(values)?).map_err(|_| FULL)
+            }
+            Compensation::Model(add) => add(&mut self.load, values),
+            Compensation::None(why) => Err(why),
         }
-        Ok(())
-    }
-}
-
-const SECOND_TILT: &str = "the board knows one tilt, and the model holds two";
-const FULL: &str = "the board's list of such effects is full for this joint";
-const NO_JOINT: &str = "it acts on no joint";
-
-/// Forces add up.
-fn add(sum: &mut Vector3<f64>, more: Vector3<f64>) {
-    for (total, part) in sum.iter_mut().zip(more) {
-        *total += part;
-    }
-}
-
-/// What feedforward makes up for, if the effect is of this kind, or why it cannot.
-fn fed_forward(name: &str, values: &[f64]) -> Result<Option<Feedforward>, &'static str> {
-    let single = |value: f64| value as f32;
-    Ok(Some(match (name, values) {
-        ("cogging", &[a, n, phase]) => {
-            Feedforward::Cogging { amplitude_v: single(a), wave: turn_wave(n, phase)? }
-        }
-        ("cable_spring", &[k, rest]) => {
-            Feedforward::CableSpring { stiffness_v_per_rad: single(k), rest_rad: single(rest) }
-        }
-        ("quadratic_drag", &[b]) => {
-            Feedforward::QuadraticDrag { coefficient_v_s2_per_rad2: single(b) }
-        }
-        ("position_friction", &[a, n, phase]) => Feedforward::PositionFriction {
-            relative_amplitude: single(a),
-            wave: turn_wave(n, phase)?,
-        },
-        ("asymmetric_friction", &[e]) => {
-            Feedforward::AsymmetricFriction { relative_asymmetry: single(e) }
-        }
-        _ => return Ok(None),
-    }))
-}
-
-/// What the command undoes, or why it cannot.
-fn undone(name: &str, values: &[f64]) -> Result<InputInverse, &'static str> {
-    let single = |value: f64| value as f32;
-    Ok(match (name, values) {
-        ("torque_constant", &[e]) => InputInverse::TorqueConstant { relative_error: single(e) },
-        ("torque_ripple", &[a, n, phase]) => {
-            InputInverse::TorqueRipple { relative_amplitude: single(a), wave: turn_wave(n, phase)? }
-        }
-        ("dac_offset", &[offset]) => InputInverse::DacOffset { offset_v: single(offset) },
-        ("dead_zone", &[d]) => InputInverse::DeadZone { half_width_v: single(d) },
-        (name, _) => return Err(why_not(name)),
-    })
-}
-
-/// The board's wave over the turn; its angles wrap there, so the wave must fit it.
-fn turn_wave(harmonic: f64, phase_rad: f64) -> Result<AngularHarmonic, &'static str> {
-    const ROUNDING: f64 = 1e-6;
-    let whole = harmonic.round();
-    if (harmonic - whole).abs() > ROUNDING {
-        return Err("its harmonic is no whole number, so it does not repeat every turn");
-    }
-    Ok(AngularHarmonic { order: whole as u16, phase: Angle::from_radians(phase_rad as f32) })
-}
-
-/// Why the controller makes nothing up for an effect of this name.
-fn why_not(name: &str) -> &'static str {
-    match name {
-        "actuator_lag" => "undoing a lag would amplify the noise of the command",
-        "delay" => "no command can act before it is given",
-        "joint_elasticity" | "backlash" => "the encoder sees the motor, not the link",
-        "load_friction" => "the board does not compute the load's part of friction",
-        "friction_drift" => "the board does not know how warm the joint is",
-        "saturation" => "an amplifier gives no more than it can",
-        "encoder_eccentricity" => "the board takes its encoders for true",
-        _ => "the board knows no compensation for it",
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::effects::{CATALOGUE, table_from_text};
+    use firmware::compensation::InputInverse;
+
+    use crate::effects::table_from_text;
 
     fn of(texts: &[&str]) -> (Compensations, Vec<LeftOut>) {
         let tables: Result<Vec<_>, _> = texts.iter().map(|text| table_from_text(text)).collect();
-        Compensations::of(&tables.unwrap()).unwrap()
+        Compensations::of(&tables.unwrap(), &Catalogue::standard()).unwrap()
     }
 
     #[test]
@@ -190,7 +118,7 @@ mod tests {
         assert_eq!(found.joints.each_ref().map(|j| j.feedforward.len()), [0, 1, 0]);
         assert_eq!(found.joints.each_ref().map(|j| j.input_inverses.len()), [0, 0, 2]);
         assert_eq!(found.joints[2].input_inverses[0], InputInverse::DacOffset { offset_v: 0.1 });
-        assert_eq!(found.payload_kg, 0.75);
+        assert_eq!(found.load.payload_kg, 0.75);
         assert_eq!(left_out, []);
     }
 
@@ -212,20 +140,27 @@ mod tests {
     }
 
     #[test]
-    fn every_effect_is_either_compensated_or_left_out_for_its_own_reason() {
-        let other = why_not("");
-        let known = CATALOGUE.iter().filter(|definition| {
-            let values: Vec<f64> =
-                definition.parameters.iter().map(|p| p.highest.min(1.0)).collect();
-            let table = EffectTable {
-                effect: definition.name.into(),
-                joint: if definition.whole_robot { 0 } else { 1 },
-                ..EffectTable::default()
-            };
-            let added = Compensations::default().add(&table, &values);
-            assert_ne!(added, Err(other), "{}", definition.name);
-            added.is_ok()
-        });
-        assert_eq!(known.count(), 12);
+    fn the_board_takes_what_the_catalogue_allows() {
+        let rig = crate::Rig::new(model::reference_robot::reference_robot());
+        let pick: [fn(&crate::effects::Parameter) -> f64; 2] = [|p| p.lowest, |p| p.highest];
+        let plan = crate::plan::task(10.0);
+        let mut compensated = 0;
+        for definition in Catalogue::standard().iter() {
+            for bound in pick {
+                let values: Vec<f64> = definition.parameters.iter().map(bound).collect();
+                let mut compensations = Compensations::default();
+                let joint = if definition.whole_robot { 0 } else { 1 };
+                let added = compensations.add(definition.compensation, joint, &values);
+                if matches!(definition.compensation, Compensation::None(_)) {
+                    assert!(added.is_err(), "{}", definition.name);
+                    continue;
+                }
+                assert_eq!(added, Ok(()), "{}", definition.name);
+                let block = plan.block(&rig.clone().with_compensations(compensations));
+                assert_eq!(block.check(), Ok(()), "{}", definition.name);
+                compensated += 1;
+            }
+        }
+        assert_eq!(compensated, 2 * 12);
     }
 }

@@ -14,6 +14,7 @@ use blind_trial::{
     diagnose_case, draw, logs, markdown, output, sealed_truth,
 };
 use diagnosis::diagnose;
+use rig::effects::Catalogue;
 
 /// Arguments of `rrr blind-trial`.
 #[derive(Debug, Args)]
@@ -61,7 +62,8 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let settings = arguments.draw_settings()?;
     create_directory(&arguments.out)?;
-    let cases = drawn(&settings)?;
+    let catalogue = Catalogue::standard();
+    let cases = drawn(&settings, &catalogue)?;
     let truth = SealedTruth::new(&cases);
     println!("SHA-256 of the truth: {}", truth.hash());
     truth.write_hash(&arguments.out)?;
@@ -71,7 +73,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let outcomes = arguments.diagnose_all(&cases)?;
     truth.reveal(&arguments.out)?;
     println!("SHA-256 of the truth, opened: {}\n", truth.hash());
-    let results = Results::new(settings.seed, settings.first, truth.hash(), outcomes);
+    let results = Results::new(&catalogue, &settings, truth.hash(), outcomes);
     output::write(&results, &arguments.out)?;
     println!("{}", markdown::short(&results));
     println!("Cases: {}", arguments.out.join("blind-trial.md").display());
@@ -131,7 +133,7 @@ impl Arguments {
         let settings =
             RunSettings { out: self.out.clone(), keep_logs: self.keep_logs, ceiling: self.ceiling };
         let outcome = diagnose_case(case, &settings, &|campaign| {
-            let diagnosis = diagnose(campaign, &|_| ());
+            let diagnosis = diagnose(campaign, &Catalogue::standard(), &|_| ());
             diagnosis.map(|found| found.report).map_err(|error| error.to_string())
         })?;
         Ok(outcome)
@@ -153,10 +155,11 @@ impl Arguments {
     }
 }
 
-fn drawn(settings: &DrawSettings) -> Result<Vec<Case>, Failure> {
+fn drawn(settings: &DrawSettings, catalogue: &Catalogue) -> Result<Vec<Case>, Failure> {
     let progress = Progress::new("drawing cases", u64::from(settings.cases));
     let done = AtomicU64::new(0);
-    let cases = draw(settings, &|| progress.at(done.fetch_add(1, Ordering::Relaxed) + 1))?;
+    let cases =
+        draw(settings, catalogue, &|| progress.at(done.fetch_add(1, Ordering::Relaxed) + 1))?;
     progress.finish();
     Ok(cases)
 }

@@ -8,11 +8,12 @@ use crate::failure::Failure;
 use crate::output_files::{create_directory, json, write_text};
 use crate::terminal::progress::Steps;
 use diagnosis::sentence;
-use diagnosis::{self, Cause, Diagnosis, DiagnosisError, SubjectError};
+use diagnosis::{self, Diagnosis, DiagnosisError, SubjectError};
 use files::{Dataset, RobotFile};
 use recordings::Campaign;
 use report::diagnosis_page::diagnosis_page;
 use report::diagnosis_page::tables::{CAUSES, cause_rows};
+use rig::effects::Catalogue;
 
 /// Arguments of `rrr diagnose`.
 #[derive(Debug, Args)]
@@ -47,7 +48,7 @@ pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
     let steps = Steps::new();
     steps.at("reading the logs");
     let campaign = Campaign::read(&dataset, model)?;
-    let diagnosis = diagnosis::diagnose(&campaign, &|what| steps.at(what))?;
+    let diagnosis = diagnosis::diagnose(&campaign, &Catalogue::standard(), &|what| steps.at(what))?;
     steps.at("drawing the pictures");
     write(&diagnosis, &arguments.out)?;
     steps.finish();
@@ -108,7 +109,7 @@ pub fn in_words(diagnosis: &Diagnosis) -> String {
     let report = &diagnosis.report;
     let mut text = format!("{}\n", sentence(diagnosis));
     if !report.causes.is_empty() {
-        text += &table(&report.causes);
+        text += &table(diagnosis);
     }
     for remark in &report.remarks {
         text += &format!("  note: {remark}\n");
@@ -116,14 +117,14 @@ pub fn in_words(diagnosis: &Diagnosis) -> String {
     text
 }
 
-fn table(causes: &[Cause]) -> String {
+fn table(diagnosis: &Diagnosis) -> String {
     let line = |cells: &[&str]| match cells {
         [cause, joint, confidence, shrinkage, parameters] => {
             format!("  {cause:22} {joint:>5} {confidence:>11} {shrinkage:>18}  {parameters}\n")
         }
         cells => cells.join("  "),
     };
-    let rows = cause_rows(causes);
+    let rows = cause_rows(diagnosis);
     let lines = rows.iter().map(|row| line(&row.iter().map(String::as_str).collect::<Vec<_>>()));
     format!("\n{}{}", line(&CAUSES), lines.collect::<String>())
 }

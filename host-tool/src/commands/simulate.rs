@@ -11,7 +11,7 @@ use crate::options::mode::mode_named;
 use crate::output_files::create_directory;
 use crate::terminal::progress::Progress;
 use files::{Dataset, ExcitationFile, Experiment, RobotFile, Role};
-use rig::effects::Effect;
+use rig::effects::{Catalogue, Effect};
 use rig::{Plan, Recipe, Rig};
 use simulation::board::{Board, InProcess, Qemu, QemuSettings};
 use simulation::{Settings, SimulatedRobot, record_robot, start_of};
@@ -171,11 +171,11 @@ impl Arguments {
     fn effects(&self) -> Result<Vec<Box<dyn Effect>>, Failure> {
         let listed = RobotFile::read(&self.model)?.effects;
         let from_file = listed.iter().map(|table| {
-            rig::effects::effect_of(table).map_err(|error| bad_effect(&self.model, &error))
+            Catalogue::standard().effect_of(table).map_err(|error| bad_effect(&self.model, &error))
         });
         let from_line = self.effect.iter().map(|text| {
             let effect = rig::effects::table_from_text(text)
-                .and_then(|table| rig::effects::effect_of(&table));
+                .and_then(|table| Catalogue::standard().effect_of(&table));
             effect.map_err(|error| Failure::new(format!("--effect {text}: {error}"), EFFECT_HINT))
         });
         from_file.chain(from_line).collect()

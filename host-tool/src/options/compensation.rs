@@ -7,7 +7,7 @@ use crate::terminal::output::print_line;
 use files::RobotFile;
 use rig::Rig;
 use rig::compensation::Compensations;
-use rig::effects::EffectError;
+use rig::effects::{Catalogue, EffectError};
 
 /// The rig with compensations of the effects in `file`, which was read from `path`; prints
 /// those that cannot be compensated.
@@ -15,8 +15,8 @@ use rig::effects::EffectError;
 /// # Errors
 /// A table that is no effect of the catalogue.
 pub fn compensated(rig: Rig, file: &RobotFile, path: &Path) -> Result<Rig, Failure> {
-    let (compensations, left_out) =
-        Compensations::of(&file.effects).map_err(|error| bad_effect(path, &error))?;
+    let (compensations, left_out) = Compensations::of(&file.effects, &Catalogue::standard())
+        .map_err(|error| bad_effect(path, &error))?;
     left_out.iter().try_for_each(print_line)?;
     Ok(rig.with_compensations(compensations))
 }

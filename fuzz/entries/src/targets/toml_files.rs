@@ -2,6 +2,7 @@
 
 use files::{Dataset, ExcitationFile, RobotFile};
 use rig::compensation::Compensations;
+use rig::effects::Catalogue;
 use rig::{Rig, plan};
 
 /// Reads the bytes as each; a model goes on to the parameter block.
@@ -12,7 +13,7 @@ pub fn run(bytes: &[u8]) {
     }
     let Ok(file) = RobotFile::parse("model.toml", bytes.to_vec()) else { return };
     let _ = (file.robot(), file.pendulum());
-    let compensations = Compensations::of(&file.effects);
+    let compensations = Compensations::of(&file.effects, &Catalogue::standard());
     if let (Ok(rig), Ok((compensations, _))) = (Rig::of_file(&file), compensations) {
         let _ = plan::task(1.0).block(&rig.with_compensations(compensations)).check();
     }

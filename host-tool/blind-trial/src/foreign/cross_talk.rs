@@ -10,9 +10,9 @@ pub(super) const DEFINITION: Definition = Definition {
     words: "a part of another joint's command comes through: u + c u of that joint",
     resembles: &["torque_constant", "torque_ripple", "cable_spring"],
     parameters: &["coefficient", "from_joint"],
-    draw: |joint, rng| {
-        let other = (joint + 1 + usize::from(rng.unit() < 0.5)) % 3;
-        vec![rng.signed_log_uniform(0.02, 0.15), other as f64 + 1.0]
+    draw: |joint, random| {
+        let other = (joint + 1 + usize::from(random.unit() < 0.5)) % 3;
+        vec![random.signed_log_uniform(0.02, 0.15), other as f64 + 1.0]
     },
     build: |joint, values| {
         let from = (values[1] as usize).clamp(1, 3) - 1;

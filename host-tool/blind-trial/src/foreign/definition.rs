@@ -1,7 +1,6 @@
-//! What is known of a foreign effect.
+//! A foreign effect as a kind.
 
-use crate::Rng;
-use rig::effects::Effect;
+use rig::effects::{Effect, Random};
 
 /// A foreign effect of one joint, as a kind.
 #[derive(Debug)]
@@ -15,7 +14,7 @@ pub struct Definition {
     /// Its parameters, with units.
     pub parameters: &'static [&'static str],
     /// Values for them, for a joint (0 to 2).
-    pub draw: fn(joint: usize, rng: &mut Rng) -> Vec<f64>,
+    pub draw: fn(joint: usize, random: &mut dyn Random) -> Vec<f64>,
     /// The effect with these values on a joint (0 to 2).
     pub build: fn(joint: usize, values: &[f64]) -> Box<dyn Effect>,
 }

@@ -13,9 +13,9 @@ pub(super) const DEFINITION: Definition = Definition {
             u + A x exp((1 - x^2) / 2), x = (q - q0) / w",
     resembles: &["cogging", "position_friction", "cable_spring"],
     parameters: &["amplitude_V", "angle_rad", "width_rad"],
-    draw: |joint, rng| {
-        let angle_rad = [0.0, -0.5 * PI, 0.0][joint] + rng.uniform(-1.0, 1.0);
-        vec![rng.log_uniform(0.1, 0.6), angle_rad, rng.uniform(0.04, 0.2)]
+    draw: |joint, random| {
+        let angle_rad = [0.0, -0.5 * PI, 0.0][joint] + random.uniform(-1.0, 1.0);
+        vec![random.log_uniform(0.1, 0.6), angle_rad, random.uniform(0.04, 0.2)]
     },
     build: |joint, values| {
         let (amplitude_v, angle_rad, width_rad) = (values[0], values[1], values[2]);

@@ -10,7 +10,7 @@ pub(super) const DEFINITION: Definition = Definition {
     words: "the magnets weaken as they warm: (1 - e (1 - exp(-t/T))) u",
     resembles: &["friction_drift", "torque_constant"],
     parameters: &["relative_loss", "time_constant_s"],
-    draw: |_, rng| vec![rng.log_uniform(0.05, 0.3), rng.uniform(2.0, 10.0)],
+    draw: |_, random| vec![random.log_uniform(0.05, 0.3), random.uniform(2.0, 10.0)],
     build: |joint, values| {
         Box::new(FadingTorque { joint, relative_loss: values[0], time_constant_s: values[1] })
     },

@@ -12,9 +12,9 @@ pub(super) const DEFINITION: Definition = Definition {
     words: "a rubber buffer hardens as it is pressed: u - k x^3, x = q - q0 beyond a play",
     resembles: &["cable_spring", "cogging"],
     parameters: &["stiffness_V_per_rad3", "rest_rad", "play_rad"],
-    draw: |joint, rng| {
-        let rest_rad = [0.0, -0.5 * PI, 0.0][joint] + rng.uniform(-0.5, 0.5);
-        vec![rng.log_uniform(0.01, 0.1), rest_rad, rng.uniform(0.0, 1.0)]
+    draw: |joint, random| {
+        let rest_rad = [0.0, -0.5 * PI, 0.0][joint] + random.uniform(-0.5, 0.5);
+        vec![random.log_uniform(0.01, 0.1), rest_rad, random.uniform(0.0, 1.0)]
     },
     build: |joint, values| {
         let (stiffness_v_per_rad3, rest_rad, play_rad) = (values[0], values[1], values[2]);

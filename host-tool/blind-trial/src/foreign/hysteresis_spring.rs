@@ -12,8 +12,9 @@ pub(super) const DEFINITION: Definition = Definition {
     words: "cables pull back but slip, after Bouc and Wen: u - k z, z' = v - |v| z / z0",
     resembles: &["cable_spring", "position_friction", "asymmetric_friction"],
     parameters: &["stiffness_V_per_rad", "slip_rad"],
-    draw: |_, rng| {
-        let (slip_rad, level_v) = (rng.log_uniform(0.1, 0.25 * PI), rng.log_uniform(0.05, 0.3));
+    draw: |_, random| {
+        let (slip_rad, level_v) =
+            (random.log_uniform(0.1, 0.25 * PI), random.log_uniform(0.05, 0.3));
         vec![level_v / slip_rad, slip_rad]
     },
     build: |joint, values| {

@@ -12,7 +12,9 @@ pub(super) const DEFINITION: Definition = Definition {
     words: "the supply hums: u + A sin(2 pi f t + phi), whatever the angle",
     resembles: &["cogging", "torque_ripple"],
     parameters: &["amplitude_V", "frequency_Hz", "phase_rad"],
-    draw: |_, rng| vec![rng.log_uniform(0.03, 0.2), rng.uniform(10.0, 50.0), rng.phase_rad()],
+    draw: |_, random| {
+        vec![random.log_uniform(0.03, 0.2), random.uniform(10.0, 50.0), random.phase_rad()]
+    },
     build: |joint, values| {
         let (amplitude_v, frequency_hz, phase_rad) = (values[0], values[1], values[2]);
         Box::new(MainsHum { joint, amplitude_v, frequency_hz, phase_rad })

@@ -36,14 +36,15 @@ pub fn by_name(name: &str) -> Option<&'static Definition> {
 mod tests {
     use super::*;
     use crate::Rng;
-    use rig::effects;
+    use rig::effects::Catalogue;
 
     #[test]
     fn they_are_foreign_to_the_catalogue_and_resemble_what_it_has() {
+        let catalogue = Catalogue::standard();
         for definition in ALL {
-            assert!(effects::Definition::by_name(definition.name).is_none());
+            assert!(catalogue.by_name(definition.name).is_none());
             for name in definition.resembles {
-                assert!(effects::Definition::by_name(name).is_some(), "{name}");
+                assert!(catalogue.by_name(name).is_some(), "{name}");
             }
             let values = (definition.draw)(2, &mut Rng::new(1, 1));
             assert_eq!(values.len(), definition.parameters.len(), "{}", definition.name);

@@ -10,7 +10,7 @@ pub(super) const DEFINITION: Definition = Definition {
     words: "the amplifier follows the command no faster than R: |du'/dt| <= R",
     resembles: &["actuator_lag", "delay", "saturation"],
     parameters: &["rate_V_per_s"],
-    draw: |_, rng| vec![rng.log_uniform(30.0, 400.0)],
+    draw: |_, random| vec![random.log_uniform(30.0, 400.0)],
     build: |joint, values| {
         Box::new(SlewRate { joint, rate_v_per_s: values[0], step_s: 0.0, output_v: 0.0 })
     },

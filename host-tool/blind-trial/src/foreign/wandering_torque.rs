@@ -13,8 +13,8 @@ pub(super) const DEFINITION: Definition = Definition {
             process of A rms",
     resembles: &["friction_drift", "dac_offset", "cable_spring"],
     parameters: &["rms_V", "correlation_time_s", "seed"],
-    draw: |_, rng| {
-        vec![rng.log_uniform(0.03, 0.2), rng.log_uniform(0.05, 1.0), f64::from(rng.seed())]
+    draw: |_, random| {
+        vec![random.log_uniform(0.03, 0.2), random.log_uniform(0.05, 1.0), f64::from(random.seed())]
     },
     build: |joint, values| {
         Box::new(WanderingTorque {

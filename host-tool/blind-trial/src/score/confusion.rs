@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::case::Kind;
 use crate::foreign;
 use crate::outcome::Outcome;
-use rig::effects::CATALOGUE;
+use rig::effects::Catalogue;
 
 /// A row of the confusion matrix: the truth, and what was named first.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -26,10 +26,10 @@ pub struct ConfusionRow {
 }
 
 /// Rows in the order of the catalogue; truths that did not occur have none.
-pub(super) fn rows(outcomes: &[Outcome]) -> Vec<ConfusionRow> {
-    let catalogue = CATALOGUE.iter().map(|definition| (definition.name, Kind::Single));
+pub(super) fn rows(outcomes: &[Outcome], catalogue: &Catalogue) -> Vec<ConfusionRow> {
+    let known = catalogue.iter().map(|definition| (definition.name, Kind::Single));
     let foreign = foreign::ALL.iter().map(|definition| (definition.name, Kind::Foreign));
-    let truths = std::iter::once(("none", Kind::None)).chain(catalogue).chain(foreign);
+    let truths = std::iter::once(("none", Kind::None)).chain(known).chain(foreign);
     truths.filter_map(|(name, kind)| row(outcomes, name, kind)).collect()
 }
 

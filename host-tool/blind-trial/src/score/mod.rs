@@ -16,6 +16,7 @@ pub use shrinkage::Shrinkage;
 use serde::Serialize;
 
 use super::outcome::{Answer, Outcome};
+use rig::effects::Catalogue;
 
 /// The score of a trial.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -48,7 +49,7 @@ pub struct Score {
 
 impl Score {
     /// Of all cases of a trial.
-    pub fn of(outcomes: &[Outcome]) -> Self {
+    pub fn of(outcomes: &[Outcome], catalogue: &Catalogue) -> Self {
         let failed = |outcome: &Outcome| matches!(outcome.answer, Answer::Failed(_));
         let seconds: f64 = outcomes.iter().map(|outcome| outcome.seconds).sum();
         Self {
@@ -59,7 +60,7 @@ impl Score {
             nothing: NoEffect::of(outcomes),
             foreign: Foreign::of(outcomes),
             joints: Joints::of(outcomes),
-            confusion: confusion::rows(outcomes),
+            confusion: confusion::rows(outcomes, catalogue),
             parameters: parameters::scores(outcomes),
             shrinkage: Shrinkage::of(outcomes),
             calibration: Calibration::of(outcomes),

@@ -10,6 +10,7 @@ use super::median::median;
 use crate::cause::TrueCause;
 use crate::outcome::Outcome;
 use diagnosis::{Cause, Value};
+use rig::effects::{Kind, Parameter};
 
 /// An error within this counts as small: in parts of the truth, or rad for angles.
 const SMALL: f64 = 0.1;
@@ -64,42 +65,47 @@ pub(super) fn scores(outcomes: &[Outcome]) -> Vec<ParameterScore> {
 }
 
 /// Errors of a cause's parameters. A phase counts modulo a turn, and only where the
-/// harmonic is right; the two tilts count as one vector.
+/// harmonic is right; the components of a rotation count as one vector, and alone.
 pub fn errors(truth: &TrueCause, named: &Cause) -> Vec<ParameterError> {
-    if truth.effect == "base_tilt" {
-        let names = ["tilt_x_rad", "tilt_y_rad"];
+    let parameters = truth.known_parameters();
+    let rotation = parameters.iter().filter(|parameter| parameter.kind == Kind::Rotation);
+    let rotation: Vec<&str> = rotation.map(|parameter| parameter.name).collect();
+    if !rotation.is_empty() {
         let [truth, found] = [&truth.parameters, &named.parameters].map(|parameters| {
-            names.iter().flat_map(|name| components(parameters.get(*name))).collect::<Vec<f64>>()
+            rotation.iter().flat_map(|name| components(parameters.get(*name))).collect::<Vec<f64>>()
         });
         return vec![relative("tilt", &truth, &found)];
     }
-    let definition = rig::effects::Definition::by_name(&truth.effect);
-    let mut names: Vec<&'static str> =
-        definition.map_or(&[][..], |d| d.parameters).iter().map(|p| p.name).collect();
-    names.dedup();
-    if !same_harmonic(truth, named) {
-        names.retain(|name| *name != "phase_rad");
-    }
-    let one = |name: &'static str| {
-        let value = |parameters: &BTreeMap<String, Value>| components(parameters.get(name));
-        let (truth, found) = (value(&truth.parameters), value(&named.parameters));
-        match name {
-            "phase_rad" => angle(name, &truth, &found, |gap| (gap + PI).rem_euclid(TAU) - PI),
-            "rest_rad" => angle(name, &truth, &found, |gap| gap),
+    let one = |Parameter { name, kind, .. }: &Parameter| {
+        let [truth, found] = values(truth, named, name);
+        match kind {
+            Kind::Phase => angle(name, &truth, &found, |gap| (gap + PI).rem_euclid(TAU) - PI),
+            Kind::Angle => angle(name, &truth, &found, |gap| gap),
             _ => relative(name, &truth, &found),
         }
     };
-    names.into_iter().map(one).collect()
+    let is_first =
+        |index: usize| index == 0 || parameters[index - 1].name != parameters[index].name;
+    let counts = |kind: Kind| kind != Kind::Phase || same_harmonic(truth, named);
+    let wanted =
+        parameters.iter().enumerate().filter(|(index, p)| is_first(*index) && counts(p.kind));
+    wanted.map(|(_, parameter)| one(parameter)).collect()
 }
 
 fn same_harmonic(truth: &TrueCause, named: &Cause) -> bool {
-    let harmonic = |parameters: &BTreeMap<String, Value>| components(parameters.get("harmonic"));
-    let (truth, found) = (harmonic(&truth.parameters), harmonic(&named.parameters));
+    let harmonic = truth.known_parameters().iter().find(|p| p.kind == Kind::Harmonic);
+    let Some(harmonic) = harmonic else { return true };
+    let [truth, found] = values(truth, named, harmonic.name);
     match (truth.first(), found.first()) {
         (None, _) => true,
         (Some(truth), Some(found)) => (truth - found).abs() < 0.5,
         (Some(_), None) => false,
     }
+}
+
+/// The values of a parameter, true and found.
+fn values(truth: &TrueCause, named: &Cause, name: &str) -> [Vec<f64>; 2] {
+    [&truth.parameters, &named.parameters].map(|parameters| components(parameters.get(name)))
 }
 
 fn components(value: Option<&Value>) -> Vec<f64> {

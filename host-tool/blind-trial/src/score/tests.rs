@@ -6,16 +6,17 @@ use std::f64::consts::TAU;
 use super::median::median;
 use super::*;
 use crate::case::Kind;
-use crate::cause::TrueCause;
+use crate::cause::{TrueCause, TrueEffect};
 use crate::foreign;
 use diagnosis::{Alternative, Axis, Cause, Gap, Place, Report, Value, Verdict};
-use rig::effects::Definition;
+use rig::effects::Catalogue;
 
 fn cause(name: &str, joint: u8, values: &[f64]) -> TrueCause {
-    match Definition::by_name(name) {
-        Some(definition) => TrueCause::of_catalogue(definition, joint, values.to_vec()),
-        None => TrueCause::of_foreign(foreign::by_name(name).unwrap(), joint, values.to_vec()),
-    }
+    let kind = match Catalogue::standard().by_name(name) {
+        Some(definition) => TrueEffect::Catalogue(definition),
+        None => TrueEffect::Foreign(foreign::by_name(name).unwrap()),
+    };
+    TrueCause::new(kind, joint, values.to_vec())
 }
 
 fn cogging() -> TrueCause {
@@ -89,7 +90,7 @@ fn oracle(kind: Kind, truth: Vec<TrueCause>) -> Outcome {
         Kind::Foreign => Verdict::Unknown,
         _ => Verdict::Effect,
     };
-    let known = truth.iter().filter(|truth| !truth.foreign);
+    let known = truth.iter().filter(|truth| !truth.is_foreign());
     // In any order.
     let causes = known.rev().map(|truth| named(truth, 1.0)).collect();
     outcome(kind, truth, report(verdict, causes, 0.005))
@@ -103,7 +104,11 @@ fn fool(kind: Kind, truth: Vec<TrueCause>) -> Outcome {
 
 fn score(diagnose: impl Fn(Kind, Vec<TrueCause>) -> Outcome) -> Score {
     let outcomes: Vec<Outcome> = truths().into_iter().map(|(k, t)| diagnose(k, t)).collect();
-    Score::of(&outcomes)
+    score_of(&outcomes)
+}
+
+fn score_of(outcomes: &[Outcome]) -> Score {
+    Score::of(outcomes, &Catalogue::standard())
 }
 
 fn share(count: usize, of: usize) -> Share {
@@ -171,7 +176,7 @@ fn half_a_pair_is_half_right() {
     if let Answer::Report(report) = &mut half.answer {
         report.causes.truncate(1);
     }
-    let score = Score::of(&[half]);
+    let score = score_of(&[half]);
     assert_eq!((score.pairs.both, score.pairs.one), (share(0, 1), share(1, 1)));
     assert_eq!(score.right, share(0, 1));
 }
@@ -183,7 +188,7 @@ fn a_truth_that_was_not_ruled_out_is_told_apart() {
         let right = Alternative { effect: "cogging".into(), joint: 3, confidence: 0.1 };
         report.alternatives.push(right);
     }
-    let singles = Score::of(&[wrong]).singles;
+    let singles = score_of(&[wrong]).singles;
     assert_eq!((singles.right, singles.not_ruled_out), (share(0, 1), share(1, 1)));
 }
 
@@ -230,7 +235,7 @@ fn sizes_count_in_parts_and_missing_ones_as_infinite() {
 fn a_refit_that_holds_all_leaves_nothing_to_close() {
     let mut payload = oracle(Kind::Single, vec![cause("payload", 0, &[0.3])]);
     payload.ceiling_v = Some(vec![0.0, 0.0, 0.049]);
-    assert_eq!(Score::of(&[payload]).shrinkage.cases, 0);
+    assert_eq!(score_of(&[payload]).shrinkage.cases, 0);
 }
 
 #[test]

@@ -5,6 +5,7 @@ use super::unknowns::{Expected, Unknown, expected, kept_physical};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
 use crate::trial::voltage::{EffectInstance, Hypothesis};
+use rig::effects::Kind;
 
 /// Most steps of a fit.
 pub const MOST_STEPS: usize = 6;
@@ -108,7 +109,7 @@ pub fn open_in(
     let mut open = expected(subject, period_s);
     for (index, effect) in effects.iter().enumerate().skip(subject.known_effects.len()) {
         for (value, parameter) in effect.definition.parameters.iter().enumerate() {
-            if parameter.name == "harmonic" {
+            if parameter.kind == Kind::Harmonic {
                 continue;
             }
             let unknown = Unknown::Effect { index, value };

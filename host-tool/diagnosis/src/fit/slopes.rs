@@ -8,6 +8,7 @@ use super::unknowns::{Expected, Unknown};
 use crate::rows::evidence::{Columns, Evidence, Rows};
 use crate::trial::parts::{Parts, same, touched};
 use crate::trial::voltage::{EffectInstance, Hypothesis, Trial, at_samples};
+use rig::effects::Kind;
 
 /// Slopes of one joint's rows.
 #[derive(Clone)]
@@ -242,8 +243,8 @@ pub fn step_of(effect: &EffectInstance, value: usize) -> f64 {
     let parameters = effect.definition.parameters;
     let (parameter, value) = (&parameters[value], effect.values[value]);
     let part = if effect.has_backlash() { 0.15 } else { 5e-3 };
-    let size = match parameter.name {
-        "phase_rad" => 1e-3,
+    let size = match parameter.kind {
+        Kind::Phase => 1e-3,
         _ => (part * value.abs()).max(1e-6 * (parameter.highest - parameter.lowest)),
     };
     if value + size > parameter.highest { -size } else { size }

@@ -9,7 +9,7 @@ use model::{HANGING_RAD, Robot};
 use files::{FileError, RobotFile};
 use recordings::Campaign;
 use recordings::campaign::Known;
-use rig::effects::{Definition, EffectError};
+use rig::effects::{Catalogue, Definition, EffectError};
 
 /// The joint of the arm that stands for the only joint of a rig.
 const ONLY: usize = 2;
@@ -21,6 +21,8 @@ const IMMOVABLE_KG_M2: f64 = 1e6;
 pub struct Subject {
     /// The model as given.
     pub robot: Robot<f64>,
+    /// The effects that are tried.
+    pub catalogue: Catalogue,
     /// Effects that the model as given holds already.
     pub known_effects: Vec<(&'static Definition, u8, Vec<f64>)>,
     /// Joints of the rig, 0 to 2, as the arm counts them.
@@ -42,11 +44,11 @@ impl Subject {
         stretched.mass_matrix(&self.robot.base, &self.robot.geometry)[joint][joint]
     }
 
-    /// The rig of a campaign.
+    /// The rig of a campaign, and the effects that are tried on it.
     ///
     /// # Errors
     /// The model lacks a parameter, or holds an effect that is none.
-    pub fn of(campaign: &Campaign) -> Result<Self, SubjectError> {
+    pub fn of(campaign: &Campaign, catalogue: &Catalogue) -> Result<Self, SubjectError> {
         let file = &campaign.robot_file;
         let one_joint = file.is_pendulum();
         let robot = if one_joint { file.as_third_joint(IMMOVABLE_KG_M2)? } else { file.robot()? };
@@ -54,6 +56,7 @@ impl Subject {
         let joints = if one_joint { vec![ONLY] } else { vec![0, 1, 2] };
         let mut subject = Self {
             robot,
+            catalogue: catalogue.clone(),
             known_effects: Vec::new(),
             joints,
             one_joint,
@@ -63,7 +66,7 @@ impl Subject {
             numbers,
         };
         for table in &file.effects {
-            let (definition, values) = rig::effects::definition_and_values(table)?;
+            let (definition, values) = catalogue.definition_and_values(table)?;
             let joint = subject.inner_joint(table.joint);
             definition.with(joint, &values)?;
             subject.known_effects.push((definition, joint, values));

@@ -66,7 +66,8 @@ impl Assembly<'_> {
         };
         let waterfall = self.waterfall(&given, &refitted, named);
         let model = self.amended(file, &last.hypothesis);
-        Diagnosis { report, logs, waterfall, rivals: self.rivals(named), model }
+        let catalogue = self.subject.catalogue.clone();
+        Diagnosis { report, logs, waterfall, rivals: self.rivals(named), model, catalogue }
     }
 
     /// The refitted model, its parameters no further than three deviations from what is

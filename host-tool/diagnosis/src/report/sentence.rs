@@ -2,7 +2,7 @@
 
 use crate::quantity::{number, quantity, split_unit, volts};
 use crate::{Axis, Cause, Diagnosis, Place, Value, Verdict};
-use rig::effects::Definition;
+use rig::effects::{Catalogue, Kind, Parameter};
 
 use std::collections::BTreeMap;
 
@@ -33,50 +33,47 @@ pub fn effect_words(effect: &str) -> String {
     effect.replace('_', " ")
 }
 
-/// Parameters as they are said, "8 per turn, 0.11 V"; the phase only where `all` are wanted.
-pub fn parameter_words(effect: &str, parameters: &BTreeMap<String, Value>, all: bool) -> String {
-    let alone = parameters.len() == 1;
-    let wanted = parameters_in_order(effect, parameters);
-    let wanted = wanted.into_iter().filter(|(name, _)| all || !name.starts_with("phase"));
-    wanted.map(|(name, value)| one_parameter(name, value, alone)).collect::<Vec<_>>().join(", ")
-}
-
-/// The harmonic first, then as in the catalogue.
-fn parameters_in_order<'a>(
+/// Parameters of an effect as they are said, "8 per turn, 0.11 V": the harmonic first, then as
+/// in the catalogue; the phase only where `all` are wanted.
+pub fn parameter_words(
+    catalogue: &Catalogue,
     effect: &str,
-    parameters: &'a BTreeMap<String, Value>,
-) -> Vec<(&'a str, &'a Value)> {
-    let known = Definition::by_name(effect).map_or(&[][..], |definition| definition.parameters);
-    let place = |name: &str| match known.iter().position(|parameter| parameter.name == name) {
-        _ if name == "harmonic" => 0,
-        Some(index) => 1 + index,
-        None => usize::MAX,
-    };
-    let mut ordered: Vec<_> = parameters.iter().map(|(n, v)| (n.as_str(), v)).collect();
-    ordered.sort_by_key(|(name, _)| place(name));
-    ordered
+    parameters: &BTreeMap<String, Value>,
+    all: bool,
+) -> String {
+    let alone = parameters.len() == 1;
+    let known = catalogue.by_name(effect).map_or(&[][..], |definition| definition.parameters);
+    let mut ordered: Vec<&Parameter> = known.iter().collect();
+    ordered.dedup_by_key(|parameter| parameter.name);
+    ordered.sort_by_key(|parameter| parameter.kind != Kind::Harmonic);
+    ordered.retain(|parameter| all || parameter.kind != Kind::Phase);
+    let said = ordered.into_iter().filter_map(|parameter| {
+        Some(one_parameter(parameter, parameters.get(parameter.name)?, alone))
+    });
+    said.collect::<Vec<_>>().join(", ")
 }
 
-fn one_parameter(name: &str, value: &Value, alone: bool) -> String {
-    let (noun, unit) = split_unit(name);
+fn one_parameter(parameter: &Parameter, value: &Value, alone: bool) -> String {
+    let (noun, unit) = split_unit(parameter.name);
     let said = match value {
-        Value::Number(value) if name == "harmonic" => {
+        Value::Number(value) if parameter.kind == Kind::Harmonic => {
             return format!("{} per turn", number(*value));
         }
-        Value::Number(value) if name.starts_with("relative_") => format!("{:+.1} %", 100.0 * value),
+        Value::Number(value) if unit.is_empty() => format!("{:+.1} %", 100.0 * value),
         Value::Number(value) => quantity(*value, unit),
         Value::Vector(values) => {
             let values: Vec<String> = values.iter().map(|value| number(*value)).collect();
             format!("({}) {unit}", values.join(", "))
         }
     };
-    let obvious = alone || noun == "amplitude" || noun.starts_with("relative");
+    let obvious = alone || parameter.kind == Kind::Amplitude || unit.is_empty();
     if obvious { said } else { format!("{} {said}", noun.replace('_', " ")) }
 }
 
 fn named(diagnosis: &Diagnosis) -> String {
     let report = &diagnosis.report;
-    let causes: Vec<String> = report.causes.iter().map(cause_words).collect();
+    let words = |cause| cause_words(&diagnosis.catalogue, cause);
+    let causes: Vec<String> = report.causes.iter().map(words).collect();
     let rivals: Vec<String> = report
         .alternatives
         .iter()
@@ -88,8 +85,8 @@ fn named(diagnosis: &Diagnosis) -> String {
     }
 }
 
-fn cause_words(cause: &Cause) -> String {
-    let parameters = parameter_words(&cause.effect, &cause.parameters, false);
+fn cause_words(catalogue: &Catalogue, cause: &Cause) -> String {
+    let parameters = parameter_words(catalogue, &cause.effect, &cause.parameters, false);
     format!(
         "{}: {}, {parameters}, explains {:.0} % of the gap.",
         capitalised(&joint_words(cause.joint)),
@@ -145,7 +142,7 @@ fn unexplained(diagnosis: &Diagnosis) -> String {
         None => "A gap that nothing in the catalogue explains.".into(),
     };
     for cause in &report.causes {
-        text += &format!(" A part has a name: {}", cause_words(cause));
+        text += &format!(" A part has a name: {}", cause_words(&diagnosis.catalogue, cause));
     }
     text
 }
@@ -206,14 +203,16 @@ mod tests {
             shrinkage: 0.83,
             shrinkage_interval: [0.79, 0.86],
         };
-        let said = cause_words(&cause);
+        let said = cause_words(&Catalogue::standard(), &cause);
         assert_eq!(said, "Joint 3: cogging, 8 per turn, 0.11 V, explains 83 % of the gap.");
     }
 
     #[test]
     fn units_and_signs_are_said() {
-        let said =
-            |effect: &str, of: &[(&str, f64)]| parameter_words(effect, &parameters(of), true);
+        let catalogue = Catalogue::standard();
+        let said = |effect: &str, of: &[(&str, f64)]| {
+            parameter_words(&catalogue, effect, &parameters(of), true)
+        };
         assert_eq!(said("delay", &[("delay_s", 0.0021)]), "2.1 ms");
         assert_eq!(said("torque_constant", &[("relative_error", -0.052)]), "-5.2 %");
         let elastic = [
@@ -224,6 +223,6 @@ mod tests {
         let words = "stiffness 3010 Nm/rad, damping 1 Nm s/rad, motor inertia 0.02 kg m^2";
         assert_eq!(said("joint_elasticity", &elastic), words);
         let force = BTreeMap::from([("force_N".to_owned(), Value::Vector(vec![0.0, 1.5, -3.25]))]);
-        assert_eq!(parameter_words("tip_force", &force, true), "(0, 1.5, -3.25) N");
+        assert_eq!(parameter_words(&catalogue, "tip_force", &force, true), "(0, 1.5, -3.25) N");
     }
 }

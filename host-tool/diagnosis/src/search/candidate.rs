@@ -6,6 +6,7 @@ use crate::fit::linearisation::{Linearisation, Score, Which};
 use crate::fit::slopes::step_of;
 use crate::rows::evidence::{Evidence, Rows};
 use crate::trial::voltage::EffectInstance;
+use rig::effects::Kind;
 
 /// An effect with its best values so far, and how well the model does with it.
 #[derive(Clone, Debug)]
@@ -73,7 +74,7 @@ impl Candidate {
     /// Indices of the values that a search changes.
     fn free_values(&self) -> Vec<usize> {
         let parameters = self.effect.definition.parameters.iter().enumerate();
-        parameters.filter(|(_, p)| p.name != "harmonic").map(|(index, _)| index).collect()
+        parameters.filter(|(_, p)| p.kind != Kind::Harmonic).map(|(index, _)| index).collect()
     }
 
     /// Slope of the rows along a value.
@@ -119,7 +120,7 @@ impl Candidate {
             if !step[k].is_finite() {
                 continue;
             }
-            values[value] = match parameter.lowest > 0.0 || parameter.name == "gap_rad" {
+            values[value] = match parameter.lowest > 0.0 || parameter.kind == Kind::Gap {
                 true => (now - step[k]).clamp(0.1 * now, 10.0 * now),
                 false => now - step[k],
             };

@@ -8,7 +8,7 @@ use crate::fit::linearisation::{Linearisation, Which};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
 use crate::trial::voltage::{EffectInstance, Trial};
-use rig::effects::{CATALOGUE, Definition, Search, Typical};
+use rig::effects::{Definition, Search, Typical};
 use signal::rms;
 
 /// Harmonics that are followed up of those that look best.
@@ -65,7 +65,7 @@ pub(crate) fn places(subject: &Subject) -> Vec<(&'static Definition, u8)> {
             false => joints.iter().map(|&joint| (definition, joint)).collect(),
         }
     };
-    CATALOGUE.into_iter().flat_map(of).collect()
+    subject.catalogue.iter().flat_map(of).collect()
 }
 
 /// Those that a model with effects leaves: a second spring on a joint would only be the first

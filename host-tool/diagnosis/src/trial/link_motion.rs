@@ -281,7 +281,7 @@ mod tests {
     use crate::logs::stretch::Stretch;
     use crate::trial::voltage::{EffectInstance, Hypothesis, Trial};
     use files::Role;
-    use rig::effects::Definition;
+    use rig::effects::Catalogue;
     use signal::LowPass;
     use signal::rms;
     use simulation::{Settings, SimulatedRobot};
@@ -290,7 +290,7 @@ mod tests {
     const COUNT_RAD: f64 = TAU / 655_360.0;
 
     fn backlash(values: [f64; 4]) -> EffectInstance {
-        let definition = Definition::by_name("backlash").unwrap();
+        let definition = Catalogue::standard().by_name("backlash").unwrap();
         EffectInstance { definition, joint: 3, values: values.to_vec() }
     }
 
@@ -360,7 +360,7 @@ mod tests {
 
     #[test]
     fn play_that_is_not_there_explains_nothing_away() {
-        let delay = Definition::by_name("delay").unwrap();
+        let delay = Catalogue::standard().by_name("delay").unwrap();
         let delay = EffectInstance { definition: delay, joint: 3, values: vec![4e-3] };
         let stretch = driven(Some(&delay));
         let null_v = left_v(&stretch, None);

@@ -72,3 +72,122 @@ pub fn touched(effect: &EffectInstance, others: &[EffectInstance]) -> Touches {
     touches.body |= others.iter().any(|other| other.has_backlash() && meets(other));
     touches
 }
+
+#[cfg(test)]
+mod tests {
+    use files::Role;
+    use model::reference_robot::reference_robot;
+    use rig::effects::{Catalogue, Definition, DrawContext, Random};
+
+    use super::*;
+    use crate::logs::stretch::{Kinematics, Stretch};
+    use crate::trial::voltage::Hypothesis;
+
+    /// Knuth's linear congruential generator.
+    struct Lcg(u64);
+
+    impl Random for Lcg {
+        fn unit(&mut self) -> f64 {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+        }
+    }
+
+    const PERIOD_S: f64 = 1e-3;
+
+    /// Half a second in which all joints turn back and all commands change their sign.
+    fn stretch() -> Stretch {
+        let mut motion = Kinematics::default();
+        let mut command_v: [Vec<f64>; 3] = Default::default();
+        for joint in 0..3 {
+            let w = 9.0 + 2.0 * joint as f64;
+            for k in 0..500 {
+                let (sine, cosine) = (w * PERIOD_S * f64::from(k)).sin_cos();
+                motion.q_rad[joint].push(0.3 * sine - 0.7);
+                motion.qd_rad_per_s[joint].push(0.3 * w * cosine);
+                motion.qdd_rad_per_s2[joint].push(-0.3 * w * w * sine);
+                command_v[joint].push(2.0 * cosine - sine);
+            }
+        }
+        motion.raw_rad = motion.q_rad.clone();
+        let postures = motion.postures();
+        let (log, role, settled) = (0, Role::Train, [0; 3]);
+        let (start_s, period_s, broadband) = (0.0, PERIOD_S, false);
+        Stretch { log, role, start_s, period_s, motion, postures, command_v, broadband, settled }
+    }
+
+    fn hypothesis(effects: &[&EffectInstance]) -> Hypothesis {
+        let effects = effects.iter().copied().cloned().collect();
+        Hypothesis { robot: reference_robot(), lag_s: [0.0; 3], effects }
+    }
+
+    /// An effect of random size on every joint that it can act on.
+    fn instances(definition: &'static Definition, random: &mut Lcg) -> Vec<EffectInstance> {
+        let robot = reference_robot();
+        let joints = if definition.whole_robot { 0..=0 } else { 1..=3 };
+        let instance = |joint: u8| {
+            let index = usize::from(joint.max(1)) - 1;
+            let context = DrawContext { robot: &robot, peak_command_v: [2.0; 3], joint: index };
+            EffectInstance { definition, joint, values: (definition.draw)(&context, random) }
+        };
+        joints.map(instance).collect()
+    }
+
+    fn of_all_joints(trial: &Trial) -> [Parts; 3] {
+        [0, 1, 2].map(|joint| Parts::of(trial, joint))
+    }
+
+    #[test]
+    fn an_effect_touches_what_changes_when_all_is_computed_anew() {
+        let (stretch, bare) = (stretch(), hypothesis(&[]));
+        let before = of_all_joints(&Trial::of(&stretch, &bare));
+        for definition in Catalogue::standard().iter() {
+            for effect in instances(definition, &mut Lcg(1)) {
+                let with = hypothesis(&[&effect]);
+                let after = of_all_joints(&Trial::of(&stretch, &with));
+                let differs = |of: fn(&Parts) -> &Vec<f64>| {
+                    [0, 1, 2].map(|joint| of(&before[joint]) != of(&after[joint]))
+                };
+                let changes =
+                    [differs(|p| &p.drive), differs(|p| &p.friction), differs(|p| &p.needed)];
+                let [drive, friction, body] = changes.map(|joints| joints.contains(&true));
+                let found = Touches { drive, friction, body };
+                assert_eq!(found, definition.touches, "{} {}", definition.name, effect.joint);
+                let elsewhere = (0..3).any(|joint| {
+                    joint + 1 != usize::from(effect.joint) && changes.iter().any(|c| c[joint])
+                });
+                assert!(definition.couples_joints || !elsewhere, "{}", definition.name);
+            }
+        }
+    }
+
+    #[test]
+    fn what_an_effect_changes_beside_another_is_what_a_full_computation_says() {
+        let (stretch, catalogue) = (stretch(), Catalogue::standard());
+        let all: Vec<EffectInstance> =
+            catalogue.iter().flat_map(|d| instances(d, &mut Lcg(2))).collect();
+        for other in &all {
+            let without = hypothesis(&[other]);
+            let before = Trial::of(&stretch, &without);
+            let parts = of_all_joints(&before);
+            for effect in &all {
+                if effect.is_spring() && other.is_spring() {
+                    continue;
+                }
+                let with = hypothesis(&[other, effect]);
+                let after = Trial::of(&stretch, &with);
+                let touches = touched(effect, std::slice::from_ref(other));
+                let quick = Trial::beside(&stretch, &with, same(&parts, effect));
+                for joint in 0..3 {
+                    let change = parts[joint].change_to(&quick, joint, touches);
+                    let (from, to) = (before.residual(joint), after.residual(joint));
+                    let whole = to.iter().zip(&from).map(|(to, from)| to - from);
+                    let worst = whole.zip(&change).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                    let names =
+                        (effect.definition.name, effect.joint, other.definition.name, other.joint);
+                    assert!(worst < 1e-9, "{names:?} joint {joint}: {worst} V");
+                }
+            }
+        }
+    }
+}

@@ -17,7 +17,7 @@ use super::link_motion::{self, Felt, JointMotion};
 use super::reading;
 use crate::logs::stretch::{Kinematics, Stretch};
 use rig::effects::Transmission;
-use rig::effects::{Definition, Effect, JointState};
+use rig::effects::{Definition, Effect, JointState, Kind};
 use signal::derivative;
 
 /// An effect that is in a model under trial.
@@ -39,7 +39,7 @@ impl EffectInstance {
 
     /// Whether it leaves play between a motor and its link.
     pub fn has_backlash(&self) -> bool {
-        self.definition.parameters.iter().any(|parameter| parameter.name == "gap_rad")
+        self.definition.parameters.iter().any(|parameter| parameter.kind == Kind::Gap)
     }
 
     /// Whether it is a spring between a motor and its link.
@@ -49,10 +49,10 @@ impl EffectInstance {
 
     /// Turns a negative amplitude into half a turn of phase, and keeps values in bounds.
     pub fn normalise(&mut self) {
-        let place = |name: &str| self.definition.parameters.iter().position(|p| p.name == name);
-        if let Some(phase) = place("phase_rad") {
-            if self.values[0] < 0.0 {
-                self.values[0] = -self.values[0];
+        let place = |kind| self.definition.parameters.iter().position(|p| p.kind == kind);
+        if let (Some(amplitude), Some(phase)) = (place(Kind::Amplitude), place(Kind::Phase)) {
+            if self.values[amplitude] < 0.0 {
+                self.values[amplitude] = -self.values[amplitude];
                 self.values[phase] += PI;
             }
             self.values[phase] -= TAU * (self.values[phase] / TAU).round();

@@ -10,7 +10,7 @@ use crate::rows::evidence::{Evidence, Rows};
 use crate::search::candidates::{places, starts, typical};
 use crate::trial::voltage::EffectInstance;
 use crate::{Detectable, Untestable};
-use rig::effects::Definition;
+use rig::effects::{Confused, Definition, Kind};
 
 /// What the logs would have shown of an effect on a joint.
 struct Sight {
@@ -22,16 +22,6 @@ struct Sight {
     change: Rows,
 }
 
-/// Pairs of effects that are alike where logs lack what tells them apart.
-const ALIKE: [(&str, &str); 7] = [
-    ("actuator_lag", "delay"),
-    ("dac_offset", "asymmetric_friction"),
-    ("dac_offset", "cable_spring"),
-    ("position_friction", "load_friction"),
-    ("torque_ripple", "cogging"),
-    ("quadratic_drag", "friction_drift"),
-    ("dead_zone", "torque_constant"),
-];
 /// Squared correlation from which two effects are not told apart.
 const SAME: f64 = 0.995;
 
@@ -103,26 +93,32 @@ fn sight(
 fn smallest(sight: &Sight, wanted: f64) -> f64 {
     let factor = (wanted / sight.squares.max(1e-300)).sqrt();
     let value = sight.effect.values[0].abs();
-    match sight.definition.name {
+    match sight.definition.parameters[0].kind {
         // A limit shows where commands reach it at all.
-        "saturation" => value,
+        Kind::Limit => value,
         _ if sight.definition.size.grows => value * factor,
         _ => value / factor,
     }
 }
 
+/// Pairs of effects that the logs do not tell apart, of those that are known to be alike.
 fn alike(linear: &Linearisation, subject: &Subject, sights: &[Sight]) -> Vec<Untestable> {
+    let pairs = subject.catalogue.iter().flat_map(|definition| {
+        let compared = definition.confused_with.iter().filter(|confusion| confusion.compared);
+        compared.map(move |confusion| (definition.name, confusion.with))
+    });
     let mut found = Vec::new();
-    for (a, b) in ALIKE {
+    for (a, b) in pairs {
         for first in sights.iter().filter(|sight| sight.definition.name == a) {
-            let on = |s: &&Sight| s.definition.name == b && s.joint == first.joint;
+            let on =
+                |s: &&Sight| Confused::Effect(s.definition.name) == b && s.joint == first.joint;
             let Some(second) = sights.iter().find(on) else { continue };
             let both = [first.change.clone(), second.change.clone()];
             let (_, c) = linear.along(&Rows::default(), &both);
             let same = c[(0, 1)] * c[(0, 1)] / (c[(0, 0)] * c[(1, 1)]).max(1e-300);
             if same > SAME {
                 found.push(Untestable {
-                    effect: b.into(),
+                    effect: second.definition.name.into(),
                     joint: subject.outer_joint(first.joint),
                     why: format!(
                         "these logs do not tell it from {a}; {} would",

@@ -23,7 +23,7 @@ pub fn diagnosis_page(diagnosis: &Diagnosis) -> Page {
     let stages = Stages::of(diagnosis);
     let mut page = Page::new("Where robot and model differ", &sentence(diagnosis));
     if !report.causes.is_empty() {
-        page.words(&CAUSES, &cause_rows(&report.causes));
+        page.words(&CAUSES, &cause_rows(diagnosis));
     }
     section(
         &mut page,

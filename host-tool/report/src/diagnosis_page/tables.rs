@@ -9,7 +9,7 @@ use diagnosis::{Cause, Detectable, Diagnosis, Rival};
 pub const CAUSES: [&str; 5] = ["cause", "joint", "confidence", "shrinkage", "parameters"];
 
 /// A row per cause.
-pub fn cause_rows(causes: &[Cause]) -> Vec<Vec<String>> {
+pub fn cause_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
     let row = |cause: &Cause| {
         let [low, high] = cause.shrinkage_interval.map(percent);
         vec![
@@ -17,10 +17,10 @@ pub fn cause_rows(causes: &[Cause]) -> Vec<Vec<String>> {
             joint_number(cause.joint),
             format!("{} %", percent(cause.confidence)),
             format!("{} % ({low} to {high})", percent(cause.shrinkage)),
-            parameter_words(&cause.effect, &cause.parameters, true),
+            parameter_words(&diagnosis.catalogue, &cause.effect, &cause.parameters, true),
         ]
     };
-    causes.iter().map(row).collect()
+    diagnosis.report.causes.iter().map(row).collect()
 }
 
 fn percent(part: f64) -> String {
@@ -41,7 +41,7 @@ pub(super) fn add(page: &mut Page, diagnosis: &Diagnosis) {
     };
     words(page, "Where the gap lies", &PLACES, place_rows(diagnosis));
     page.heading("The gap on the logs held out, rms").table(&GAP, &gap_rows(diagnosis));
-    words(page, "Rivals, and why they lost", &RIVALS, rival_rows(&diagnosis.rivals));
+    words(page, "Rivals, and why they lost", &RIVALS, rival_rows(diagnosis));
     words(page, "Not ruled out", &ALTERNATIVES, alternative_rows(diagnosis));
     words(page, "What these logs cannot show", &UNTESTABLE, untestable_rows(diagnosis));
     words(
@@ -103,17 +103,17 @@ fn gap_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
 
 const RIVALS: [&str; 5] = ["effect", "joint", "explains", "why it lost", "best parameters"];
 
-fn rival_rows(rivals: &[Rival]) -> Vec<Vec<String>> {
+fn rival_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
     let row = |rival: &Rival| {
         vec![
             effect_words(&rival.effect),
             joint_number(rival.joint),
             format!("{} %", percent(rival.explained)),
             rival.why.clone(),
-            parameter_words(&rival.effect, &rival.parameters, true),
+            parameter_words(&diagnosis.catalogue, &rival.effect, &rival.parameters, true),
         ]
     };
-    rivals.iter().map(row).collect()
+    diagnosis.rivals.iter().map(row).collect()
 }
 
 const ALTERNATIVES: [&str; 3] = ["effect", "joint", "confidence"];
@@ -156,9 +156,8 @@ fn detectable_rows(all: &[Detectable]) -> Vec<Vec<String>> {
 }
 
 fn size_words(one: &Detectable) -> String {
-    if one.parameter.starts_with("relative_") {
-        return format!("{:.1} %", 100.0 * one.size);
+    match split_unit(&one.parameter) {
+        (_, "") => format!("{:.1} %", 100.0 * one.size),
+        (_, unit) => quantity(one.size, unit),
     }
-    let (_, unit) = split_unit(&one.parameter);
-    quantity(one.size, unit)
 }

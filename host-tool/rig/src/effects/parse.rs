@@ -1,86 +1,12 @@
 //! Effects from a model file's `[[effect]]` tables and from the command line.
 
-use super::{CATALOGUE, Definition, Effect};
+use super::catalogue::Catalogue;
+use super::definition::Definition;
+use super::effect::Effect;
+use super::error::EffectError;
 use files::EffectTable;
 
-/// Why an effect is refused.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum EffectError {
-    /// No effect of the catalogue has this name.
-    #[error("{0} is no effect; the catalogue has {list}", list = names())]
-    Unknown(String),
-    /// The effect acts elsewhere.
-    #[error("{effect} acts on {right}, not on joint {joint}")]
-    Joint {
-        /// The effect.
-        effect: &'static str,
-        /// Where it acts.
-        right: &'static str,
-        /// The joint given.
-        joint: u8,
-    },
-    /// A parameter is missing, or there is one too many.
-    #[error("{effect} takes {expected}, but {found} is given")]
-    Parameters {
-        /// The effect.
-        effect: &'static str,
-        /// The parameters that it has.
-        expected: String,
-        /// Those given.
-        found: String,
-    },
-    /// A value that is not a number, or out of bounds.
-    #[error("{parameter} of {effect} is {value}, but must be from {lowest} to {highest}")]
-    Value {
-        /// The effect.
-        effect: &'static str,
-        /// The parameter.
-        parameter: &'static str,
-        /// The value given.
-        value: f64,
-        /// The least allowed.
-        lowest: f64,
-        /// The most allowed.
-        highest: f64,
-    },
-    /// Text of another form.
-    #[error("`{0}` is not of the form effect:joint:name=value,name=value")]
-    Form(String),
-}
-
-fn names() -> String {
-    CATALOGUE.map(|definition| definition.name).join(", ")
-}
-
 impl Definition {
-    pub(super) fn check(&self, joint: u8, values: &[f64]) -> Result<(), EffectError> {
-        let right = if self.whole_robot { "the whole robot (joint 0)" } else { "joint 1, 2 or 3" };
-        if self.whole_robot != (joint == 0) || joint > 3 {
-            return Err(EffectError::Joint { effect: self.name, right, joint });
-        }
-        if values.len() != self.parameters.len() {
-            return Err(self.wrong_parameters(format!("{} values", values.len())));
-        }
-        for (parameter, &value) in self.parameters.iter().zip(values) {
-            if !(parameter.lowest..=parameter.highest).contains(&value) {
-                return Err(EffectError::Value {
-                    effect: self.name,
-                    parameter: parameter.name,
-                    value,
-                    lowest: parameter.lowest,
-                    highest: parameter.highest,
-                });
-            }
-        }
-        Ok(())
-    }
-
-    fn wrong_parameters(&self, found: String) -> EffectError {
-        let mut expected: Vec<&str> = self.parameters.iter().map(|p| p.name).collect();
-        expected.dedup();
-        EffectError::Parameters { effect: self.name, expected: expected.join(", "), found }
-    }
-
     /// Values in the order of the parameters, each taken by name.
     fn values(&self, table: &toml::Table) -> Result<Vec<f64>, EffectError> {
         let mut values = Vec::new();
@@ -122,26 +48,34 @@ fn numbers(value: &toml::Value) -> Option<Vec<f64>> {
     }
 }
 
-/// The effect that a table of a model file describes.
-///
-/// # Errors
-/// An unknown name, or parameters that do not fit.
-pub fn effect_of(table: &EffectTable) -> Result<Box<dyn Effect>, EffectError> {
-    let (definition, values) = definition_and_values(table)?;
-    definition.with(table.joint, &values)
-}
+impl Catalogue {
+    /// The effect that a table of a model file describes.
+    ///
+    /// # Errors
+    /// An unknown name, or parameters that do not fit.
+    pub fn effect_of(&self, table: &EffectTable) -> Result<Box<dyn Effect>, EffectError> {
+        let (definition, values) = self.definition_and_values(table)?;
+        definition.with(table.joint, &values)
+    }
 
-/// The kind of effect that a table describes, and its values in the order of the kind's
-/// parameters.
-///
-/// # Errors
-/// An unknown name, or parameters that do not fit.
-pub fn definition_and_values(
-    table: &EffectTable,
-) -> Result<(&'static Definition, Vec<f64>), EffectError> {
-    let definition = Definition::by_name(&table.effect)
-        .ok_or_else(|| EffectError::Unknown(table.effect.clone()))?;
-    Ok((definition, definition.values(&table.parameters)?))
+    /// The kind of effect that a table describes, and its values in the order of the kind's
+    /// parameters.
+    ///
+    /// # Errors
+    /// An unknown name, or parameters that do not fit.
+    pub fn definition_and_values(
+        &self,
+        table: &EffectTable,
+    ) -> Result<(&'static Definition, Vec<f64>), EffectError> {
+        let definition = self.by_name(&table.effect).ok_or_else(|| self.unknown(&table.effect))?;
+        Ok((definition, definition.values(&table.parameters)?))
+    }
+
+    /// The refusal of a name that no effect has.
+    fn unknown(&self, name: &str) -> EffectError {
+        let known: Vec<&str> = self.iter().map(|definition| definition.name).collect();
+        EffectError::Unknown { name: name.to_owned(), known: known.join(", ") }
+    }
 }
 
 /// The table that `effect:joint:name=value,name=value` describes; a vector's components stand
@@ -190,7 +124,11 @@ mod tests {
 
     fn error(text: &str) -> String {
         let table = table_from_text(text);
-        table.and_then(|table| effect_of(&table)).map(|_| ()).unwrap_err().to_string()
+        table
+            .and_then(|table| Catalogue::standard().effect_of(&table))
+            .map(|_| ())
+            .unwrap_err()
+            .to_string()
     }
 
     #[test]
@@ -201,7 +139,7 @@ mod tests {
             "payload:0:mass_kg=0.3",
             "tip_force:force_N=1 0 -2",
         ] {
-            effect_of(&table_from_text(text).unwrap()).unwrap();
+            Catalogue::standard().effect_of(&table_from_text(text).unwrap()).unwrap();
         }
     }
 

@@ -52,28 +52,6 @@ impl Typical {
     }
 }
 
-/// What an effect changes in: command as the motor feels it = friction + rigid body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Touches {
-    /// What drives the joint: the command, voltages and torques that are added.
-    pub drive: bool,
-    /// Friction.
-    pub friction: bool,
-    /// What the rigid body needs.
-    pub body: bool,
-}
-
-impl Touches {
-    /// The drive alone.
-    pub const DRIVE: Self = Self { drive: true, friction: false, body: false };
-    /// Friction alone.
-    pub const FRICTION: Self = Self { drive: false, friction: true, body: false };
-    /// The rigid body or the motion of its links.
-    pub const BODY: Self = Self { drive: false, friction: false, body: true };
-    /// The reading of the encoder, and so everything.
-    pub const READING: Self = Self { drive: true, friction: true, body: true };
-}
-
 /// How the first parameter of an effect tells its size.
 #[derive(Clone, Copy, Debug)]
 pub struct Size {

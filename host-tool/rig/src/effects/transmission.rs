@@ -1,11 +1,11 @@
-//! What stands between a motor and its link: a spring and a damper, perhaps with play.
+//! What stands between a motor and its link: a spring and a damper, perhaps with backlash.
 
 use model::Robot;
 
-/// A spring and damper that act once the play is used up.
+/// A spring and damper that act once the gap is closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transmission {
-    /// Play from one end to the other [rad]; 0 for none.
+    /// Gap from one stop to the other [rad]; 0 for none.
     pub gap_rad: f64,
     /// Stiffness [Nm/rad].
     pub stiffness_nm_per_rad: f64,
@@ -63,7 +63,7 @@ mod tests {
     }
 
     #[test]
-    fn within_the_play_nothing_is_passed_on() {
+    fn within_the_gap_nothing_is_passed_on() {
         let loose = Transmission { gap_rad: 0.02, ..SPRING };
         assert_eq!(loose.torque_nm(0.0099, 3.0), 0.0);
         assert!((loose.torque_nm(0.02, 0.0) - 1.0).abs() < 1e-12);

@@ -18,6 +18,7 @@ use files::{EffectTable, RobotFile};
 use recordings::tracking::Tracking;
 use report::tracking_page::{Run, error_charts, tracking_page};
 use rig::Rig;
+use rig::effects::Catalogue;
 use rig::plan::task;
 use simulation::board::{Qemu, QemuSettings};
 use simulation::{Settings, SimulatedRobot, record_robot, start_of};
@@ -103,7 +104,8 @@ impl Arguments {
     ) -> Result<Run, Failure> {
         let plan = task(self.duration_s).with_mode(mode);
         let (ticks, block) = (plan.ticks(rig), plan.block(rig));
-        let effects: Result<Vec<_>, _> = effects.iter().map(rig::effects::effect_of).collect();
+        let effects: Result<Vec<_>, _> =
+            effects.iter().map(|table| Catalogue::standard().effect_of(table)).collect();
         let effects = effects.map_err(|error| Failure::new(error.to_string(), ""))?;
         let start = start_of(&block);
         let robot =

@@ -2,18 +2,27 @@
 
 use model::friction::FrictionScale;
 
-use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
+use crate::effects::{
+    Compensation, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
+};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "load_friction",
     words: "friction grows with the load on the joint",
     equation: "gamma + b |c + h|",
     whole_robot: false,
-    parameters: &[Parameter::new("coefficient_V_per_Nm", 0.0, 1.0)],
+    parameters: &[Parameter::new("coefficient_V_per_Nm", Kind::Coefficient, 0.0, 1.0)],
     couples_joints: false,
     touches: Touches::FRICTION,
     search: Search::From(|typical| vec![vec![0.1 * typical.friction_v / typical.load_nm]]),
     size: Size::grows(|typical| typical.friction_v / typical.load_nm),
+    draw: |context, random| {
+        // In parts of the load in volts, so that joints are alike.
+        let k_t = context.robot.torque_constant_nm_per_v[context.joint];
+        vec![random.log_uniform(0.03, 0.3) / k_t]
+    },
+    confused_with: &[],
+    compensation: Compensation::None("the board does not compute the load's part of friction"),
     experiment: "`rrr run slow` in other postures or with a payload",
     build: |joint, values| {
         Box::new(LoadFriction { joint: usize::from(joint) - 1, coefficient_v_per_nm: values[0] })

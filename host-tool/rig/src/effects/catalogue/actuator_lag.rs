@@ -2,18 +2,29 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
+use crate::effects::{
+    Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
+};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "actuator_lag",
     words: "the current follows the command as a first-order lag",
     equation: "T du'/dt + u' = u",
     whole_robot: false,
-    parameters: &[Parameter::new("time_constant_s", 1e-5, 0.1)],
+    parameters: &[Parameter::new("time_constant_s", Kind::TimeConstant, 1e-5, 0.1)],
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::From(|_| vec![vec![5e-4], vec![2e-3], vec![6e-3], vec![0.02]]),
     size: Size::grows(|_| 0.02),
+    draw: |_, random| vec![random.log_uniform(1e-3, 1e-2)],
+    confused_with: &[Confusion::effect(
+        "delay",
+        "below 1/(10 T) both turn the phase alike; they differ in the second order",
+        "`driven-noise` to 200 Hz",
+    )
+    .compared()
+    .never_paired()],
+    compensation: Compensation::None("undoing a lag would amplify the noise of the command"),
     experiment: "`rrr run driven-noise`, which reaches 200 Hz",
     build: |joint, values| {
         Box::new(ActuatorLag {

@@ -1,20 +1,40 @@
 //! An amplifier that swallows small commands.
 
+use firmware::compensation::{InputInverse, limits};
 use model::effects::dead_zone;
 use model::vector::Vector3;
 
-use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
+use crate::effects::{
+    Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
+};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "dead_zone",
     words: "the amplifier swallows the first volts of every command",
     equation: "sgn(u) max(|u| - d, 0)",
     whole_robot: false,
-    parameters: &[Parameter::new("half_width_V", 0.0, 5.0)],
+    parameters: &[Parameter::of_board("half_width_V", Kind::HalfWidth, limits::DEAD_ZONE_V)],
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::From(|typical| [0.1, 0.4].map(|part| vec![part * typical.friction_v]).to_vec()),
     size: Size::grows(|typical| typical.friction_v),
+    draw: |_, random| vec![random.log_uniform(0.05, 0.3)],
+    confused_with: &[
+        Confusion::effect(
+            "torque_constant",
+            "both take a part of every command",
+            "commands from small to large",
+        )
+        .compared(),
+        Confusion::model(
+            "Coulomb friction",
+            "alike where command and velocity share their sign",
+            "gravity load: joints 2 and 3, `slow`",
+        ),
+    ],
+    compensation: Compensation::Inverse(|values| {
+        Ok(InputInverse::DeadZone { half_width_v: values[0] as f32 })
+    }),
     experiment: "`rrr run excitation`, where commands cross zero while the joint slides",
     build: |joint, values| {
         Box::new(DeadZone { joint: usize::from(joint) - 1, half_width_v: values[0] })

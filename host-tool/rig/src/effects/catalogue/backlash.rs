@@ -1,23 +1,30 @@
-//! Play between motor and link.
+//! A gap between motor and link.
 
-use super::{Definition, Effect, Parameter, Search, Size, Touches, Typical};
-use crate::effects::Transmission;
+use crate::effects::{
+    Compensation, Definition, Effect, Kind, Parameter, Search, Size, Touches, Transmission, Typical,
+};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "backlash",
-    words: "motor and link are joined with play",
+    words: "motor and link meet only beyond a gap",
     equation: "spring and damper beyond a gap of gap_rad in all",
     whole_robot: false,
     parameters: &[
-        Parameter::new("gap_rad", 0.0, 0.5),
-        Parameter::new("stiffness_Nm_per_rad", 1.0, 1e6),
-        Parameter::new("damping_Nm_s_per_rad", 0.0, 1e3),
-        Parameter::new("motor_inertia_kg_m2", 1e-5, 10.0),
+        Parameter::new("gap_rad", Kind::Gap, 0.0, 0.5),
+        Parameter::new("stiffness_Nm_per_rad", Kind::Stiffness, 1.0, 1e6),
+        Parameter::new("damping_Nm_s_per_rad", Kind::Damping, 0.0, 1e3),
+        Parameter::new("motor_inertia_kg_m2", Kind::Inertia, 1e-5, 10.0),
     ],
     couples_joints: true,
     touches: Touches::BODY,
     search: Search::From(starts),
     size: Size::grows(|_| 0.03),
+    draw: |context, random| {
+        let gap_rad = random.log_uniform(5e-4, 5e-3);
+        [&[gap_rad], &context.spring(random, 20.0, 60.0)[..]].concat()
+    },
+    confused_with: &[],
+    compensation: Compensation::None("the encoder sees the motor, not the link"),
     experiment: "`rrr run slow` and `rrr run driven-noise`, which reverse the torque",
     build: |joint, values| {
         let transmission = Transmission {

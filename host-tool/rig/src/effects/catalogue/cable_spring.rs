@@ -1,9 +1,13 @@
 //! Cables that pull the joint towards a rest angle.
 
+use firmware::compensation::{Feedforward, limits};
+use model::HANGING_RAD;
 use model::effects::cable_spring_v;
 use model::vector::Vector3;
 
-use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
+use crate::effects::{
+    Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
+};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "cable_spring",
@@ -11,13 +15,31 @@ pub(super) const DEFINITION: Definition = Definition {
     equation: "u - k (q - q0)",
     whole_robot: false,
     parameters: &[
-        Parameter::new("stiffness_V_per_rad", 0.0, 10.0),
-        Parameter::new("rest_rad", -100.0, 100.0),
+        Parameter::of_board(
+            "stiffness_V_per_rad",
+            Kind::Stiffness,
+            limits::CABLE_STIFFNESS_V_PER_RAD,
+        ),
+        Parameter::of_board("rest_rad", Kind::Angle, limits::CABLE_REST_RAD),
     ],
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::From(|typical| vec![vec![0.1 * typical.friction_v, typical.position_rad]]),
     size: Size::grows(|typical| typical.friction_v),
+    draw: |context, random| {
+        // At rest near the posture about which motions are made.
+        let stiffness = random.log_uniform(0.05, 0.5);
+        vec![stiffness, HANGING_RAD[context.joint] + random.uniform(-1.0, 1.0)]
+    },
+    confused_with: &[Confusion::model(
+        "gravity's slope",
+        "a straight line and a sine agree over less than a radian",
+        "motion over more than a turn",
+    )],
+    compensation: Compensation::Feedforward(|values| {
+        let [stiffness_v_per_rad, rest_rad] = [values[0] as f32, values[1] as f32];
+        Ok(Feedforward::CableSpring { stiffness_v_per_rad, rest_rad })
+    }),
     experiment: "`rrr run slow` over more than a turn",
     build: |joint, values| {
         Box::new(CableSpring {

@@ -2,14 +2,16 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
+use crate::effects::{
+    Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
+};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "saturation",
     words: "the amplifier gives no more than a limit that the model does not know",
     equation: "u cut at +-L",
     whole_robot: false,
-    parameters: &[Parameter::new("limit_V", 0.01, 100.0)],
+    parameters: &[Parameter::new("limit_V", Kind::Limit, 0.01, 100.0)],
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::From(|typical| {
@@ -18,6 +20,13 @@ pub(super) const DEFINITION: Definition = Definition {
         parts.map(|part| vec![part * typical.command_v]).to_vec()
     }),
     size: Size::shrinks(|typical| 0.3 * typical.command_v),
+    draw: |context, random| vec![random.uniform(0.4, 0.95) * context.peak_command_v[context.joint]],
+    confused_with: &[Confusion::effect(
+        "torque_constant",
+        "a limit that only one log reaches looks like a smaller gain",
+        "`excitation` driven harder, so that two logs reach the limit",
+    )],
+    compensation: Compensation::None("an amplifier gives no more than it can"),
     experiment: "`rrr run excitation`, faster, so that the limit is reached",
     build: |joint, values| {
         Box::new(Saturation { joint: usize::from(joint) - 1, limit_v: values[0] })

@@ -4,18 +4,23 @@ use std::collections::VecDeque;
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
+use crate::effects::{
+    Compensation, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
+};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "delay",
     words: "the command acts later than it is given",
     equation: "u(t - d)",
     whole_robot: false,
-    parameters: &[Parameter::new("delay_s", 0.0, 0.1)],
+    parameters: &[Parameter::new("delay_s", Kind::Delay, 0.0, 0.1)],
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::From(|_| vec![vec![8e-4], vec![2.5e-3], vec![6e-3], vec![0.02]]),
     size: Size::grows(|_| 0.02),
+    draw: |_, random| vec![random.log_uniform(1e-3, 6e-3)],
+    confused_with: &[],
+    compensation: Compensation::None("no command can act before it is given"),
     experiment: "`rrr run driven-noise`, which reaches 200 Hz",
     build: |joint, values| {
         Box::new(Delay {

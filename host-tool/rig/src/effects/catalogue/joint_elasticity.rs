@@ -1,7 +1,9 @@
 //! A joint that gives way.
 
-use super::{Definition, Effect, Parameter, Search, Size, Touches, Typical};
-use crate::effects::Transmission;
+use crate::effects::{
+    Compensation, Confusion, Definition, Effect, Kind, Parameter, Search, Size, Touches,
+    Transmission, Typical,
+};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "joint_elasticity",
@@ -9,14 +11,23 @@ pub(super) const DEFINITION: Definition = Definition {
     equation: "k (theta - q) + d (theta' - q'), encoder and friction at the motor theta",
     whole_robot: false,
     parameters: &[
-        Parameter::new("stiffness_Nm_per_rad", 1.0, 1e6),
-        Parameter::new("damping_Nm_s_per_rad", 0.0, 1e3),
-        Parameter::new("motor_inertia_kg_m2", 1e-5, 10.0),
+        Parameter::new("stiffness_Nm_per_rad", Kind::Stiffness, 1.0, 1e6),
+        Parameter::new("damping_Nm_s_per_rad", Kind::Damping, 0.0, 1e3),
+        Parameter::new("motor_inertia_kg_m2", Kind::Inertia, 1e-5, 10.0),
     ],
     couples_joints: true,
     touches: Touches::BODY,
     search: Search::From(starts),
     size: Size::shrinks(|typical| typical.spring(2.0, 0.2)[0]),
+    draw: |context, random| context.spring(random, 8.0, 40.0).to_vec(),
+    confused_with: &[
+        Confusion::effect(
+            "backlash",
+            "a gap that is small against the spring's own give is a spring; both ring",
+            "`driven-noise` at two amplitudes: the resonance of backlash moves with amplitude, that of a spring does not",
+        ).never_paired(),
+    ],
+    compensation: Compensation::None("the encoder sees the motor, not the link"),
     experiment: "`rrr run driven-noise`, which reaches the resonance",
     build: |joint, values| {
         let transmission = Transmission {

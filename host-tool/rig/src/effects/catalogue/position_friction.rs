@@ -1,9 +1,13 @@
 //! Friction that varies over the turn.
 
+use firmware::compensation::{Feedforward, limits};
 use model::effects::{AngularHarmonic, scale_position_friction};
 use model::friction::FrictionScale;
 
-use super::{Carrier, Definition, Effect, JointState, Parameter, Search, Size, Touches};
+use crate::effects::{
+    Carrier, Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search,
+    Size, Touches, harmonic, turn_wave,
+};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "position_friction",
@@ -11,14 +15,26 @@ pub(super) const DEFINITION: Definition = Definition {
     equation: "gamma (1 + a sin(n q + phi))",
     whole_robot: false,
     parameters: &[
-        Parameter::new("relative_amplitude", 0.0, 0.95),
-        Parameter::new("harmonic", 1.0, 1000.0),
-        Parameter::new("phase_rad", -6.3, 6.3),
+        Parameter::of_board("relative_amplitude", Kind::Amplitude, limits::POSITION_FRICTION),
+        Parameter::of_board("harmonic", Kind::Harmonic, limits::HARMONIC),
+        Parameter::new("phase_rad", Kind::Phase, -6.3, 6.3),
     ],
     couples_joints: false,
     touches: Touches::FRICTION,
     search: Search::Harmonics(Carrier::Friction),
     size: Size::grows(|_| 0.8),
+    draw: |_, random| harmonic(random, [0.15, 0.5], 12),
+    confused_with: &[Confusion::effect(
+        "load_friction",
+        "on joint 2 the load is a function of the angle",
+        "another posture, or a payload",
+    )
+    .compared()
+    .never_paired()],
+    compensation: Compensation::Feedforward(|values| {
+        let wave = turn_wave(values[1], values[2])?;
+        Ok(Feedforward::PositionFriction { relative_amplitude: values[0] as f32, wave })
+    }),
     experiment: "`rrr run slow` over a whole turn",
     build: |joint, values| {
         Box::new(PositionFriction {

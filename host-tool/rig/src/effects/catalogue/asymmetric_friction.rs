@@ -1,20 +1,32 @@
 //! Friction that differs between the directions.
 
+use firmware::compensation::{Feedforward, limits};
 use model::effects::scale_asymmetric_friction;
 use model::friction::FrictionScale;
 
-use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
+use crate::effects::{
+    Compensation, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
+};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "asymmetric_friction",
     words: "friction is stronger one way than the other",
     equation: "gamma and alpha2 times 1 + e forwards, 1 - e backwards",
     whole_robot: false,
-    parameters: &[Parameter::new("relative_asymmetry", -0.95, 0.95)],
+    parameters: &[Parameter::of_board(
+        "relative_asymmetry",
+        Kind::RelativeChange,
+        limits::FRICTION_ASYMMETRY,
+    )],
     couples_joints: false,
     touches: Touches::FRICTION,
     search: Search::From(|_| vec![vec![0.1]]),
     size: Size::grows(|_| 0.8),
+    draw: |_, random| vec![random.signed_log_uniform(0.1, 0.4)],
+    confused_with: &[],
+    compensation: Compensation::Feedforward(|values| {
+        Ok(Feedforward::AsymmetricFriction { relative_asymmetry: values[0] as f32 })
+    }),
     experiment: "`rrr run excitation`, both ways at many speeds",
     build: |joint, values| {
         Box::new(AsymmetricFriction {

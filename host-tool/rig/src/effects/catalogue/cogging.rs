@@ -1,9 +1,13 @@
 //! Torque of the magnets on the slots.
 
+use firmware::compensation::{Feedforward, limits};
 use model::effects::{AngularHarmonic, cogging_v};
 use model::vector::Vector3;
 
-use super::{Carrier, Definition, Effect, JointState, Parameter, Search, Size, Touches};
+use crate::effects::{
+    Carrier, Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search,
+    Size, Touches, harmonic, turn_wave,
+};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "cogging",
@@ -11,14 +15,24 @@ pub(super) const DEFINITION: Definition = Definition {
     equation: "u + A sin(n q + phi)",
     whole_robot: false,
     parameters: &[
-        Parameter::new("amplitude_V", 0.0, 5.0),
-        Parameter::new("harmonic", 1.0, 1000.0),
-        Parameter::new("phase_rad", -6.3, 6.3),
+        Parameter::of_board("amplitude_V", Kind::Amplitude, limits::COGGING_V),
+        Parameter::of_board("harmonic", Kind::Harmonic, limits::HARMONIC),
+        Parameter::new("phase_rad", Kind::Phase, -6.3, 6.3),
     ],
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::Harmonics(Carrier::Unity),
     size: Size::grows(|typical| typical.friction_v),
+    draw: |_, random| harmonic(random, [0.03, 0.2], 24),
+    confused_with: &[Confusion::model(
+        "gravity",
+        "once per turn, on joints 2 and 3, both are a sine of the angle; the prior holds gravity",
+        "a payload, which changes gravity alone",
+    )],
+    compensation: Compensation::Feedforward(|values| {
+        let wave = turn_wave(values[1], values[2])?;
+        Ok(Feedforward::Cogging { amplitude_v: values[0] as f32, wave })
+    }),
     experiment: "`rrr run slow` over a whole turn",
     build: |joint, values| {
         Box::new(Cogging {

@@ -2,7 +2,9 @@
 
 use model::vector::Vector3;
 
-use super::{Definition, Effect, Parameter, Search, Size, Touches};
+use crate::effects::{
+    Compensation, Confusion, Definition, Effect, Kind, Parameter, Search, Size, Touches,
+};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "encoder_eccentricity",
@@ -10,13 +12,20 @@ pub(super) const DEFINITION: Definition = Definition {
     equation: "reads q + a sin(q + phi)",
     whole_robot: false,
     parameters: &[
-        Parameter::new("amplitude_rad", 0.0, 0.2),
-        Parameter::new("phase_rad", -6.3, 6.3),
+        Parameter::new("amplitude_rad", Kind::Amplitude, 0.0, 0.2),
+        Parameter::new("phase_rad", Kind::Phase, -6.3, 6.3),
     ],
     couples_joints: true,
     touches: Touches::READING,
     search: Search::From(|_| [0.0, 1.5, 3.0, -1.5].map(|phase_rad| vec![2e-3, phase_rad]).to_vec()),
     size: Size::grows(|_| 0.05),
+    draw: |_, random| vec![random.log_uniform(3e-3, 1.5e-2), random.phase_rad()],
+    confused_with: &[Confusion::model(
+        "coupling inertias",
+        "slow turns leave little of it, and a smooth error of acceleration is an inertia's",
+        "fast turns: its error grows with the square of speed",
+    )],
+    compensation: Compensation::None("the board takes its encoders for true"),
     experiment: "`rrr run excitation`: fast turns",
     build: |joint, values| {
         Box::new(EncoderEccentricity {

@@ -2,7 +2,9 @@
 
 use model::friction::FrictionScale;
 
-use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
+use crate::effects::{
+    Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
+};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "friction_drift",
@@ -10,13 +12,20 @@ pub(super) const DEFINITION: Definition = Definition {
     equation: "gamma and alpha2 times 1 + e (1 - exp(-t/T))",
     whole_robot: false,
     parameters: &[
-        Parameter::new("relative_change", -0.9, 2.0),
-        Parameter::new("time_constant_s", 0.1, 10000.0),
+        Parameter::new("relative_change", Kind::RelativeChange, -0.9, 2.0),
+        Parameter::new("time_constant_s", Kind::TimeConstant, 0.1, 10000.0),
     ],
     couples_joints: false,
     touches: Touches::FRICTION,
     search: Search::From(|_| [1.0, 5.0, 30.0].map(|time_s| vec![0.2, time_s]).to_vec()),
     size: Size::grows(|_| 0.8),
+    draw: |_, random| vec![random.signed_log_uniform(0.15, 0.6), random.uniform(2.0, 10.0)],
+    confused_with: &[Confusion::effect(
+        "load_friction",
+        "both change friction slowly while the motion goes on",
+        "the same motion cold and warm",
+    )],
+    compensation: Compensation::None("the board does not know how warm the joint is"),
     experiment: "one motion repeated, cold and warm",
     build: |joint, values| {
         Box::new(FrictionDrift {

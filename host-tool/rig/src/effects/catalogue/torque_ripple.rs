@@ -1,9 +1,13 @@
 //! A torque constant that varies over the turn.
 
+use firmware::compensation::{InputInverse, limits};
 use model::effects::{AngularHarmonic, ripple_factor};
 use model::vector::Vector3;
 
-use super::{Carrier, Definition, Effect, JointState, Parameter, Search, Size, Touches};
+use crate::effects::{
+    Carrier, Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search,
+    Size, Touches, harmonic, turn_wave,
+};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "torque_ripple",
@@ -11,14 +15,25 @@ pub(super) const DEFINITION: Definition = Definition {
     equation: "u (1 + a sin(n q + phi))",
     whole_robot: false,
     parameters: &[
-        Parameter::new("relative_amplitude", 0.0, 0.9),
-        Parameter::new("harmonic", 1.0, 1000.0),
-        Parameter::new("phase_rad", -6.3, 6.3),
+        Parameter::of_board("relative_amplitude", Kind::Amplitude, limits::TORQUE_RIPPLE),
+        Parameter::of_board("harmonic", Kind::Harmonic, limits::HARMONIC),
+        Parameter::new("phase_rad", Kind::Phase, -6.3, 6.3),
     ],
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::Harmonics(Carrier::Command),
     size: Size::grows(|_| 0.5),
+    draw: |_, random| harmonic(random, [0.03, 0.15], 24),
+    confused_with: &[Confusion::effect(
+        "cogging",
+        "where the command follows gravity, ripple is cogging one order up or down",
+        "the same angles under another load",
+    )
+    .compared()],
+    compensation: Compensation::Inverse(|values| {
+        let wave = turn_wave(values[1], values[2])?;
+        Ok(InputInverse::TorqueRipple { relative_amplitude: values[0] as f32, wave })
+    }),
     experiment: "`rrr run excitation` over a whole turn under load",
     build: |joint, values| {
         Box::new(TorqueRipple {

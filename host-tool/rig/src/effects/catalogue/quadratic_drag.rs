@@ -1,22 +1,46 @@
 //! Drag that grows with the square of speed.
 
+use firmware::compensation::{Feedforward, limits};
 use model::effects::quadratic_drag_v;
 use model::vector::Vector3;
 
-use super::{Definition, Effect, JointState, Parameter, Search, Size, Touches};
+use crate::effects::{
+    Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
+};
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "quadratic_drag",
     words: "air or a fan drags with the square of speed",
     equation: "u - b qd |qd|",
     whole_robot: false,
-    parameters: &[Parameter::new("coefficient_V_s2_per_rad2", 0.0, 1.0)],
+    parameters: &[Parameter::of_board(
+        "coefficient_V_s2_per_rad2",
+        Kind::Coefficient,
+        limits::QUADRATIC_DRAG_V_S2_PER_RAD2,
+    )],
     couples_joints: false,
     touches: Touches::DRIVE,
     search: Search::From(|typical| {
         vec![vec![0.1 * typical.friction_v / typical.speed_rad_per_s.powi(2)]]
     }),
     size: Size::grows(|typical| typical.friction_v / typical.speed_rad_per_s.powi(2)),
+    draw: |_, random| vec![random.log_uniform(0.003, 0.05)],
+    confused_with: &[
+        Confusion::effect(
+            "friction_drift",
+            "both change friction slowly while the motion goes on",
+            "the same motion cold and warm",
+        )
+        .compared(),
+        Confusion::model(
+            "viscous friction",
+            "over less than a decade of speeds a square is nearly a line",
+            "`constant-velocity` from slow to fast",
+        ),
+    ],
+    compensation: Compensation::Feedforward(|values| {
+        Ok(Feedforward::QuadraticDrag { coefficient_v_s2_per_rad2: values[0] as f32 })
+    }),
     experiment: "`rrr run excitation` at speeds ten times apart",
     build: |joint, values| {
         Box::new(QuadraticDrag {

@@ -1,0 +1,79 @@
+//! A base that does not stand level.
+
+use firmware::compensation::limits;
+use model::effects::Tilt;
+use model::vector::Vector3;
+use model::{Posture, Robot};
+
+use crate::effects::{
+    Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
+};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "base_tilt",
+    words: "the base leans, so gravity does not point along the first axis",
+    equation: "gravity g (sin b, -sin a cos b, -cos a cos b) in the base frame",
+    whole_robot: true,
+    parameters: &[
+        Parameter::new("tilt_x_rad", Kind::Rotation, -0.5, 0.5),
+        Parameter::new("tilt_y_rad", Kind::Rotation, -0.5, 0.5),
+        Parameter::of_board(
+            "hidden_moment_reach_kg_m",
+            Kind::FirstMoment,
+            limits::HIDDEN_MOMENT_KG_M,
+        )
+        .optional(),
+        Parameter::of_board(
+            "hidden_moment_side_kg_m",
+            Kind::FirstMoment,
+            limits::HIDDEN_MOMENT_KG_M,
+        )
+        .optional(),
+    ],
+    couples_joints: true,
+    touches: Touches::DRIVE,
+    search: Search::From(|_| vec![vec![0.02, 0.02, 0.1, 0.1]]),
+    size: Size::grows(|_| 0.2),
+    draw: |_, random| {
+        let size_rad = random.log_uniform(0.01, 0.1);
+        let (sine, cosine) = random.phase_rad().sin_cos();
+        let hidden_kg_m = [random.uniform(-1.0, 2.0), random.uniform(-0.5, 0.5)];
+        vec![size_rad * cosine, size_rad * sine, hidden_kg_m[0], hidden_kg_m[1]]
+    },
+    confused_with: &[Confusion::model(
+        "moments that a level base hides",
+        "the first moments of link 1 and those along joint axis 2 are not among the 16 \
+         parameters; they show on joint 1 only when the base leans",
+        "`slow` over a whole turn of joint 1",
+    )],
+    compensation: Compensation::Model(|load, values| {
+        if load.tilt.is_some() {
+            return Err("the board knows one tilt, and the model holds two");
+        }
+        load.tilt = Some(tilt(values));
+        Ok(())
+    }),
+    experiment: "`rrr run excitation`, joint 1 over a whole turn",
+    build: |_, values| Box::new(BaseTilt { tilt: tilt(values) }),
+};
+
+fn tilt(values: &[f64]) -> Tilt<f64> {
+    Tilt::new(values[0], values[1], [values[2], values[3]])
+}
+
+#[derive(Clone, Debug)]
+struct BaseTilt {
+    tilt: Tilt<f64>,
+}
+
+impl Effect for BaseTilt {
+    /// What gravity does beyond what it does to a level base.
+    fn add_torque(&self, state: &JointState, robot: &Robot<f64>, torque_nm: &mut Vector3<f64>) {
+        let [q1, q2, q3] = state.q_rad;
+        let Robot { base, geometry, .. } = robot;
+        let leaning = self.tilt.torque(q1.sin_cos(), &Posture::new(q2, q3), base, geometry);
+        for joint in 0..3 {
+            torque_nm[joint] += leaning[joint];
+        }
+    }
+}

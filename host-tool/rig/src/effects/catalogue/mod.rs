@@ -1,0 +1,107 @@
+//! The effects, one file each, and the catalogue in which they are looked up.
+
+mod actuator_lag;
+mod asymmetric_friction;
+mod backlash;
+mod base_tilt;
+mod cable_spring;
+mod cogging;
+mod dac_offset;
+mod dead_zone;
+mod delay;
+mod encoder_eccentricity;
+mod friction_drift;
+mod joint_elasticity;
+mod load_friction;
+mod payload;
+mod position_friction;
+mod quadratic_drag;
+mod saturation;
+mod tip_force;
+mod torque_constant;
+mod torque_ripple;
+
+use super::definition::Definition;
+
+/// The project's effects, in the order in which files and reports list them.
+const STANDARD: [&Definition; 20] = [
+    &torque_constant::DEFINITION,
+    &actuator_lag::DEFINITION,
+    &delay::DEFINITION,
+    &position_friction::DEFINITION,
+    &cogging::DEFINITION,
+    &torque_ripple::DEFINITION,
+    &payload::DEFINITION,
+    &tip_force::DEFINITION,
+    &base_tilt::DEFINITION,
+    &joint_elasticity::DEFINITION,
+    &backlash::DEFINITION,
+    &asymmetric_friction::DEFINITION,
+    &load_friction::DEFINITION,
+    &friction_drift::DEFINITION,
+    &cable_spring::DEFINITION,
+    &dac_offset::DEFINITION,
+    &saturation::DEFINITION,
+    &dead_zone::DEFINITION,
+    &encoder_eccentricity::DEFINITION,
+    &quadratic_drag::DEFINITION,
+];
+
+/// Effects, looked up by their names.
+#[derive(Clone, Debug)]
+pub struct Catalogue {
+    definitions: Vec<&'static Definition>,
+}
+
+impl Catalogue {
+    /// The project's effects.
+    pub fn standard() -> Self {
+        Self { definitions: STANDARD.to_vec() }
+    }
+
+    /// The same effects and one more.
+    pub fn with(mut self, definition: &'static Definition) -> Self {
+        self.definitions.push(definition);
+        self
+    }
+
+    /// All effects, in order.
+    pub fn iter(&self) -> impl Iterator<Item = &'static Definition> {
+        self.definitions.iter().copied()
+    }
+
+    /// The effect of that name.
+    pub fn by_name(&self, name: &str) -> Option<&'static Definition> {
+        self.iter().find(|definition| definition.name == name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::{Confused, Confusion};
+
+    #[test]
+    fn every_effect_has_another_name_and_finite_bounds() {
+        for (index, definition) in STANDARD.iter().enumerate() {
+            assert!(STANDARD[..index].iter().all(|other| other.name != definition.name));
+            for parameter in definition.parameters {
+                assert!(parameter.lowest < parameter.highest, "{}", definition.name);
+            }
+        }
+    }
+
+    #[test]
+    fn what_an_effect_is_confused_with_is_another_one() {
+        let catalogue = Catalogue::standard();
+        for definition in catalogue.iter() {
+            for confusion in definition.confused_with {
+                let Confused::Effect(other) = confusion.with else { continue };
+                let other = catalogue.by_name(other).unwrap_or_else(|| panic!("{other}"));
+                assert_ne!(other.name, definition.name);
+                let back = |c: &Confusion| c.with == Confused::Effect(definition.name);
+                assert!(!other.confused_with.iter().any(back), "{} twice", other.name);
+            }
+        }
+    }
+}

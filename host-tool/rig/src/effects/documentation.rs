@@ -1,0 +1,153 @@
+//! `docs/effects.md`, written from the catalogue.
+
+use super::catalogue::Catalogue;
+use super::compensation::Compensation;
+use super::confusion::{Confused, Confusion};
+use super::definition::Definition;
+use super::search::{Carrier, Search};
+
+const HEAD: &str = "\
+# The catalogue of effects
+
+What a real robot may do and the model does not hold. `rrr simulate --effect` adds them to the
+simulated robot, `[[effect]]` tables to a model. u is the command, q the joint as its encoder sees
+it, n a harmonic per turn. Each has a file in `host-tool/rig/src/effects/catalogue/`, from which this
+page is written (`RRR_WRITE_DOCS=1 cargo test -p rig docs_effects_md`); several act in the order in
+which they are given.
+
+    rrr simulate --model model.toml --dataset gap --out logs \\
+        --effect cogging:3:amplitude_V=0.11,harmonic=8,phase_rad=0.9 --effect payload:mass_kg=0.3
+";
+
+const SHOWN: &str = "
+## What shows them, and what the board makes up for
+
+An effect changes what drives the joint, its friction or what the rigid body needs, in the equation
+of the [diagnosis](diagnosis.md). The board makes up for it by feedforward, by sending the command
+through the inverse of the effect, or in the model that it computes with
+([firmware.md](firmware.md#what-is-made-up-for-beyond-the-model)).
+";
+
+const CONFUSED: &str = "
+## What is taken for what
+
+What logs cannot tell apart, or only just, why, and what would settle it. *Compared*: where the logs
+of a diagnosis do not tell the two apart it says so. *Twins*: one thing under two names, so no blind
+trial hides both on a joint.
+";
+
+/// The page of a catalogue, in Markdown.
+pub fn markdown(catalogue: &Catalogue) -> String {
+    let what = table(
+        ["effect", "acts on", "what it is", "equation", "parameters and their bounds"],
+        catalogue.iter().map(what_it_is),
+    );
+    let shown = table(
+        ["effect", "changes", "on", "searched for", "more of it is", "shown best by", "the board"],
+        catalogue.iter().map(how_it_shows),
+    );
+    let confused = catalogue.iter().flat_map(|definition| {
+        definition.confused_with.iter().map(|confusion| confusion_row(definition, confusion))
+    });
+    let confused = table(["this", "or that", "why", "told apart by", ""], confused);
+    [HEAD, "\n", &what, SHOWN, "\n", &shown, CONFUSED, "\n", &confused].concat()
+}
+
+fn what_it_is(definition: &Definition) -> [String; 5] {
+    [
+        code(definition.name),
+        if definition.whole_robot { "robot" } else { "joint" }.into(),
+        definition.words.into(),
+        definition.equation.into(),
+        parameters(definition),
+    ]
+}
+
+/// The parameters with their bounds, a vector's components as one.
+fn parameters(definition: &Definition) -> String {
+    let one = |name: &str| {
+        let mut components = definition.parameters.iter().filter(|p| p.name == name);
+        let first = components.next()?;
+        let each = if components.next().is_some() { " each of [x, y, z]" } else { "" };
+        let optional = if first.optional { ", 0 where left out" } else { "" };
+        Some(format!("`{name}` {} to {}{each}{optional}", first.lowest, first.highest))
+    };
+    definition.parameter_names().into_iter().filter_map(one).collect::<Vec<_>>().join("<br>")
+}
+
+fn how_it_shows(definition: &Definition) -> [String; 7] {
+    let touches = definition.touches;
+    let changes =
+        [(touches.drive, "drive"), (touches.friction, "friction"), (touches.body, "body")];
+    let changes = changes.into_iter().filter_map(|(does, what)| does.then_some(what));
+    let larger = if definition.size.grows { "larger" } else { "smaller" };
+    [
+        code(definition.name),
+        changes.collect::<Vec<_>>().join(", "),
+        if definition.couples_joints { "all joints" } else { "its joint" }.into(),
+        searched(definition.search).into(),
+        format!("a {larger} `{}`", definition.parameters[0].name),
+        definition.experiment.into(),
+        board(definition.compensation),
+    ]
+}
+
+fn searched(search: Search) -> &'static str {
+    match search {
+        Search::From(_) => "from start values",
+        Search::Harmonics(Carrier::Unity) => "at every harmonic",
+        Search::Harmonics(Carrier::Command) => "at every harmonic of the command",
+        Search::Harmonics(Carrier::Friction) => "at every harmonic of friction",
+    }
+}
+
+fn board(compensation: Compensation) -> String {
+    match compensation {
+        Compensation::Feedforward(_) => "feedforward".into(),
+        Compensation::Inverse(_) => "inverse".into(),
+        Compensation::Model(_) => "in its model".into(),
+        Compensation::None(why) => format!("no: {why}"),
+    }
+}
+
+fn confusion_row(definition: &Definition, confusion: &Confusion) -> [String; 5] {
+    let notes = [(confusion.compared, "compared"), (confusion.never_paired, "twins")];
+    let notes = notes.into_iter().filter_map(|(is, note)| is.then_some(note));
+    [
+        code(definition.name),
+        match confusion.with {
+            Confused::Effect(name) => code(name),
+            Confused::Model(part) => part.into(),
+        },
+        confusion.why.into(),
+        confusion.told_apart_by.into(),
+        notes.collect::<Vec<_>>().join(", "),
+    ]
+}
+
+fn code(name: &str) -> String {
+    format!("`{name}`")
+}
+
+fn table<const N: usize>(header: [&str; N], rows: impl Iterator<Item = [String; N]>) -> String {
+    let line = |cells: [String; N]| format!("| {} |\n", cells.join(" | "));
+    let escaped = |row: [String; N]| row.map(|cell| cell.replace('|', "&#124;"));
+    let head = line(header.map(str::to_owned)) + &line(header.map(|_| "---".to_owned()));
+    rows.fold(head, |text, row| text + &line(escaped(row)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn docs_effects_md_is_what_the_catalogue_says() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/effects.md");
+        let page = markdown(&Catalogue::standard());
+        if std::env::var_os("RRR_WRITE_DOCS").is_some() {
+            std::fs::write(path, &page).unwrap();
+        }
+        let found = std::fs::read_to_string(path).unwrap();
+        assert!(found == page, "write it: RRR_WRITE_DOCS=1 cargo test -p rig docs_effects_md");
+    }
+}

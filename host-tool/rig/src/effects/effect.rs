@@ -1,0 +1,58 @@
+//! What an effect does to the simulated robot.
+
+use std::fmt::Debug;
+
+use model::Robot;
+use model::friction::FrictionScale;
+use model::vector::Vector3;
+
+use super::transmission::Transmission;
+
+/// The robot at one instant, as effects see it.
+#[derive(Clone, Copy, Debug)]
+pub struct JointState {
+    /// Time since the log began [s].
+    pub time_s: f64,
+    /// Joints as their encoders see them [rad].
+    pub q_rad: Vector3<f64>,
+    /// Their velocities [rad/s].
+    pub qd_rad_per_s: Vector3<f64>,
+    /// Coriolis and gravity torques c + h [Nm].
+    pub load_nm: Vector3<f64>,
+}
+
+/// What an effect does to the simulated robot; it does nothing unless it says so.
+///
+/// Several act one after the other in the order in which they are given.
+pub trait Effect: Debug + Send {
+    /// Changes the robot itself, before it moves.
+    fn change_robot(&self, _robot: &mut Robot<f64>) {}
+
+    /// Takes the time between calls of [`Self::change_command`] [s], once at the beginning.
+    fn set_step(&mut self, _step_s: f64) {}
+
+    /// Changes the voltages on their way from the converter to the motors.
+    fn change_command(&mut self, _state: &JointState, _command_v: &mut Vector3<f64>) {}
+
+    /// Whether it needs [`JointState::load_nm`].
+    fn feels_load(&self) -> bool {
+        false
+    }
+
+    /// Changes the level and the viscous part of friction.
+    fn change_friction(&self, _state: &JointState, _scale: &mut [FrictionScale<f64>; 3]) {}
+
+    /// Adds voltages to what the motors make of the command.
+    fn add_voltage(&self, _state: &JointState, _voltage_v: &mut Vector3<f64>) {}
+
+    /// Adds torques from outside [Nm].
+    fn add_torque(&self, _state: &JointState, _robot: &Robot<f64>, _torque_nm: &mut Vector3<f64>) {}
+
+    /// Changes the angles that the encoders read.
+    fn change_reading(&self, _q_rad: &mut Vector3<f64>) {}
+
+    /// What stands between motor and link, and at which joint (0 to 2).
+    fn transmission(&self) -> Option<(usize, Transmission)> {
+        None
+    }
+}
