@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
+use super::median::median;
 use super::*;
 use crate::case::Kind;
 use crate::cause::TrueCause;
