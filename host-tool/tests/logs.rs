@@ -65,7 +65,7 @@ fn other_columns_and_other_writers_habits_are_accepted() {
     std::fs::write(&path, text).unwrap();
     let log = Log::read(&path).unwrap();
     assert_eq!(log.time_s, [0.0, 0.001]);
-    let joint = log.only_joint().unwrap();
+    let [joint] = &log.joints[..] else { panic!("one joint") };
     assert_eq!(joint.joint, 3);
     assert_eq!(joint.command_v, [1.5, -2.0]);
     assert_eq!(joint.position, Position::Count(vec![7, 8]));

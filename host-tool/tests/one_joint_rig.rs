@@ -25,7 +25,7 @@ fn joint_3_alone_is_homed_run_and_recorded() {
     // Somebody turns joint 3 within the first second.
     std::thread::sleep(std::time::Duration::from_millis(1100));
     let text = said(at, &board, "home --at 0,-1.5708,0");
-    assert_tells(&text, &["joint 1 has an encoder that has not", "joint 3 is at 0 rad"]);
+    assert_tells(&text, &["joint 1: the encoder has not", "joint 3 is at 0 rad"]);
     assert_tells(&said(at, &board, "connect"), &["unknown for joint 1, 2: "]);
 
     said(at, &board, "upload model.toml --mode pd");

@@ -72,7 +72,7 @@ impl Client {
 
     /// The line's name.
     pub fn name(&self) -> &str {
-        self.connection.name()
+        &self.connection.name
     }
 
     /// What was counted on the line.
@@ -148,7 +148,7 @@ impl Client {
 
     /// The telemetry received since the last call.
     pub fn take_records(&mut self) -> Vec<Telemetry> {
-        self.connection.take_records()
+        std::mem::take(&mut self.connection.records)
     }
 
     fn nonce(&mut self) -> Result<Nonce, LinkError> {

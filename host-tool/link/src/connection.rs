@@ -53,11 +53,12 @@ pub struct LineCounters {
 /// An open line with the frames on it.
 #[derive(Debug)]
 pub(super) struct Connection {
+    pub(super) name: String,
+    /// Telemetry that nobody has taken yet.
+    pub(super) records: Vec<Telemetry>,
     port: Port,
-    name: String,
     reader: FrameReader,
     received: VecDeque<Received>,
-    records: Vec<Telemetry>,
     counters: LineCounters,
     last_frame_at: Instant,
 }
@@ -78,17 +79,9 @@ impl Connection {
         })
     }
 
-    pub(super) fn name(&self) -> &str {
-        &self.name
-    }
-
     pub(super) fn counters(&self) -> LineCounters {
         let broken_frames = self.counters.broken_frames + u64::from(self.reader.dropped());
         LineCounters { broken_frames, ..self.counters }
-    }
-
-    pub(super) fn take_records(&mut self) -> Vec<Telemetry> {
-        std::mem::take(&mut self.records)
     }
 
     /// Reads what has come; waits a few milliseconds if nothing has.

@@ -7,7 +7,7 @@ use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
 
 use super::leapfrog::Motion;
-use super::settings::Settings;
+pub use super::settings::Settings;
 use rig::effects::{Effect, JointState, Transmission};
 
 /// A robot in motion.

@@ -63,7 +63,7 @@ impl Arguments {
             let table = table(&record, &client.report()?, counts_per_turn);
             match output::write(&redrawn(&table, lines)) {
                 Err(error) if error.kind() == ErrorKind::BrokenPipe => break,
-                written => written?,
+                written => written.map_err(|error| output::not_written(&error))?,
             }
             lines = table.lines().count();
             if self.once {

@@ -11,8 +11,8 @@ use crate::failure::Failure;
 /// The system does not take it, as on a full disk.
 pub fn print_line(line: impl Display) -> Result<(), Failure> {
     match write(&format!("{line}\n")) {
-        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-        written => Ok(written?),
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(not_written(&error)),
+        _ => Ok(()),
     }
 }
 
@@ -24,26 +24,14 @@ pub fn try_print_line(line: impl Display) {
 /// Writes a text as it is.
 ///
 /// # Errors
-/// What the system says; of the kind [`ErrorKind::BrokenPipe`] where nobody reads any more.
-pub fn write(text: &str) -> Result<(), NotWritten> {
+/// Those of the system; of the kind [`ErrorKind::BrokenPipe`] where nobody reads any more.
+pub fn write(text: &str) -> std::io::Result<()> {
     let mut output = std::io::stdout().lock();
-    output.write_all(text.as_bytes()).and_then(|()| output.flush()).map_err(NotWritten)
+    output.write_all(text.as_bytes()).and_then(|()| output.flush())
 }
 
-/// The standard output does not take a text.
-#[derive(Debug, thiserror::Error)]
-#[error("the standard output cannot be written: {0}")]
-pub struct NotWritten(std::io::Error);
-
-impl NotWritten {
-    /// The kind of the system's error.
-    pub fn kind(&self) -> ErrorKind {
-        self.0.kind()
-    }
-}
-
-impl From<NotWritten> for Failure {
-    fn from(error: NotWritten) -> Self {
-        Self::new(error.to_string(), "send it to a disk that has room")
-    }
+/// The failure where the standard output does not take a text.
+pub fn not_written(error: &std::io::Error) -> Failure {
+    let message = format!("the standard output cannot be written: {error}");
+    Failure::new(message, "send it to a disk that has room")
 }

@@ -82,14 +82,6 @@ impl Log {
         self.joints.iter().find(|joint| joint.joint == number)
     }
 
-    /// The log's only joint; `None` when there are several.
-    pub fn only_joint(&self) -> Option<&JointLog> {
-        match self.joints.as_slice() {
-            [joint] => Some(joint),
-            _ => None,
-        }
-    }
-
     /// Whether a position is in encoder counts, for which the counts per turn are needed.
     pub fn needs_counts_per_rev(&self) -> bool {
         self.joints.iter().any(|joint| matches!(joint.position, Position::Count(_)))
