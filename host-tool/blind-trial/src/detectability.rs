@@ -14,8 +14,8 @@ use super::error::TrialError;
 use super::plans::{is_excitation, is_train};
 use files::{JointLog, RobotFile};
 use identification::base_parameters::rows::{RowSettings, Rows};
-use recordings::motion::Instant;
 use recordings::campaign::Known;
+use recordings::motion::Instant;
 use recordings::{Campaign, Trace};
 
 /// How a command residual is judged: as far up as the encoder lets accelerations be seen.

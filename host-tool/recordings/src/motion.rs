@@ -173,8 +173,8 @@ fn interpolated(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use files::{Experiment, Role};
     use crate::campaign::JointTrace;
+    use files::{Experiment, Role};
 
     /// Joints that swing at 1 Hz, sampled at given times.
     fn swinging(time_s: Vec<f64>) -> Trace {

@@ -80,12 +80,18 @@ impl SmoothedMotion {
 /// Position and command pass the same Gaussian, so that every linear equation between
 /// them stays exact. The command of a row holds from its time on: its centre lies half
 /// a sample later, which the Gaussian of the command makes good.
-pub fn smoothed(time_s: &[f64], q_rad: &[f64], command_v: &[f64], how: &Smoothing) -> SmoothedMotion {
+pub fn smoothed(
+    time_s: &[f64],
+    q_rad: &[f64],
+    command_v: &[f64],
+    how: &Smoothing,
+) -> SmoothedMotion {
     let even = EvenSamples::of(time_s, q_rad, command_v);
     let kernel = Kernel::new(how.width_s / even.period_s);
     let stride = (how.step_s / even.period_s).round().max(1.0) as usize;
     let reach = kernel.reach();
-    let mut motion = SmoothedMotion { step_s: stride as f64 * even.period_s, ..SmoothedMotion::default() };
+    let mut motion =
+        SmoothedMotion { step_s: stride as f64 * even.period_s, ..SmoothedMotion::default() };
     let last = even.q_rad.len().saturating_sub(reach);
     for centre in (reach..last).step_by(stride) {
         let q = &even.q_rad[centre - reach..centre + reach];

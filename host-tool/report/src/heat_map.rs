@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use super::chart::short;
+use super::axis::short;
 use super::svg::{Anchor, GRID, INK, picture, rectangle, text, ticks, upright, vertical};
 
 /// Values over a grid of two axes.

@@ -18,9 +18,9 @@ mod result;
 mod start;
 
 use super::one_joint::innovations::{Innovations, most_likely_noise};
+use super::one_joint::log_rows::log_rows;
 use super::one_joint::noise::NoiseVariances;
 use super::one_joint::parameters::FRICTION;
-use super::one_joint::log_rows::log_rows;
 use super::one_joint::samples::{Samples, samples};
 use filter::{FilterPass, ParameterEstimate};
 use recordings::StepError;

@@ -18,11 +18,8 @@ const VELOCITY_NOISE_RAD_PER_S: f64 = 1.5e-4;
 /// The joint is not in the log, stands still, or the log is too short.
 pub fn log_rows(trace: &Trace, joint: u8, known: &Known) -> Result<Rows, StepError> {
     let moving = joint_of(trace, joint)?;
-    let how = Smoothing::for_encoder(
-        known.encoder_step_rad,
-        trace.period_s,
-        VELOCITY_NOISE_RAD_PER_S,
-    );
+    let how =
+        Smoothing::for_encoder(known.encoder_step_rad, trace.period_s, VELOCITY_NOISE_RAD_PER_S);
     let of = |joint: &JointTrace| smoothed(&trace.time_s, &joint.q_rad, &joint.command_v, &how);
     let motion = of(moving);
     check(trace, joint, &motion, known)?;
@@ -67,7 +64,7 @@ fn terms(joint: u8, neighbours: &[(u8, SmoothedMotion)], known: &Known) -> Vec<T
                 terms.push(Term::NeighbourCosine(2));
             }
             if joint == 2 && *number == 3 {
-                terms.push(Term::GiveWay);
+                terms.push(Term::Compliance);
             }
         }
     }
@@ -86,7 +83,12 @@ fn smoother_settings(inertia: f64, known: &Known) -> SmootherSettings {
     }
 }
 
-fn check(trace: &Trace, joint: u8, motion: &SmoothedMotion, known: &Known) -> Result<(), StepError> {
+fn check(
+    trace: &Trace,
+    joint: u8,
+    motion: &SmoothedMotion,
+    known: &Known,
+) -> Result<(), StepError> {
     const SHORTEST_POINTS: usize = 500;
     let unusable = |what: String| StepError::Unusable { file: trace.file.clone(), what };
     if motion.len() < SHORTEST_POINTS {

@@ -42,8 +42,13 @@ pub fn reconstructed(
     if time_s.len() < 2 {
         return SmoothedMotion::default();
     }
-    let smoother =
-        Smoother { time_s, q_rad, command_v, settings, random_walk_v2: random_walk_v2(time_s, q_rad, settings) };
+    let smoother = Smoother {
+        time_s,
+        q_rad,
+        command_v,
+        settings,
+        random_walk_v2: random_walk_v2(time_s, q_rad, settings),
+    };
     let states = smoother.backward(&smoother.forward());
     averaged(time_s, command_v, &states, settings.inertia, stride)
 }
@@ -131,7 +136,8 @@ fn averaged(
 ) -> SmoothedMotion {
     const GAP_IN_PERIODS: f64 = 3.0;
     let period_s = typical_period_s(time_s);
-    let mut motion = SmoothedMotion { step_s: stride as f64 * period_s, ..SmoothedMotion::default() };
+    let mut motion =
+        SmoothedMotion { step_s: stride as f64 * period_s, ..SmoothedMotion::default() };
     for begin in (0..states.len().saturating_sub(stride)).step_by(stride) {
         let end = begin + stride;
         let span_s = time_s[end] - time_s[begin];
@@ -182,7 +188,7 @@ mod tests {
         const INERTIA: f64 = 0.02;
         let step_rad = 9.6e-6;
         let time_s: Vec<f64> = (0..4000).map(|k| 1e-3 * f64::from(k)).collect();
-        // u = f + J qdd of a slow drift with a shake of 30 Hz, a third of an encoder step.
+        // u = f + J qdd of a slow drift with a vibration of 30 Hz, a third of an encoder step.
         let truth = |t: f64| 1e-3 * t + 3e-6 * (188.5 * t).sin();
         let velocity = |t: f64| 1e-3 + 3e-6 * 188.5 * (188.5 * t).cos();
         let command = |t: f64| 0.1 - INERTIA * 3e-6 * 188.5f64.powi(2) * (188.5 * t).sin();
@@ -198,6 +204,6 @@ mod tests {
         let motion = reconstructed(&time_s, &q, &u, &settings, 2);
         let errors = (200..1800).map(|k| motion.qd_rad_per_s[k] - velocity(motion.time_s[k]));
         let rms = (errors.map(|e| e * e).sum::<f64>() / 1600.0).sqrt();
-        assert!(rms < 1.5e-4, "{rms:e} rad/s of a shake of 4e-4");
+        assert!(rms < 1.5e-4, "{rms:e} rad/s of a vibration of 4e-4");
     }
 }

@@ -5,10 +5,10 @@ use std::f64::consts::TAU;
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra::{Complex, DVector};
 
-use super::prior_distribution::{PriorDistribution, known_inertia, prior_distribution};
 use super::creep::{Creep, StribeckCurve, creep};
 use super::linear::LinearRobot;
 use super::prior::{Prior, Settings, Sliding};
+use super::prior_distribution::{PriorDistribution, known_inertia, prior_distribution};
 use super::problem::{Problem, index};
 use super::record::{Record, STEP};
 use super::start::start;
@@ -71,7 +71,8 @@ pub fn fit(
         solved = Some(problem);
     }
     let problem = solved.ok_or_else(|| failed("the fit did not begin"))?;
-    conclude(&problem, record, bins.clone(), distribution).ok_or_else(|| failed("the fit is singular"))
+    conclude(&problem, record, bins.clone(), distribution)
+        .ok_or_else(|| failed("the fit is singular"))
 }
 
 fn conclude(

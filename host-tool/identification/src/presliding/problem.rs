@@ -5,10 +5,10 @@ use std::f64::consts::TAU;
 use levenberg_marquardt::LeastSquaresProblem;
 use nalgebra::{Complex, DMatrix, DVector, Dyn, Owned, Vector3};
 
-use super::prior_distribution::PriorDistribution;
 use super::creep::Creep;
 use super::linear::LinearRobot;
 use super::prior::{Settings, Sliding};
+use super::prior_distribution::PriorDistribution;
 use super::record::Record;
 
 /// Positions in the parameter vector.

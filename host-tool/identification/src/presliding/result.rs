@@ -169,8 +169,9 @@ fn gravity_error(record: &Record, fitted: &Fitted) -> f64 {
 /// Standard error of alpha_2 [V s/rad].
 fn viscous_error(record: &Record, prior: &Prior) -> f64 {
     let sliding = prior.sliding[record.excited].as_ref();
-    sliding
-        .map_or(super::prior_distribution::TYPICAL_VISCOUS_V_S_PER_RAD, |s| s.alpha2_v_s_per_rad.standard_error)
+    sliding.map_or(super::prior_distribution::TYPICAL_VISCOUS_V_S_PER_RAD, |s| {
+        s.alpha2_v_s_per_rad.standard_error
+    })
 }
 
 fn remarks(record: &Record, fitted: &Fitted, prior: &Prior, steps: Option<f64>) -> Vec<String> {

@@ -28,8 +28,9 @@ impl Layout {
         for (joint, estimate) in friction.iter().enumerate() {
             let errors = estimate.standard_error.to_array();
             // What the motion does not determine needs a standard error from elsewhere.
-            let refined =
-                |k: &usize| errors[*k] > 0.0 && (errors[*k].is_finite() || !UNDETERMINED.contains(k));
+            let refined = |k: &usize| {
+                errors[*k] > 0.0 && (errors[*k].is_finite() || !UNDETERMINED.contains(k))
+            };
             free.extend((0..friction_parameters::COUNT).filter(refined).map(|k| (joint, k)));
         }
         Self { free }

@@ -168,6 +168,10 @@ fn friction_estimates(
             }
             estimate
         };
-        friction_parameters::NAMES.into_iter().enumerate().map(|(k, name)| (name, estimate(k))).collect()
+        friction_parameters::NAMES
+            .into_iter()
+            .enumerate()
+            .map(|(k, name)| (name, estimate(k)))
+            .collect()
     })
 }

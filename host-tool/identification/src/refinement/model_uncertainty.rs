@@ -56,7 +56,11 @@ impl ModelUncertainty {
     }
 
     /// Standard error of a friction parameter, in the order of their names.
-    pub(super) fn of_friction(&self, values: &[f64; friction_parameters::COUNT], parameter: usize) -> f64 {
+    pub(super) fn of_friction(
+        &self,
+        values: &[f64; friction_parameters::COUNT],
+        parameter: usize,
+    ) -> f64 {
         let relative = [0.0, 0.0, 0.0, self.viscous, self.stiffness, self.damping];
         relative[parameter] * values[parameter].abs()
     }

@@ -60,10 +60,15 @@ impl Solution {
     /// Friction after a step, and the step's largest part in standard errors.
     ///
     /// A step changes no value by more than a third, so that none leaves its range.
-    pub fn applied_to(&self, from: &[Friction<f64>; 3], layout: &Layout) -> ([Friction<f64>; 3], f64) {
+    pub fn applied_to(
+        &self,
+        from: &[Friction<f64>; 3],
+        layout: &Layout,
+    ) -> ([Friction<f64>; 3], f64) {
         let mut values = from.each_ref().map(Friction::to_array);
         let mut largest = 0.0f64;
-        let moving = layout.free.iter().enumerate().filter(|(_, free)| !UNDETERMINED.contains(&free.1));
+        let moving =
+            layout.free.iter().enumerate().filter(|(_, free)| !UNDETERMINED.contains(&free.1));
         for (index, &(joint, parameter)) in moving {
             let column = layout.column(index);
             let wanted = self.parameters[column];

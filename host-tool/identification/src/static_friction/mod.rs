@@ -15,9 +15,9 @@ use serde::Serialize;
 
 use super::estimate::Estimate;
 use super::friction_estimates::FrictionEstimates;
+use super::one_joint::grey_box::{self, Fit};
 use super::one_joint::log_rows::log_rows;
-use super::one_joint::grey_box::{self, Fit, LINEAR};
-use super::one_joint::parameters::{FRICTION, from_logarithms};
+use super::one_joint::parameters::{FRICTION, LINEAR, from_logarithms};
 use super::one_joint::rows::{Rows, Term};
 use super::one_joint::sliding::sliding;
 use recordings::StepError;
