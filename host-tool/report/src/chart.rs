@@ -16,7 +16,7 @@ use files::{FileError, Problem};
 /// A chart.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart {
-    /// Above it: what the eye should see.
+    /// Title above it.
     pub title: String,
     /// Below it, with unit.
     pub x_label: String,
