@@ -55,6 +55,19 @@ pub enum DiagnosisError {
 /// Diagnoses the logs of a campaign against the model in its robot file, with the effects of a
 /// catalogue; `progress` hears what is under way.
 ///
+/// ```no_run
+/// use files::{Dataset, RobotFile};
+/// use recordings::Campaign;
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let model = RobotFile::read("model.toml")?;
+/// let campaign = Campaign::read(&Dataset::read("campaign")?, model)?;
+/// let diagnosis = diagnosis::diagnose(&campaign, &|_| ())?;
+/// println!("{}", diagnosis::sentence(&diagnosis));
+/// # Ok(())
+/// # }
+/// ```
+///
 /// # Errors
 /// Logs that do not fit the model's robot, or that cannot be used.
 pub fn diagnose(

@@ -3,7 +3,26 @@
 //! Every error names the file, the line and the column where there is one, what is
 //! wrong, and through [`FileError::hint`] what to do about it. Writers leave either
 //! the whole new file or what was there before.
-
+//!
+//! A log is written whole or not at all, and reads back as it was:
+//!
+//! ```
+//! use files::{JointLog, Log, Position};
+//!
+//! let path = std::env::temp_dir().join("one-joint-at-rest.csv.gz");
+//! let time_s: Vec<f64> = (0..100).map(|k| 1e-3 * f64::from(k)).collect();
+//! let joint = JointLog {
+//!     joint: 3,
+//!     position: Position::Count(vec![0; 100]),
+//!     command_v: vec![0.1; 100],
+//!     reference_rad: None,
+//! };
+//! let log = Log { time_s, joints: vec![joint] };
+//! log.write(&path)?;
+//! assert_eq!(Log::read(&path)?, log);
+//! # std::fs::remove_file(path).unwrap();
+//! # Ok::<(), files::FileError>(())
+//! ```
 #![forbid(unsafe_code)]
 
 mod appending;

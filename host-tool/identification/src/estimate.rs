@@ -11,7 +11,7 @@ pub struct Estimate {
     pub standard_error: f64,
     /// The 95 % interval.
     pub interval: [f64; 2],
-    /// What the reader must know, such as that the data cannot carry the value.
+    /// A reservation, such as that the data do not determine the value.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
 }

@@ -1,6 +1,6 @@
 //! Rigid links that have the identified base parameters.
 //!
-//! Least squares knows nothing of mass. Base parameters are physical when three rigid
+//! Least squares does not keep masses positive. Base parameters are physical when three rigid
 //! links with their rotors have them: masses above zero, central inertia tensors whose
 //! main moments satisfy the triangle inequality, rotors of zero or more. The nearest such
 //! parameters, in the metric of the estimates' covariance, are found over all links by

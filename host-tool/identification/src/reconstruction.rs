@@ -3,11 +3,12 @@
 use model::{Posture, Robot};
 use serde::Serialize;
 
+use super::base_parameters::JointResidual;
 use super::base_parameters::rows::{RowSampler, RowSettings, friction_voltage};
-use super::base_parameters::{JointResidual, rms};
 use recordings::StepError;
 use recordings::campaign::Trace;
 use recordings::motion::Motion;
+use signal::rms;
 
 /// Commands of all joints over an unbroken stretch of a log, recorded and reconstructed.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -1,4 +1,4 @@
-//! The recorded experiments, ready for use.
+//! The recorded experiments of a rig, in radians and volts.
 
 use model::Geometry;
 

@@ -1,6 +1,6 @@
 //! Why recorded experiments cannot be used.
 
-/// Why a step cannot give what it should; the cure stands in the words.
+/// Why a step has no result; the message names the cure.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StepError {
     /// No log of this experiment.

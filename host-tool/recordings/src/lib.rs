@@ -1,4 +1,21 @@
-//! Recorded experiments, ready for use, and whether they can be what they say.
+//! Recorded experiments in radians and volts, and whether they are plausible.
+//!
+//! ```no_run
+//! use files::{Dataset, RobotFile};
+//! use recordings::{Campaign, plausibility};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let robot = RobotFile::read("campaign/robot.toml")?;
+//! let campaign = Campaign::read(&Dataset::read("campaign")?, robot)?;
+//! for trace in &campaign.traces {
+//!     println!("{}: {} samples", trace.file, trace.len());
+//!     for remark in plausibility::examine(trace, &campaign.known)? {
+//!         println!("  {remark}");
+//!     }
+//! }
+//! # Ok(())
+//! # }
+//! ```
 #![forbid(unsafe_code)]
 
 pub mod campaign;

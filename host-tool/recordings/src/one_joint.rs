@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::campaign::{Known, Trace};
 use crate::smoothed::{SmoothedMotion, Smoothing, smoothed, typical_period_s};
 
-/// Why a log tells nothing of the joint.
+/// Why a log does not determine the joint's parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotDriven {
     /// The log lacks the joint.

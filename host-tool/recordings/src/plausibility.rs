@@ -1,4 +1,4 @@
-//! Whether a log can be what it says: units, joints, encoders, commands, gaps.
+//! Plausibility of a log: units, joints, encoders, commands, gaps.
 
 use super::campaign::{JointTrace, Known, Trace};
 use crate::StepError;
@@ -87,8 +87,8 @@ fn check_order(trace: &Trace) -> Result<(), String> {
         let Some(own) = joint.reference_rad.as_ref() else { continue };
         for other in trace.joints.iter().filter(|other| other.number != joint.number) {
             let Some(reference) = other.reference_rad.as_ref() else { continue };
-            let to_own = apart(&joint.q_rad, own);
-            if to_own > 0.5 && apart(&joint.q_rad, reference) < 0.2 * to_own {
+            let to_own = rms_difference(&joint.q_rad, own);
+            if to_own > 0.5 && rms_difference(&joint.q_rad, reference) < 0.2 * to_own {
                 return Err(format!(
                     "joint {} follows the reference of joint {}; are the columns swapped?",
                     joint.number, other.number
@@ -100,7 +100,7 @@ fn check_order(trace: &Trace) -> Result<(), String> {
 }
 
 /// Root mean square of a difference.
-fn apart(a: &[f64], b: &[f64]) -> f64 {
+fn rms_difference(a: &[f64], b: &[f64]) -> f64 {
     rms(&a.iter().zip(b).map(|(a, b)| a - b).collect::<Vec<f64>>())
 }
 

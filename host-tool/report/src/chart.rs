@@ -7,65 +7,16 @@ use plotters::coord::Shift;
 use plotters::coord::ranged1d::{AsRangedCoord, ValueFormatter};
 use plotters::prelude::*;
 
+use super::axis::{Axis, bounds, padded, short};
+use super::series::{Series, Stroke};
 use super::thinning::thin;
 use files::replace::replace_file;
 use files::{FileError, Problem};
 
-/// How an axis is scaled.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Axis {
-    /// In equal steps.
-    #[default]
-    Linear,
-    /// In decades.
-    Logarithmic,
-}
-
-/// How a series is drawn.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Stroke {
-    /// A line.
-    #[default]
-    Line,
-    /// A thick pale line, for what lies beneath.
-    Broad,
-    /// A broken line.
-    Dashed,
-    /// Dots.
-    Dots,
-    /// A pale area within a closed outline.
-    Area,
-}
-
-/// A named set of points.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Series {
-    /// What the legend calls it.
-    pub name: String,
-    /// Points (x, y); those not finite are left out.
-    pub points: Vec<(f64, f64)>,
-    /// How it is drawn.
-    pub stroke: Stroke,
-    /// Which colour of the palette.
-    pub colour: usize,
-}
-
-impl Series {
-    /// A line in the palette's colour of that number.
-    pub fn line(name: impl Into<String>, colour: usize, points: Vec<(f64, f64)>) -> Self {
-        Self { name: name.into(), points, stroke: Stroke::Line, colour }
-    }
-
-    /// The same in another stroke.
-    pub fn stroke(self, stroke: Stroke) -> Self {
-        Self { stroke, ..self }
-    }
-}
-
 /// A chart.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart {
-    /// Above it: what the eye should see.
+    /// Title above it.
     pub title: String,
     /// Below it, with unit.
     pub x_label: String,
@@ -106,6 +57,8 @@ const LEGEND_EDGE_PX: f64 = 16.0;
 const AROUND_PX: f64 = 80.0;
 
 type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+/// A canvas with axes.
+type OnAxes<'c, 'a, X, Y> = ChartContext<'c, SVGBackend<'a>, Cartesian2d<X, Y>>;
 type DrawResult<'a> =
     Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
 
@@ -212,35 +165,7 @@ impl Chart {
             .y_label_formatter(&|value| short(*value))
             .draw()?;
         for series in &self.series {
-            let all = self.drawable(series);
-            let points =
-                if series.stroke == Stroke::Area { all } else { thin(&all, POINTS_ACROSS) };
-            let colour = PALETTE[series.colour % PALETTE.len()];
-            let drawn = match series.stroke {
-                Stroke::Line => {
-                    chart.draw_series(LineSeries::new(points, colour.stroke_width(1)))?
-                }
-                Stroke::Broad => {
-                    let pale = colour.mix(0.35).stroke_width(4);
-                    chart.draw_series(LineSeries::new(points, pale))?
-                }
-                Stroke::Dashed => {
-                    let style = colour.stroke_width(2);
-                    chart.draw_series(DashedLineSeries::new(points, 6, 4, style))?
-                }
-                Stroke::Area => {
-                    let pale = colour.mix(0.18).filled();
-                    chart.draw_series(std::iter::once(Polygon::new(points, pale)))?
-                }
-                Stroke::Dots => {
-                    chart.draw_series(points.iter().map(|&p| Circle::new(p, 2, colour.filled())))?
-                }
-            };
-            if !series.name.is_empty() {
-                drawn.label(&series.name).legend(move |(x, y)| {
-                    PathElement::new([(x, y), (x + 16, y)], colour.stroke_width(3))
-                });
-            }
+            self.draw_series(&mut chart, series)?;
         }
         if self.series.iter().any(|series| !series.name.is_empty()) {
             chart
@@ -250,6 +175,44 @@ impl Chart {
                 .label_font(("sans-serif", 12).into_font().color(&INK))
                 .position(SeriesLabelPosition::UpperRight)
                 .draw()?;
+        }
+        Ok(())
+    }
+
+    fn draw_series<'a, X, Y>(
+        &self,
+        chart: &mut OnAxes<'_, 'a, X, Y>,
+        series: &Series,
+    ) -> DrawResult<'a>
+    where
+        X: Ranged<ValueType = f64>,
+        Y: Ranged<ValueType = f64>,
+    {
+        let all = self.drawable(series);
+        let points = if series.stroke == Stroke::Area { all } else { thin(&all, POINTS_ACROSS) };
+        let colour = PALETTE[series.colour % PALETTE.len()];
+        let drawn = match series.stroke {
+            Stroke::Line => chart.draw_series(LineSeries::new(points, colour.stroke_width(1)))?,
+            Stroke::Broad => {
+                let pale = colour.mix(0.35).stroke_width(4);
+                chart.draw_series(LineSeries::new(points, pale))?
+            }
+            Stroke::Dashed => {
+                let style = colour.stroke_width(2);
+                chart.draw_series(DashedLineSeries::new(points, 6, 4, style))?
+            }
+            Stroke::Area => {
+                let pale = colour.mix(0.18).filled();
+                chart.draw_series(std::iter::once(Polygon::new(points, pale)))?
+            }
+            Stroke::Dots => {
+                chart.draw_series(points.iter().map(|&p| Circle::new(p, 2, colour.filled())))?
+            }
+        };
+        if !series.name.is_empty() {
+            drawn.label(&series.name).legend(move |(x, y)| {
+                PathElement::new([(x, y), (x + 16, y)], colour.stroke_width(3))
+            });
         }
         Ok(())
     }
@@ -292,35 +255,6 @@ impl Chart {
         };
         let x = self.x_range.unwrap_or_else(|| padded(x, self.x_axis, 0.0));
         Some((x, (low, high)))
-    }
-}
-
-fn bounds(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
-}
-
-fn padded((low, high): (f64, f64), axis: Axis, share: f64) -> (f64, f64) {
-    match axis {
-        Axis::Logarithmic if low < high => (low, high * (1.0 + share)),
-        Axis::Logarithmic => (low * 0.5, high * 2.0),
-        Axis::Linear => {
-            let span = if high > low { high - low } else { low.abs().max(1e-9) };
-            let pad = if high > low { share * span } else { 0.5 * span };
-            (low - pad, high + pad)
-        }
-    }
-}
-
-/// A number for an axis: no more digits than the eye wants.
-pub(super) fn short(value: f64) -> String {
-    let size = value.abs();
-    if size < 1e-12 {
-        "0".into()
-    } else if !(1e-3..1e5).contains(&size) {
-        format!("{value:.0e}")
-    } else {
-        let text = format!("{value:.4}");
-        text.trim_end_matches('0').trim_end_matches('.').into()
     }
 }
 

@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use super::chart::short;
+use super::axis::short;
 use super::svg::{Anchor, GRID, INK, picture, rectangle, text, ticks, upright, vertical};
 
 /// Values over a grid of two axes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct HeatMap {
-    /// Above it: what the eye should see.
+    /// Title above it.
     pub title: String,
     /// Below it, with unit.
     pub x_label: String,
@@ -33,7 +33,7 @@ const LEFT: f64 = 58.0;
 const RIGHT: f64 = 78.0;
 const TOP: f64 = 32.0;
 const BOTTOM: f64 = 42.0;
-/// What shows where there are no data.
+/// Colour where there are no data.
 const NO_DATA: &str = "#e8eaed";
 /// Colours to either side of white.
 const SHADES: i32 = 12;

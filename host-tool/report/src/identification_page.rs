@@ -23,7 +23,7 @@ pub fn identification_page(campaign: &Campaign, identified: &Identified) -> Page
     for remark in &identified.missing {
         page.paragraph(&format!("Note: {remark}"));
     }
-    page.heading("What is left on motion held out").table(&HEADER, &rows(&identified.held_out));
+    page.heading("Residuals on held-out motion").table(&HEADER, &rows(&identified.held_out));
     page.heading("Static friction (Table 2)").table(&FRICTION_HEADER, &friction_rows(identified));
     page.charts(&identified.statics.iter().flatten().map(stribeck_chart).collect::<Vec<_>>());
     if let Some(found) = &identified.filtered {

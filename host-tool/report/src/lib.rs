@@ -2,6 +2,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod axis;
 pub mod bar_table;
 pub mod chart;
 pub mod diagnosis_page;
@@ -10,13 +11,16 @@ pub mod identification_page;
 pub mod identification_summary;
 pub mod one_joint_page;
 pub mod page;
+pub mod series;
 pub mod step_page;
 mod svg;
 mod thinning;
 pub mod tracking_page;
 pub mod validation_page;
 
+pub use axis::Axis;
 pub use bar_table::{BarRow, BarTable};
-pub use chart::{Axis, Chart, Series, Stroke};
+pub use chart::Chart;
 pub use heat_map::HeatMap;
 pub use page::Page;
+pub use series::{Series, Stroke};

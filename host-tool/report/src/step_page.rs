@@ -60,7 +60,10 @@ pub fn ekf_page(found: &[EkfResult]) -> Page {
 
 /// The FRF and the bristles of each joint.
 pub fn presliding_page(found: &[Presliding]) -> Page {
-    let mut page = Page::new("Pre-sliding friction", "Bristles from the FRF (12).");
+    let mut page = Page::new(
+        "Pre-sliding friction",
+        "Stiffness and damping of the bristles from the frequency response, eq. (12).",
+    );
     for joint in found {
         page.heading(&format!("Joint {}", joint.joint));
         page.table(

@@ -1,4 +1,4 @@
-//! The picture of what the model is worth.
+//! Tracking errors without and with the model in the firmware.
 
 use super::{Chart, Page, Series, Stroke};
 use files::Log;
@@ -19,7 +19,7 @@ pub struct Run {
     pub instructions_per_tick: f64,
 }
 
-/// A robot that does what its model does not know, before and after its diagnosis.
+/// A robot with unmodelled effects, before and after its diagnosis.
 #[derive(Clone, Debug)]
 pub struct Diagnosed {
     /// What the diagnosis says.
@@ -37,8 +37,8 @@ pub struct Diagnosed {
 pub fn tracking_page(plain: &Run, modelled: &Run, diagnosed: &Diagnosed) -> Page {
     let least = least_ratio(plain, modelled);
     let lead = format!(
-        "With the model in the firmware, every joint follows the motion (20)-(21) at least \
-         {least:.0} times closer than with PD alone."
+        "With the model in the firmware, every joint follows the validation motion, \
+         eq. (20)-(21) of the paper, at least {least:.0} times closer than with PD control alone."
     );
     let mut page = Page::new("RRR joint controller: with and without the model", &lead);
     page.table(
@@ -59,7 +59,7 @@ pub fn tracking_page(plain: &Run, modelled: &Run, diagnosed: &Diagnosed) -> Page
     page
 }
 
-/// What became of the robot that changed.
+/// The robot that changed, before and after its diagnosis.
 fn add(page: &mut Page, diagnosed: &Diagnosed) {
     let Diagnosed { sentence, report, before, after } = diagnosed;
     page.heading("The robot changes").paragraph(sentence).table(

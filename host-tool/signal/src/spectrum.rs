@@ -14,19 +14,18 @@ pub struct Welch {
     pub overlap: f64,
     /// At most so many segments are averaged, the first ones of the log.
     pub most_segments: usize,
-    /// Takes the straight line through each segment off, which drift is; otherwise only
-    /// the mean is taken off.
-    pub take_off_trend: bool,
+    /// Removes each segment's least-squares line (drift); otherwise only its mean.
+    pub detrend: bool,
 }
 
 impl Default for Welch {
     fn default() -> Self {
-        Self { segment_samples: 4096, overlap: 0.5, most_segments: 50, take_off_trend: true }
+        Self { segment_samples: 4096, overlap: 0.5, most_segments: 50, detrend: true }
     }
 }
 
 impl Welch {
-    /// From where to where the samples go on evenly [sample], segment by segment.
+    /// The first samples of segments in which the samples are evenly spaced.
     ///
     /// `time_s` may have gaps: no segment spans one.
     pub fn segments(&self, time_s: &[f64], period_s: f64) -> Vec<usize> {
@@ -65,7 +64,7 @@ impl Welch {
         let mut transformed = vec![transform.make_output_vec(); signals.len()];
         for &start in starts {
             for (signal, output) in signals.iter().zip(&mut transformed) {
-                let mut piece = without_trend(&signal[start..start + length], self.take_off_trend);
+                let mut piece = without_trend(&signal[start..start + length], self.detrend);
                 piece.iter_mut().zip(&window).for_each(|(x, w)| *x *= w);
                 transform.process(&mut piece, output).ok()?;
             }
@@ -147,8 +146,8 @@ impl Spectra {
     }
 
     /// Closed-loop (instrumental) estimate of the FRF from `input` to `output`: noise
-    /// that feedback carries from one to the other averages out, for the reference of
-    /// the loop knows nothing of it.
+    /// that feedback carries from one to the other averages out, because the
+    /// loop's reference is independent of it.
     pub fn frf_by_reference(
         &self,
         bin: usize,

@@ -1,4 +1,18 @@
 //! The simulated robot, the control firmware around it, and experiments recorded with both.
+//!
+//! The reference robot, let go with its arm level, falls for a second without a command:
+//!
+//! ```
+//! use model::reference_robot::reference_robot;
+//! use simulation::{Settings, SimulatedRobot};
+//!
+//! let settings = Settings { noise_v: 0.0, ..Settings::default() };
+//! let mut robot = SimulatedRobot::at_rest(reference_robot(), [0.0; 3], &settings);
+//! for _ in 0..1000 {
+//!     robot.advance(&[0.0; 3]);
+//! }
+//! assert!(robot.q_rad()[1] < -1.0);
+//! ```
 #![forbid(unsafe_code)]
 
 pub mod board;

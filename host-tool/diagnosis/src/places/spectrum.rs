@@ -26,7 +26,7 @@ pub fn spectrum(samples: &Samples, values: &[f64]) -> Option<Spectrum> {
     let welch = Welch {
         segment_samples: segment_samples & !1,
         most_segments: usize::MAX,
-        take_off_trend: false,
+        detrend: false,
         ..Welch::default()
     };
     let mut sum = Spectrum::default();

@@ -2,21 +2,24 @@
 
 use model::base::{COUNT, NAMES};
 use model::{BaseParameters, Friction};
-use nalgebra::{DMatrix, DVector};
-use serde::Serialize;
+use nalgebra::DMatrix;
 
 use super::estimate::Estimate;
+use friction_covariance::covariance_of_friction;
 use recordings::StepError;
 use recordings::campaign::{Known, Trace};
-use signal::estimation::LinearFit;
 
 pub mod convergence;
 pub mod friction;
+mod friction_covariance;
+mod residual;
 pub mod rows;
 pub mod solve;
 
 pub use convergence::ConvergencePoint;
 pub use friction::FrictionEstimate;
+pub use residual::JointResidual;
+pub(super) use residual::joint_residuals;
 pub use rows::{RowSettings, Rows};
 pub use solve::Stack;
 
@@ -45,26 +48,6 @@ impl Settings {
 impl Default for Settings {
     fn default() -> Self {
         Self { rows: RowSettings::parallel(20.0), weighted: true, ..Self::paper() }
-    }
-}
-
-/// What is left of a joint's command.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct JointResidual {
-    /// Joint, 1 to 3.
-    pub joint: u8,
-    /// Root mean square of what the model leaves [V].
-    pub rms_v: f64,
-    /// Root mean square of the command itself [V].
-    pub command_rms_v: f64,
-    /// The one in parts of the other.
-    pub share: f64,
-}
-
-impl JointResidual {
-    /// Of a joint, from root mean squares [V].
-    pub fn new(joint: u8, rms_v: f64, command_rms_v: f64) -> Self {
-        Self { joint, rms_v, command_rms_v, share: rms_v / command_rms_v }
     }
 }
 
@@ -186,79 +169,10 @@ fn without_friction(rows: &Rows, friction: &[Friction<f64>; 3]) -> [Vec<f64>; 3]
     })
 }
 
-/// What the friction's standard errors, taken as independent, do to the base parameters.
-fn covariance_of_friction(
-    stretches: &[Rows],
-    stack: &Stack,
-    fit: &LinearFit,
-    weight: &[f64],
-    friction: &[FrictionEstimate; 3],
-) -> DMatrix<f64> {
-    let mut covariance = DMatrix::zeros(COUNT, COUNT);
-    for (joint, estimate) in friction.iter().enumerate() {
-        let errors = estimate.standard_error.to_array();
-        for (parameter, error) in errors.into_iter().enumerate() {
-            if error > 0.0 && error.is_finite() {
-                let shift =
-                    shift_by_friction(stretches, stack, fit, weight, estimate, joint, parameter);
-                covariance.ger(error * error, &shift, &shift, 1.0);
-            }
-        }
-    }
-    covariance
-}
-
-/// Change of the base parameters per unit of a friction parameter.
-fn shift_by_friction(
-    stretches: &[Rows],
-    stack: &Stack,
-    fit: &LinearFit,
-    weight: &[f64],
-    estimate: &FrictionEstimate,
-    joint: usize,
-    parameter: usize,
-) -> DVector<f64> {
-    let slopes: Vec<Vec<f64>> = stretches
-        .iter()
-        .map(|rows| {
-            let friction_v = rows.friction_raw_v(joint, &estimate.value);
-            friction::sensitivity(rows, joint, &estimate.value, parameter, &friction_v)
-        })
-        .collect();
-    let mut moment = DVector::zeros(COUNT);
-    for (index, at) in stack.origin.iter().enumerate().filter(|(_, at)| at.joint == joint) {
-        let change = weight[index] * slopes[at.stretch][at.instant];
-        moment.axpy(-change, &stack.problem.rows.row(index).transpose(), 1.0);
-    }
-    &fit.unit_covariance * moment
-}
-
 pub(super) fn named_estimates(
     parameters: &[f64; COUNT],
     covariance: &DMatrix<f64>,
 ) -> Vec<(&'static str, Estimate)> {
     let estimate = |k: usize| Estimate::new(parameters[k], covariance[(k, k)].max(0.0).sqrt());
     NAMES.into_iter().enumerate().map(|(k, name)| (name, estimate(k))).collect()
-}
-
-pub(super) fn joint_residuals(
-    stack: &Stack,
-    stretches: &[Rows],
-    residuals: &DVector<f64>,
-) -> Vec<JointResidual> {
-    let commands =
-        stack.origin.iter().map(|at| stretches[at.stretch].joints[at.joint].command_v[at.instant]);
-    let commands = DVector::from_iterator(stack.origin.len(), commands);
-    let by_joint = stack.by_joint(residuals);
-    (1..)
-        .zip(by_joint.iter().zip(&stack.by_joint(&commands)))
-        .map(|(joint, (left, command))| {
-            let (rms_v, command_rms_v) = (rms(left), rms(command));
-            JointResidual::new(joint, rms_v, command_rms_v)
-        })
-        .collect()
-}
-
-pub(super) fn rms(signal: &[f64]) -> f64 {
-    signal::rms(signal)
 }

@@ -26,7 +26,7 @@ pub struct RowSettings {
 
 impl RowSettings {
     /// The paper's way: smoothed motion against the raw command of the same row, every
-    /// 10 ms. The paper tells no cut-off; 20 Hz passes all of its motion.
+    /// 10 ms. The paper gives no cut-off; 20 Hz passes all of its motion.
     pub fn paper() -> Self {
         Self {
             motion_cutoff_hz: 20.0,
@@ -90,7 +90,7 @@ impl RowSampler {
         instants.map(|k| motion.start_s + k as f64 * motion.period_s).collect()
     }
 
-    /// First equation that knows nothing of what was before an instant.
+    /// First equation that does not depend on the signal before an instant.
     fn first_after(&self, instant: usize) -> usize {
         let memory = self.filter.map_or(0, |filter| filter.memory() / 2);
         (instant + memory).saturating_sub(self.margin).div_ceil(self.every)
@@ -194,8 +194,8 @@ fn regressors(motion: &Motion, geometry: &Geometry<f64>) -> Vec<[[f64; COUNT]; 3
 
 /// LuGre friction driven by a velocity [V], its mean over the period about each instant.
 ///
-/// Each period is taken in [`FRICTION_STEPS`] steps along the velocity's slope: one whole
-/// millisecond at one velocity is felt around reversals.
+/// Each period is taken in [`FRICTION_STEPS`] steps along the velocity's slope: a constant velocity
+/// over a whole millisecond would err around reversals.
 pub fn friction_voltage(
     friction: &Friction<f64>,
     velocity_rad_per_s: &[f64],

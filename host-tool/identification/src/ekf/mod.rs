@@ -1,13 +1,14 @@
 //! Static friction, inertia and gravity of a joint by the augmented Kalman filter,
-//! section 3.1 and eq. (11).
+//! section 3.1 and the pendulum with friction, eq. (11).
 //!
 //! States are q, qd, alpha_0, alpha_1 (as alpha_0 + alpha_1), v_s, alpha_2, J and l, as
 //! in the paper, all but q and qd by logarithms or where sign is free directly; beyond
-//! the paper z of eq. (9) with sigma_0 and sigma_1, the phase of gravity, and what the
-//! neighbours' measured acceleration couples in. With z the friction of (9), not its
-//! steady value (10), acts: at a reversal (10) jumps by 0.7 V within a tick and the
-//! Stribeck velocity passes unseen, and a filter that linearises there learns noise;
-//! (9) changes over the bristles' travel, which takes tens of ticks, and slopes hold.
+//! the paper the deflection z with sigma_0 and sigma_1, the phase of gravity, and the
+//! coupling with the neighbours' measured acceleration. With z the friction is LuGre's,
+//! eq. (9), not its steady value, eq. (10): at a reversal the steady value jumps by 0.7 V
+//! within a tick, within which the joint passes the Stribeck velocity, and its
+//! linearisation is useless; LuGre friction changes over the bristles' travel, tens of
+//! ticks, over which the linearisation holds.
 //!
 //! Tuning is from the data: measurement noise is the encoder step's, process noise is the
 //! voltage noise that makes the innovations most likely. Passes begin from the last

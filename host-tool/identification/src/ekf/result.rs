@@ -1,4 +1,4 @@
-//! What the filter found, and how far it is to be believed.
+//! The filter's estimates with their standard errors.
 
 use model::Friction;
 use nalgebra::{DMatrix, DVector};
@@ -56,7 +56,7 @@ impl EkfPass {
     }
 }
 
-/// What the augmented filter found.
+/// The result of the augmented filter.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct EkfResult {
     /// Joint, 1 to 3.

@@ -27,7 +27,7 @@ pub fn stacked_regressor(
 
 /// J_k, the ratio of the largest to the smallest singular value of Phi, section 4.1.
 ///
-/// Infinite where a parameter cannot be told from the others.
+/// Infinite where the columns are linearly dependent.
 pub fn condition_number(phi: &DMatrix<f64>) -> f64 {
     // The singular values are the roots of Gram's eigenvalues: at a J_k below 1e6
     // squaring costs no digit that matters, and 16 x 16 is soon done.

@@ -11,7 +11,7 @@
 //! volts per kg m, and the columns of gravity stand beside columns of accelerations and
 //! products of velocities; on this robot they happen to be of the same size. A parameter that is
 //! small, such as ia3, is found with the same absolute error as a large one: a small
-//! J_k bounds errors in kg m^2, not in percent. J_k knows nothing of the robot's base
+//! J_k bounds errors in kg m^2, not in percent. J_k does not depend on the base
 //! parameters; those enter through the voltage that the motion needs.
 //!
 //! | module | what it holds |

@@ -55,7 +55,7 @@ impl Series {
         amplitudes.copied().all(|amplitude| amplitude.abs() < 1e-5)
     }
 
-    /// What the board is told to play.
+    /// The motion in the form that the board plays.
     pub fn motion(&self) -> [Motion; 3] {
         [0, 1, 2].map(|i| {
             Motion::Fourier(FourierSeries {

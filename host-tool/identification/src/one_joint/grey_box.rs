@@ -1,44 +1,17 @@
 //! The command explained from the measured motion: LuGre friction and linear terms.
 
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
-use model::{Friction, FrictionState};
+use model::Friction;
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
-use super::parameters::{ALPHA2, FRICTION, from_logarithms};
+use super::bristles::Bristles;
+use super::parameters::{ALPHA2, JITTER, LINEAR, from_logarithms};
 use super::sandwich;
+use super::weak_priors::{DEVIATION_V, PRIORS, Prior};
 
 /// Below this a jitter does nothing [rad/s].
 const LEAST_JITTER: f64 = 1e-6;
-/// Parameter index of the logarithm of the unseen velocity jitter [rad/s].
-pub const JITTER: usize = FRICTION;
-/// Parameter index of the first linear factor.
-pub const LINEAR: usize = FRICTION + 1;
-
-/// What is presumed where the data say nothing: a weighted sum of parameters, its value
-/// and standard deviation.
-struct Presumption {
-    weights: &'static [(usize, f64)],
-    value: f64,
-    deviation: f64,
-}
-
-/// Presumptions so weak that any data outweigh them; they keep the search from running
-/// off, and in the covariance they say how little is known.
-const PRESUMED: [Presumption; 5] = [
-    // Breakaway level within a factor of two of the Coulomb level.
-    Presumption { weights: &[(1, 1.0), (0, -1.0)], value: 0.0, deviation: 0.7 },
-    // v_s about 4 mrad/s, within a factor of four.
-    Presumption { weights: &[(2, 1.0)], value: -5.5, deviation: 1.4 },
-    // sigma_0 and sigma_1 about 300 V/rad and 3 V s/rad, within a factor of seven.
-    Presumption { weights: &[(4, 1.0)], value: 5.7, deviation: 2.0 },
-    Presumption { weights: &[(5, 1.0)], value: 1.1, deviation: 2.0 },
-    // Jitter about 0.2 mrad/s.
-    Presumption { weights: &[(JITTER, 1.0)], value: -8.5, deviation: 3.0 },
-];
-/// The residual that a presumption missed by its deviation counts as [V].
-const PRESUMED_V: f64 = 1e-3;
-
-/// What the fit works on: command = LuGre friction of the velocity + columns * factors.
+/// The data of the fit: command = LuGre friction of the velocity + columns * factors.
 #[derive(Clone, Debug)]
 pub struct Data {
     /// Time between points [s].
@@ -53,7 +26,7 @@ pub struct Data {
     pub command_v: DVector<f64>,
     /// Means of the linear terms' regressors, a row each.
     pub columns: DMatrix<f64>,
-    /// How much a row counts; 0 where it does not.
+    /// Weights of the rows; 0 leaves a row out.
     pub weight: Vec<f64>,
     /// Rows of a block for the standard errors.
     pub rows_per_block: usize,
@@ -61,10 +34,6 @@ pub struct Data {
 
 impl Data {
     /// The friction's mean over every row [V].
-    ///
-    /// Noise shakes the joint by less than the encoder sees, and yet |v| in eq. (9)
-    /// counts it: friction relaxes under a joint that seems to stand still. The velocity
-    /// is therefore taken as two equally likely ones, `jitter` above and below.
     pub fn friction_v(&self, friction: &Friction<f64>, jitter_rad_per_s: f64) -> Vec<f64> {
         let mut bristles = Bristles::new(friction, jitter_rad_per_s, self.step_s);
         let scale = 1.0 / self.points_per_row as f64;
@@ -81,42 +50,6 @@ impl Data {
 
     fn rows(&self) -> usize {
         self.command_v.len()
-    }
-}
-
-/// The bristles of a joint whose velocity is known but for a jitter.
-struct Bristles<'a> {
-    friction: &'a Friction<f64>,
-    jitter_rad_per_s: f64,
-    step_s: f64,
-    /// Above this velocity z has its steady value within a step.
-    settled_rad_per_s: f64,
-    state: FrictionState<f64>,
-}
-
-impl<'a> Bristles<'a> {
-    fn new(friction: &'a Friction<f64>, jitter_rad_per_s: f64, step_s: f64) -> Self {
-        const SETTLED: f64 = 40.0;
-        let level = friction.alpha0_v.max(friction.alpha0_v + friction.alpha1_v);
-        let settled_rad_per_s = SETTLED * level / friction.sigma0_v_per_rad / step_s;
-        let state = FrictionState::default();
-        Self { friction, jitter_rad_per_s, step_s, settled_rad_per_s, state }
-    }
-
-    /// Mean friction over a step [V].
-    fn step(&mut self, velocity: f64) -> f64 {
-        if velocity.abs() > self.settled_rad_per_s {
-            let level = self.friction.stribeck_level(velocity);
-            let steady = level / self.friction.sigma0_v_per_rad * velocity.signum();
-            self.state.deflection_rad = steady;
-            return self.friction.sliding(velocity);
-        }
-        let (mut above, mut below) = (self.state, self.state);
-        let jitter = self.jitter_rad_per_s;
-        let sum = above.step(self.friction, velocity + jitter, self.step_s)
-            + below.step(self.friction, velocity - jitter, self.step_s);
-        self.state.deflection_rad = 0.5 * (above.deflection_rad + below.deflection_rad);
-        0.5 * sum
     }
 }
 
@@ -143,29 +76,13 @@ impl<'a> Problem<'a> {
         })
     }
 
-    /// The rows' residuals, then the presumptions'.
-    fn residual_with_presumptions(&self) -> DVector<f64> {
-        let rows = self.residual();
-        let presumed = PRESUMED.iter().map(|presumption| {
-            let sum: f64 = presumption.weights.iter().map(|&(k, w)| w * self.parameters[k]).sum();
-            PRESUMED_V * (sum - presumption.value) / presumption.deviation
-        });
-        let size = rows.len() + PRESUMED.len();
-        DVector::from_iterator(size, rows.iter().copied().chain(presumed))
+    /// The rows' residuals, then the priors'.
+    fn residual_with_priors(&self) -> DVector<f64> {
+        with_priors(&self.residual(), |prior| prior.residual_v(self.parameters.as_slice()))
     }
 
-    /// [`Self::slope`] with the presumptions' slopes below.
-    fn slope_with_presumptions(&self, parameter: usize) -> DVector<f64> {
-        let rows = self.slope(parameter);
-        let presumed = PRESUMED.iter().map(|presumption| {
-            let weight = presumption.weights.iter().find(|&&(k, _)| k == parameter);
-            weight.map_or(0.0, |&(_, w)| PRESUMED_V * w / presumption.deviation)
-        });
-        let size = rows.len() + PRESUMED.len();
-        DVector::from_iterator(size, rows.iter().copied().chain(presumed))
-    }
-
-    fn slope(&self, parameter: usize) -> DVector<f64> {
+    /// Derivative of the residual by a parameter.
+    fn derivative(&self, parameter: usize) -> DVector<f64> {
         const NUDGE: f64 = 1e-5;
         let weight = &self.data.weight;
         if parameter >= LINEAR {
@@ -188,6 +105,12 @@ impl<'a> Problem<'a> {
     }
 }
 
+/// A vector over the rows with an entry per prior behind.
+fn with_priors(rows: &DVector<f64>, of_prior: impl Fn(&Prior) -> f64) -> DVector<f64> {
+    let all = rows.iter().copied().chain(PRIORS.iter().map(of_prior));
+    DVector::from_iterator(rows.len() + PRIORS.len(), all)
+}
+
 impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
     type ParameterStorage = Owned<f64, Dyn>;
     type ResidualStorage = Owned<f64, Dyn>;
@@ -205,17 +128,20 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
-        Some(self.residual_with_presumptions())
+        Some(self.residual_with_priors())
     }
 
     fn jacobian(&self) -> Option<DMatrix<f64>> {
-        let slopes: Vec<DVector<f64>> =
-            self.free.iter().map(|&p| self.slope_with_presumptions(p)).collect();
-        Some(DMatrix::from_columns(&slopes))
+        let columns: Vec<DVector<f64>> = self
+            .free
+            .iter()
+            .map(|&p| with_priors(&self.derivative(p), |prior| prior.derivative(p)))
+            .collect();
+        Some(DMatrix::from_columns(&columns))
     }
 }
 
-/// What a fit found.
+/// The result of a fit.
 #[derive(Clone, Debug)]
 pub struct Fit {
     /// Friction's logarithms, the jitter's, then the linear factors.
@@ -260,23 +186,27 @@ pub fn fit(data: &Data, start: DVector<f64>, free: &[usize], tolerance: f64) -> 
     let alike = unweighted(&residual_v, &data.weight);
     let jacobian = problem
         .jacobian()
-        .unwrap_or_else(|| DMatrix::zeros(data.rows() + PRESUMED.len(), free.len()));
-    let small = sandwich::covariance(&jacobian, &residual_v, data.rows_per_block, PRESUMED_V);
-    let size = problem.parameters.len();
-    let mut covariance = DMatrix::zeros(size, size);
-    for (i, &row) in free.iter().enumerate() {
-        for (j, &column) in free.iter().enumerate() {
-            covariance[(row, column)] = small[(i, j)];
-        }
-    }
+        .unwrap_or_else(|| DMatrix::zeros(data.rows() + PRIORS.len(), free.len()));
+    let of_free = sandwich::covariance(&jacobian, &residual_v, data.rows_per_block, DEVIATION_V);
     Fit {
-        covariance,
+        covariance: of_all(&of_free, free, problem.parameters.len()),
         rms_v: (alike.iter().map(|r| r * r).sum::<f64>() / counting).sqrt(),
         weighted_rms_v: (residual_v.norm_squared() / counting).sqrt(),
         residual_v: DVector::from_vec(alike),
         converged: report.termination.was_successful(),
         parameters: problem.parameters,
     }
+}
+
+/// The covariance of all parameters: zero for those that were not free.
+fn of_all(of_free: &DMatrix<f64>, free: &[usize], size: usize) -> DMatrix<f64> {
+    let mut covariance = DMatrix::zeros(size, size);
+    for (i, &row) in free.iter().enumerate() {
+        for (j, &column) in free.iter().enumerate() {
+            covariance[(row, column)] = of_free[(i, j)];
+        }
+    }
+    covariance
 }
 
 fn unweighted(residual: &DVector<f64>, weight: &[f64]) -> Vec<f64> {
@@ -286,8 +216,8 @@ fn unweighted(residual: &DVector<f64>, weight: &[f64]) -> Vec<f64> {
 
 /// Weights for another fit: rows count less where residuals nearby are large.
 ///
-/// Reversals at speed leave ten times what slow sliding does; as equals they would
-/// drown it, and breakaway and v_s with it.
+/// Reversals at speed leave ten times the residual of slow sliding; with equal weights
+/// breakaway level and v_s would not be determined.
 pub fn weights_from(fit: &Fit, weight: &[f64]) -> Vec<f64> {
     const REACH: usize = 12;
     const QUIET_SHARE: f64 = 0.3;

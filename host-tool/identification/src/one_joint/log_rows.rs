@@ -64,7 +64,7 @@ fn terms(joint: u8, neighbours: &[(u8, SmoothedMotion)], known: &Known) -> Vec<T
                 terms.push(Term::NeighbourCosine(2));
             }
             if joint == 2 && *number == 3 {
-                terms.push(Term::GiveWay);
+                terms.push(Term::Compliance);
             }
         }
     }

@@ -5,6 +5,7 @@
 //! | [`reconstruction`] | motion from encoder and command together, without a friction model |
 //! | [`rows`], [`log_rows`] | the rows of a fit, and those of a log |
 //! | [`grey_box`] | the command explained from the motion by LuGre friction and linear terms |
+//! | [`bristles`], [`weak_priors`] | its friction under a jitter, and its priors |
 //! | [`sliding`] | sliding friction alone, by linear least squares |
 //! | [`pendulum`] | rigs of one joint with a coarse encoder |
 //! | [`parameters`] | a joint's parameters as one list |
@@ -14,6 +15,7 @@
 //! | [`innovations`], [`gauss_newton`] | how well parameters predict the encoder, and the equations of their likelihood |
 //! | [`sandwich`] | standard errors from blocks of data |
 
+pub mod bristles;
 pub mod dynamics;
 pub mod friction_step;
 pub mod gauss_newton;
@@ -30,3 +32,4 @@ pub mod samples;
 pub mod sandwich;
 pub mod sensitivity;
 pub mod sliding;
+pub mod weak_priors;

@@ -6,6 +6,10 @@ use model::Friction;
 pub const FRICTION: usize = 6;
 /// Index of the logarithm of the viscous coefficient alpha_2.
 pub const ALPHA2: usize = 3;
+/// In the grey-box fit: index of the logarithm of the velocity jitter [rad/s].
+pub const JITTER: usize = FRICTION;
+/// In the grey-box fit: index of the first linear factor.
+pub const LINEAR: usize = FRICTION + 1;
 
 /// The friction's parameters as the fits see them: their logarithms, so that none
 /// leaves its valid range. In the place of alpha_1, which may be negative, stands the

@@ -1,7 +1,8 @@
-//! Rigs of one joint with a coarse encoder, eq. (11), from any log in which it moves.
+//! Rigs of one joint with a coarse encoder, the pendulum with friction of eq. (11), from any
+//! log in which it moves.
 //!
 //! Sliding friction, inertia, gravity and an offset by robust least squares on smoothed
-//! motion; the delay between the recorded torque and the motion is found along. Logs in
+//! motion; the delay between the recorded torque and the motion is estimated too. Logs in
 //! which somebody moved the joint are left out: there the command is a mere function of
 //! the position, and inertia shows nowhere in it.
 

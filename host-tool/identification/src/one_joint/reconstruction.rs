@@ -188,7 +188,7 @@ mod tests {
         const INERTIA: f64 = 0.02;
         let step_rad = 9.6e-6;
         let time_s: Vec<f64> = (0..4000).map(|k| 1e-3 * f64::from(k)).collect();
-        // u = f + J qdd of a slow drift with a shake of 30 Hz, a third of an encoder step.
+        // u = f + J qdd of a slow drift with a vibration of 30 Hz, a third of an encoder step.
         let truth = |t: f64| 1e-3 * t + 3e-6 * (188.5 * t).sin();
         let velocity = |t: f64| 1e-3 + 3e-6 * 188.5 * (188.5 * t).cos();
         let command = |t: f64| 0.1 - INERTIA * 3e-6 * 188.5f64.powi(2) * (188.5 * t).sin();
@@ -204,6 +204,6 @@ mod tests {
         let motion = reconstructed(&time_s, &q, &u, &settings, 2);
         let errors = (200..1800).map(|k| motion.qd_rad_per_s[k] - velocity(motion.time_s[k]));
         let rms = (errors.map(|e| e * e).sum::<f64>() / 1600.0).sqrt();
-        assert!(rms < 1.5e-4, "{rms:e} rad/s of a shake of 4e-4");
+        assert!(rms < 1.5e-4, "{rms:e} rad/s of a vibration of 4e-4");
     }
 }

@@ -24,8 +24,9 @@ pub enum Term {
     Neighbour(u8),
     /// The same times the cosine of the third joint's angle, which is in D23.
     NeighbourCosine(u8),
-    /// How the held third joint gives way, times how far that shifts gravity on the second.
-    GiveWay,
+    /// Deflection of the third joint, which is held, times how that shifts gravity on the
+    /// second.
+    Compliance,
 }
 
 /// Mean motion over a row.
@@ -44,7 +45,7 @@ pub struct RowMotion {
 /// The rows of a log and what their columns mean.
 #[derive(Clone, Debug)]
 pub struct Rows {
-    /// What the fit works on.
+    /// The data of the fit.
     pub data: Data,
     /// The linear terms, a column each.
     pub terms: Vec<Term>,
@@ -60,41 +61,9 @@ impl Rows {
         terms: Vec<Term>,
         joint: u8,
     ) -> Self {
-        let count = motion.len() / POINTS_PER_ROW;
-        let mean = |values: &[f64], row: usize| -> f64 {
-            let points = &values[row * POINTS_PER_ROW..(row + 1) * POINTS_PER_ROW];
-            points.iter().sum::<f64>() / POINTS_PER_ROW as f64
-        };
-        let rows: Vec<RowMotion> = (0..count)
-            .map(|row| RowMotion {
-                time_s: mean(&motion.time_s, row),
-                q_rad: mean(&motion.q_rad, row),
-                qd_rad_per_s: mean(&motion.qd_rad_per_s, row),
-                qdd_rad_per_s2: mean(&motion.qdd_rad_per_s2, row),
-            })
-            .collect();
-        let of = |number: u8| neighbours.iter().find(|(n, _)| *n == number).map(|(_, m)| m);
-        let held_rad = of(3).map_or(0.0, |m| m.q_rad.iter().sum::<f64>() / m.len().max(1) as f64);
-        let columns = DMatrix::from_fn(count, terms.len(), |row, column| {
-            // Joint 3's gravity turns with joint 2, which gives way a little.
-            let carried = match joint {
-                3 => of(2).map_or(HANGING_RAD[1], |m| mean(&m.q_rad, row)),
-                _ => 0.0,
-            };
-            let angle = rows[row].q_rad + carried;
-            match terms[column] {
-                Term::Inertia => rows[row].qdd_rad_per_s2,
-                Term::GravityCosine => angle.cos(),
-                Term::GravitySine => angle.sin(),
-                Term::Neighbour(n) => of(n).map_or(0.0, |m| mean(&m.qdd_rad_per_s2, row)),
-                Term::NeighbourCosine(n) => {
-                    rows[row].q_rad.cos() * of(n).map_or(0.0, |m| mean(&m.qdd_rad_per_s2, row))
-                }
-                Term::GiveWay => {
-                    -angle.sin() * of(3).map_or(0.0, |m| mean(&m.q_rad, row) - held_rad)
-                }
-            }
-        });
+        let rows = row_motions(motion);
+        let count = rows.len();
+        let columns = columns(&rows, neighbours, &terms, joint);
         let weight = (0..count).map(|row| {
             let points = &motion.measured[row * POINTS_PER_ROW..(row + 1) * POINTS_PER_ROW];
             f64::from(u8::from(points.iter().all(|&measured| measured)))
@@ -117,4 +86,50 @@ impl Rows {
     pub fn column(&self, term: Term) -> Option<usize> {
         self.terms.iter().position(|&t| t == term)
     }
+}
+
+/// Mean of a row's points.
+fn mean(values: &[f64], row: usize) -> f64 {
+    let points = &values[row * POINTS_PER_ROW..(row + 1) * POINTS_PER_ROW];
+    points.iter().sum::<f64>() / POINTS_PER_ROW as f64
+}
+
+fn row_motions(motion: &SmoothedMotion) -> Vec<RowMotion> {
+    let at = |row: usize| RowMotion {
+        time_s: mean(&motion.time_s, row),
+        q_rad: mean(&motion.q_rad, row),
+        qd_rad_per_s: mean(&motion.qd_rad_per_s, row),
+        qdd_rad_per_s2: mean(&motion.qdd_rad_per_s2, row),
+    };
+    (0..motion.len() / POINTS_PER_ROW).map(at).collect()
+}
+
+/// The regressors of the linear terms, a row of the matrix each.
+fn columns(
+    rows: &[RowMotion],
+    neighbours: &[(u8, SmoothedMotion)],
+    terms: &[Term],
+    joint: u8,
+) -> DMatrix<f64> {
+    let of = |number: u8| neighbours.iter().find(|(n, _)| *n == number).map(|(_, m)| m);
+    let held_rad = of(3).map_or(0.0, |m| m.q_rad.iter().sum::<f64>() / m.len().max(1) as f64);
+    DMatrix::from_fn(rows.len(), terms.len(), |row, column| {
+        // Joint 3's gravity turns with joint 2, which gives way a little.
+        let parent_rad = match joint {
+            3 => of(2).map_or(HANGING_RAD[1], |m| mean(&m.q_rad, row)),
+            _ => 0.0,
+        };
+        let angle = rows[row].q_rad + parent_rad;
+        let acceleration = |n: u8| of(n).map_or(0.0, |m| mean(&m.qdd_rad_per_s2, row));
+        match terms[column] {
+            Term::Inertia => rows[row].qdd_rad_per_s2,
+            Term::GravityCosine => angle.cos(),
+            Term::GravitySine => angle.sin(),
+            Term::Neighbour(n) => acceleration(n),
+            Term::NeighbourCosine(n) => rows[row].q_rad.cos() * acceleration(n),
+            Term::Compliance => {
+                -angle.sin() * of(3).map_or(0.0, |m| mean(&m.q_rad, row) - held_rad)
+            }
+        }
+    })
 }

@@ -3,7 +3,7 @@
 use super::dynamics::{INERTIA, Inputs, Regressor};
 use super::rows::Term;
 use model::HANGING_RAD;
-use recordings::campaign::{Known, Trace};
+use recordings::campaign::{JointTrace, Known, Trace};
 use recordings::smoothed::{Smoothing, smoothed};
 
 /// A joint's samples and its external inputs.
@@ -67,34 +67,18 @@ impl Samples {
 /// the joint is not in the log.
 pub fn samples(trace: &Trace, joint: u8, terms: &[Term], known: &Known) -> Option<Samples> {
     let moving = trace.joint(joint)?;
-    let neighbour = |n: u8| acceleration(trace, n, known);
     let mut signals: Vec<Vec<f64>> = Vec::new();
     let mut regressors = Vec::new();
-    for term in terms {
-        let signal = match *term {
+    for &term in terms {
+        regressors.push(match term {
             Term::Inertia => continue,
-            Term::GravityCosine => {
-                regressors.push(Regressor::Cosine);
-                continue;
+            Term::GravityCosine => Regressor::Cosine,
+            Term::GravitySine => Regressor::Sine,
+            Term::Neighbour(_) | Term::NeighbourCosine(_) | Term::Compliance => {
+                signals.push(coupling(trace, moving, term, known)?);
+                Regressor::Signal(signals.len() - 1)
             }
-            Term::GravitySine => {
-                regressors.push(Regressor::Sine);
-                continue;
-            }
-            Term::Neighbour(n) => neighbour(n)?,
-            Term::GiveWay => {
-                let third = &trace.joint(3)?.q_rad;
-                let held_rad = third.iter().sum::<f64>() / third.len().max(1) as f64;
-                let by_sine = third.iter().zip(&moving.q_rad);
-                by_sine.map(|(q3, q2)| (held_rad - q3) * q2.sin()).collect()
-            }
-            Term::NeighbourCosine(n) => {
-                let by_cosine = neighbour(n)?.into_iter().zip(&moving.q_rad);
-                by_cosine.map(|(qdd, q)| qdd * q.cos()).collect()
-            }
-        };
-        regressors.push(Regressor::Signal(signals.len()));
-        signals.push(signal);
+        });
     }
     let by_sample = match signals.is_empty() {
         true => Vec::new(),
@@ -113,6 +97,24 @@ pub fn samples(trace: &Trace, joint: u8, terms: &[Term], known: &Known) -> Optio
         signals: by_sample,
         regressors,
     })
+}
+
+/// The signal that a term of the neighbours' motion multiplies.
+fn coupling(trace: &Trace, own: &JointTrace, term: Term, known: &Known) -> Option<Vec<f64>> {
+    match term {
+        Term::Neighbour(n) => acceleration(trace, n, known),
+        Term::NeighbourCosine(n) => {
+            let by_cosine = acceleration(trace, n, known)?.into_iter().zip(&own.q_rad);
+            Some(by_cosine.map(|(qdd, q)| qdd * q.cos()).collect())
+        }
+        Term::Compliance => {
+            let third = &trace.joint(3)?.q_rad;
+            let held_rad = third.iter().sum::<f64>() / third.len().max(1) as f64;
+            let by_sine = third.iter().zip(&own.q_rad);
+            Some(by_sine.map(|(q3, q2)| (held_rad - q3) * q2.sin()).collect())
+        }
+        Term::Inertia | Term::GravityCosine | Term::GravitySine => None,
+    }
 }
 
 /// A joint's smoothed acceleration at every sample of a log [rad/s^2].

@@ -1,17 +1,17 @@
-//! Standard errors that believe only what blocks of data agree on.
+//! Standard errors from blocks of data: the jackknife, a sandwich covariance.
 
 use nalgebra::{DMatrix, DVector};
 
 /// Covariance of a least-squares estimate by the jackknife over blocks of rows.
 ///
 /// See [`jackknife`]; H = J'J and g_b = J_b' r_b. Rows of the Jacobian beyond the
-/// residual's are what is presumed, with errors of standard deviation `presumed`: they
-/// count in H and add H^-1 J_p' J_p H^-1 times its square.
+/// residual's are those of priors with errors of standard deviation `prior_deviation`:
+/// they count in H and add H^-1 J_p' J_p H^-1 times its square.
 pub fn covariance(
     jacobian: &DMatrix<f64>,
     residual: &DVector<f64>,
     rows_per_block: usize,
-    presumed: f64,
+    prior_deviation: f64,
 ) -> DMatrix<f64> {
     let whole = jacobian.tr_mul(jacobian);
     let rows_per_block = rows_per_block.max(1);
@@ -21,9 +21,9 @@ pub fn covariance(
         (block.tr_mul(&block), block.tr_mul(&residual.rows(begin, rows)))
     });
     let from_blocks = jackknife(&whole, blocks);
-    let presumptions = jacobian.rows(residual.len(), jacobian.nrows() - residual.len());
+    let priors = jacobian.rows(residual.len(), jacobian.nrows() - residual.len());
     let Some(inverse) = scaled_inverse(&whole, &whole) else { return from_blocks };
-    let reach = presumptions * inverse * presumed;
+    let reach = priors * inverse * prior_deviation;
     from_blocks + reach.tr_mul(&reach)
 }
 

@@ -5,7 +5,7 @@
 //! the best linear approximation is dz/dt = (1 - kappa) v - lambda z with
 //! lambda = sigma0 E[g] and kappa = sigma0 z0 E[g'], and the mean deflection
 //! z0 = v0 / lambda that lets the joint creep at v0. For the paper's joint 1 at 30 mV
-//! RMS lambda is about 7 per second: the spring of (12) yields below 1 Hz.
+//! RMS lambda is about 7 per second: the spring of the FRF, eq. (12), yields below 1 Hz.
 
 /// What noise does to the bristles.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,7 +1,7 @@
 //! Pre-sliding friction from the FRF (section 3.2, eq. (12)), with the neighbours' motion.
 //!
-//! Eq. (12) is one row of the linearised robot with all other joints fixed. Held joints
-//! give way, so here all rows stand side by side, each with the bristles of its joint:
+//! The FRF of eq. (12) is one row of the linearised robot with all other joints fixed. Held
+//! joints are compliant, so here all rows are taken together, each with its own bristles:
 //!
 //! ```text
 //! M(s) q = u,   M_ij = (D_ij s^2 + dh_i/dq_j) / k_t,i   (+ friction where i = j),

@@ -23,8 +23,8 @@ pub struct PriorDistribution {
     pub body_known: bool,
 }
 
-/// Errors of log D_ii and of D_ij over sqrt(D_ii D_jj) of which nothing is known but
-/// what the FRF itself tells.
+/// Errors of log D_ii and of D_ij over sqrt(D_ii D_jj) of a rig whose inertia the FRF alone
+/// determines.
 const UNKNOWN_INERTIA: f64 = 0.7;
 /// Errors of log sigma_0 and log sigma_1 of a neighbour of which nothing is known.
 const UNKNOWN_BRISTLES: [f64; 2] = [1.5, 1.0];
@@ -40,7 +40,7 @@ struct Body {
     body_known: bool,
 }
 
-/// J / k_t of the excited joint, where the prior tells it [V s^2/rad].
+/// J / k_t of the excited joint, where the prior contains it [V s^2/rad].
 pub fn known_inertia(record: &Record, known: &Known, prior: &Prior) -> Option<f64> {
     let body = known_body(record, known, prior)?;
     let i = record.excited;

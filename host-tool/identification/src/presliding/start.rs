@@ -1,4 +1,4 @@
-//! First guess: eq. (12) alone, by linear least squares on the inverse FRF.
+//! First guess: the FRF of one joint, eq. (12), by linear least squares on its inverse.
 //!
 //! Biased by noise and by the neighbours' motion, but near enough for the fit to begin.
 
@@ -7,7 +7,7 @@ use nalgebra::{Complex, Matrix3, Vector3};
 use super::linear::hold;
 use super::record::Record;
 
-/// Inertia, damping and stiffness of eq. (12), in volts.
+/// Inertia, damping and stiffness of the FRF, eq. (12), in volts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start {
     /// J / k_t [V s^2/rad].

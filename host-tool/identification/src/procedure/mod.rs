@@ -18,9 +18,9 @@ use rayon::prelude::*;
 
 use super::base_parameters::{self, BaseResult, FrictionEstimate};
 use super::ekf::{self, EkfResult};
-use super::physical;
+use super::physical::{self, Physical};
 use super::presliding::{self, Presliding, Prior};
-use super::refinement;
+use super::refinement::{self, Refined};
 use super::static_friction::{self, StaticFriction};
 use files::{Experiment, Role};
 use recordings::plausibility;
@@ -30,6 +30,20 @@ use recordings::{Campaign, StepError, Trace};
 ///
 /// `progress` is called with the name of each step. Experiments that are missing are named in the
 /// result's `missing`; what needs them is done without, or not at all.
+///
+/// ```no_run
+/// use files::{Dataset, RobotFile};
+/// use identification::procedure::{identify, model_file};
+/// use recordings::Campaign;
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let robot = RobotFile::read("campaign/robot.toml")?;
+/// let campaign = Campaign::read(&Dataset::read("campaign")?, robot.clone())?;
+/// let identified = identify(&campaign, &|step| println!("{step}"))?;
+/// model_file(&identified, &robot).write("model.toml")?;
+/// # Ok(())
+/// # }
+/// ```
 ///
 /// # Errors
 /// No excitation, or one that cannot be used: without it there is no model.
@@ -65,13 +79,7 @@ pub fn identify(campaign: &Campaign, progress: &dyn Fn(&str)) -> Result<Identifi
     )?;
     progress("rigid links");
     let physical = physical::nearest(&refined.base, &refined.base_covariance, &geometry);
-    let rigid = physical.as_ref().filter(|found| found.consistent && found.positive_definite);
-    let robot = Robot {
-        geometry,
-        base: rigid.map_or(refined.base, |found| found.base),
-        torque_constant_nm_per_v: [1, 2, 3].map(|j| campaign.known.torque_constant(j)),
-        friction: refined.friction,
-    };
+    let robot = model(campaign, geometry, &refined, physical.as_ref());
     progress("validation");
     let held_out = held_out(campaign, &robot);
     let mut identified = Identified {
@@ -88,6 +96,22 @@ pub fn identify(campaign: &Campaign, progress: &dyn Fn(&str)) -> Result<Identifi
     };
     identified.note_contradictions();
     Ok(identified)
+}
+
+/// The refined parameters, or the nearest physical ones where they can take their place.
+fn model(
+    campaign: &Campaign,
+    geometry: Geometry<f64>,
+    refined: &Refined,
+    physical: Option<&Physical>,
+) -> Robot<f64> {
+    let rigid = physical.filter(|found| found.consistent && found.positive_definite);
+    Robot {
+        geometry,
+        base: rigid.map_or(refined.base, |found| found.base),
+        torque_constant_nm_per_v: [1, 2, 3].map(|j| campaign.known.torque_constant(j)),
+        friction: refined.friction,
+    }
 }
 
 /// Remarks on all logs.

@@ -1,12 +1,12 @@
-//! Static friction from constant-velocity runs, eq. (10), section 3.1.
+//! Static friction, the Stribeck curve of eq. (10), from constant-velocity runs, section 3.1.
 //!
-//! The paper's way needs legs in which the velocity is steady; where they are is found
-//! from the measured motion ([`steady`]) and drawn. At a few mrad/s, though, the
-//! bristles of eq. (9) travel for a second before friction has its steady value, or
-//! the joint sticks and slips. So the whole log is explained at once: the measured
-//! motion drives the LuGre model, and its friction together with inertia, gravity and
-//! the neighbours' reaction must be the command ([`super::one_joint::grey_box`]).
-//! sigma_0 and sigma_1 come out as well, roughly; the FRF (12) gives them better.
+//! The paper's method needs parts of the log in which the velocity is steady; they are
+//! found in the measured motion ([`steady`]) and drawn. At a few mrad/s, though, the
+//! bristles of LuGre friction, eq. (9), travel for a second before friction has its steady
+//! value, or the joint sticks and slips. So the whole log is fitted at once: the measured
+//! motion drives the LuGre model, whose friction together with inertia, gravity and the
+//! neighbours' reaction must equal the command ([`super::one_joint::grey_box`]).
+//! sigma_0 and sigma_1 come out as well, roughly; the FRF, eq. (12), gives them better.
 
 mod start;
 pub mod steady;
@@ -15,9 +15,9 @@ use serde::Serialize;
 
 use super::estimate::Estimate;
 use super::friction_estimates::FrictionEstimates;
-use super::one_joint::grey_box::{self, Fit, LINEAR};
+use super::one_joint::grey_box::{self, Fit};
 use super::one_joint::log_rows::log_rows;
-use super::one_joint::parameters::{FRICTION, from_logarithms};
+use super::one_joint::parameters::{FRICTION, LINEAR, from_logarithms};
 use super::one_joint::rows::{Rows, Term};
 use super::one_joint::sliding::sliding;
 use recordings::StepError;

@@ -3,8 +3,8 @@
 use model::Friction;
 use nalgebra::DVector;
 
-use crate::one_joint::grey_box::{self, LINEAR};
-use crate::one_joint::parameters::to_logarithms;
+use crate::one_joint::grey_box;
+use crate::one_joint::parameters::{LINEAR, to_logarithms};
 use crate::one_joint::rows::Rows;
 use crate::one_joint::sliding::Sliding;
 

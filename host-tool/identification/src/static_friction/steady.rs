@@ -3,7 +3,8 @@
 use model::Friction;
 use serde::Serialize;
 
-use crate::one_joint::grey_box::{Fit, LINEAR};
+use crate::one_joint::grey_box::Fit;
+use crate::one_joint::parameters::LINEAR;
 use crate::one_joint::rows::Rows;
 
 /// A part of a log at steady velocity.

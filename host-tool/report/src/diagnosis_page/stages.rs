@@ -3,7 +3,7 @@
 use diagnosis::places::Samples;
 use diagnosis::{Diagnosis, JointResiduals};
 
-/// Residuals of the joints that matter, before and after.
+/// Residuals of the joints that are drawn, before and after.
 pub(super) struct Stages {
     /// What the two are.
     pub names: (&'static str, &'static str),
@@ -13,8 +13,8 @@ pub(super) struct Stages {
     pub joints: Vec<(Samples, Samples)>,
 }
 
-/// A joint with less of the largest excess than this part is not drawn.
-const MATTERS: f64 = 0.1;
+/// A joint with less than this share of the largest excess over the noise is not drawn.
+const SHOWN_SHARE: f64 = 0.1;
 
 impl Stages {
     /// Without and with the effects; where no effect is named, as given and refitted.
@@ -24,7 +24,7 @@ impl Stages {
         let before = Samples::of_joints(&diagnosis.logs, |joint| before(joint, named));
         let after = Samples::of_joints(&diagnosis.logs, |joint| after(joint, named));
         let all: Vec<_> = before.into_iter().zip(after).filter(|(b, _)| !b.is_empty()).collect();
-        let joints = matters(diagnosis, named, &all);
+        let joints = joints_shown(diagnosis, named, &all);
         Self {
             names,
             named,
@@ -43,15 +43,15 @@ pub(super) fn after(joint: &JointResiduals, named: bool) -> &Vec<f64> {
     if named { &joint.with_effects_v } else { &joint.refitted_v }
 }
 
-/// The joints of the causes, and those where the refitted model leaves much; all where none
-/// leaves more than noise.
-fn matters(diagnosis: &Diagnosis, named: bool, all: &[(Samples, Samples)]) -> Vec<u8> {
+/// The joints of the causes, and those with large residuals of the refitted model; all where
+/// no residual exceeds the noise.
+fn joints_shown(diagnosis: &Diagnosis, named: bool, all: &[(Samples, Samples)]) -> Vec<u8> {
     let excess_v2 = |pair: &(Samples, Samples)| {
         let refitted = if named { &pair.0 } else { &pair.1 };
         refitted.excess_v2()
     };
     let most = all.iter().map(excess_v2).fold(0.0, f64::max);
-    let blamed = |joint: u8| diagnosis.report.causes.iter().any(|cause| cause.joint == joint);
-    let wanted = all.iter().filter(|&p| blamed(p.0.joint) || excess_v2(p) >= MATTERS * most);
+    let is_cause = |joint: u8| diagnosis.report.causes.iter().any(|cause| cause.joint == joint);
+    let wanted = all.iter().filter(|&p| is_cause(p.0.joint) || excess_v2(p) >= SHOWN_SHARE * most);
     wanted.map(|(before, _)| before.joint).collect()
 }
