@@ -8,8 +8,8 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use super::slopes::{JointSlopes, changed, slopes};
 use super::unknowns::Expected;
 use crate::rows::evidence::{Evidence, Rows};
+use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use crate::trial::parts::Parts;
-use crate::trial::voltage::{EffectInstance, Hypothesis};
 
 /// A model with its residuals and their slopes.
 #[derive(Clone)]

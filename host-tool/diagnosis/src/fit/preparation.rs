@@ -2,14 +2,15 @@
 
 use model::{Posture, Robot};
 
-use super::fit::{MOST_STEPS, fit};
+use super::gauss_newton::{MOST_STEPS, fit};
 use super::linearisation::Linearisation;
 use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
 use crate::rows::noise::{Noise, NoiseByRate, of_encoder};
 use crate::search::selection::Selection;
-use crate::trial::voltage::{EffectInstance, Hypothesis, Trial};
+use crate::trial::equation::Trial;
+use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use recordings::StepError;
 
 /// Steps of the first fit, which only serves to see the noise.

@@ -5,9 +5,11 @@ use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 use super::unknowns::{Expected, Unknown};
+use crate::logs::intervals::at_samples;
 use crate::rows::evidence::{Columns, Evidence, Rows};
-use crate::trial::parts::{Parts, same, touched};
-use crate::trial::voltage::{EffectInstance, Hypothesis, Trial, at_samples};
+use crate::trial::equation::Trial;
+use crate::trial::hypothesis::{EffectInstance, Hypothesis};
+use crate::trial::parts::{Parts, motor_side, touched};
 
 /// Slopes of one joint's rows.
 #[derive(Clone)]
@@ -32,7 +34,8 @@ pub fn changed(
     rows: &mut Rows,
 ) {
     let touches = touched(effect, others);
-    let trial = Trial::beside(&evidence.stretches[s], hypothesis, same(parts, effect));
+    let trial =
+        Trial::with_motor_side(&evidence.stretches[s], hypothesis, motor_side(parts, effect));
     for &joint in joints {
         let change = parts[joint].change_to(&trial, joint, touches);
         rows[joint].extend(evidence.weighted(s, joint, &change));
@@ -107,7 +110,7 @@ fn stretch_slopes(
             return Piece::default();
         }
         let parts = Parts::of(&trial, joint);
-        let rows = evidence.weighted(s, joint, &trial.left(joint, &parts.net));
+        let rows = evidence.weighted(s, joint, &trial.residual_of_net(joint, &parts.net));
         let columns = own_slopes(evidence, s, joint, (&trial, &parts), hypothesis, expected);
         (parts, rows, columns)
     })

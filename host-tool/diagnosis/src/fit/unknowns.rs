@@ -4,7 +4,7 @@ use model::base::COUNT;
 use model::{BaseParameters, Friction};
 
 use crate::logs::subject::Subject;
-use crate::trial::voltage::Hypothesis;
+use crate::trial::hypothesis::Hypothesis;
 use identification::base_parameters::friction::{FRICTION_COUNT, from_array, to_array};
 
 /// One open parameter.

@@ -3,17 +3,19 @@
 use std::collections::BTreeMap;
 
 use super::motion_gap::drift_rms_rad;
-use crate::fit::fit::{fit, fit_held};
+use crate::fit::gauss_newton::{fit, fit_held};
 use crate::fit::linearisation::Linearisation;
 use crate::fit::preparation::as_given;
 use crate::fit::residual_stats::PRIOR_PENALTY;
 use crate::fit::residual_stats::ResidualStats;
+use crate::logs::intervals::at_samples;
 use crate::logs::subject::Subject;
 use crate::report::sentence;
 use crate::rows::evidence::{Evidence, Rows};
 use crate::rows::noise::NoiseByRate;
 use crate::search::selection::{Rivalry, Selection};
-use crate::trial::voltage::{EffectInstance, Hypothesis, Trial, at_samples};
+use crate::trial::equation::Trial;
+use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use crate::verdict::judgement::{confidence, verdict};
 use crate::verdict::shrinkage::{Shrinkage, held_out_floor_v, held_out_rms_v, noise_floor_v};
 use crate::verdict::{detectable, misfit};

@@ -8,7 +8,8 @@ use rayon::prelude::*;
 
 use crate::logs::stretch::Stretch;
 use crate::rows::evidence::Evidence;
-use crate::trial::voltage::{EffectInstance, Hypothesis, Trial};
+use crate::trial::equation::Trial;
+use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use files::Role;
 use simulation::{Settings, SimulatedRobot};
 
@@ -33,10 +34,10 @@ pub fn drift_rms_rad(evidence: &Evidence, hypothesis: &Hypothesis) -> Vec<f64> {
 fn windows(stretch: &Stretch, hypothesis: &Hypothesis) -> Vec<([f64; 3], usize)> {
     let window = (WINDOW_S / stretch.period_s).round().max(2.0) as usize;
     let trial = Trial::of(stretch, hypothesis);
-    let bends = trial.bends();
+    let bristles = trial.bristles();
     let starts = (window..stretch.len().saturating_sub(window)).step_by(window);
     starts
-        .map(|start| (drift(stretch, hypothesis, &trial, start, window, &bends), window))
+        .map(|start| (drift(stretch, hypothesis, &trial, start, window, &bristles), window))
         .collect()
 }
 
@@ -46,12 +47,12 @@ fn drift(
     trial: &Trial,
     start: usize,
     window: usize,
-    bends: &[[FrictionState<f64>; 3]],
+    bristles: &[[FrictionState<f64>; 3]],
 ) -> [f64; 3] {
     let settings =
         Settings { sample_period_s: stretch.period_s, noise_v: 0.0, ..Settings::default() };
     let effects = hypothesis.effects.iter().filter_map(EffectInstance::build).collect();
-    let (q, qd, qdd) = trial.motor_state(start);
+    let (q, qd, qdd) = trial.motor().state(start);
     let mut robot = SimulatedRobot::with_effects(hypothesis.robot, effects, q, &settings);
     let time_s = stretch.start_s + start as f64 * stretch.period_s;
     let command = |k: usize| [0, 1, 2].map(|i| stretch.command_v[i][k]);
@@ -60,7 +61,7 @@ fn drift(
         robot.feel(&command(k));
     }
     robot.set_time(time_s);
-    robot.set_motion(qd, qdd, bends[start]);
+    robot.set_motion(qd, qdd, bristles[start]);
     let mut squares = [0.0; 3];
     for k in start..start + window {
         let reading = robot.reading_rad();

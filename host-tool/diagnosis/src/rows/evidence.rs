@@ -7,7 +7,8 @@ use rayon::prelude::*;
 use super::noise::{Noise, NoiseByRate};
 use super::row_filter::RowFilter;
 use crate::logs::stretch::Stretch;
-use crate::trial::voltage::{Hypothesis, Trial};
+use crate::trial::equation::Trial;
+use crate::trial::hypothesis::Hypothesis;
 use files::Role;
 
 /// Stretches with the filters and weights of their rows.

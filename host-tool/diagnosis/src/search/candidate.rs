@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::fit::linearisation::{Linearisation, Score, Which};
 use crate::fit::slopes::step_of;
 use crate::rows::evidence::{Evidence, Rows};
-use crate::trial::voltage::EffectInstance;
+use crate::trial::hypothesis::EffectInstance;
 
 /// An effect with its best values so far, and how well the model does with it.
 #[derive(Clone, Debug)]

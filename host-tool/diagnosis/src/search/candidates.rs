@@ -7,7 +7,8 @@ use super::harmonics;
 use crate::fit::linearisation::{Linearisation, Which};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
-use crate::trial::voltage::{EffectInstance, Trial};
+use crate::trial::equation::Trial;
+use crate::trial::hypothesis::EffectInstance;
 use rig::effects::{CATALOGUE, Definition, Search, Typical};
 use signal::rms;
 

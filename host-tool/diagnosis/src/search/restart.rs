@@ -7,11 +7,11 @@ use rayon::prelude::*;
 
 use super::candidate::Candidate;
 use super::selection::{SPRING_STEPS, Step};
-use crate::fit::fit::{fit, open_in};
+use crate::fit::gauss_newton::{fit, open_in};
 use crate::fit::linearisation::{Linearisation, Which};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
-use crate::trial::voltage::EffectInstance;
+use crate::trial::hypothesis::EffectInstance;
 
 /// Factors of gap, stiffness, damping and the motor's inertia to begin anew with.
 const RESTARTS: [[f64; 4]; 4] =

@@ -5,14 +5,14 @@ use rayon::prelude::*;
 
 use super::candidate::Candidate;
 use super::restart::restarted;
-use crate::fit::fit::fit;
+use crate::fit::gauss_newton::fit;
 use crate::fit::linearisation::{Linearisation, Which};
 use crate::fit::preparation::as_given;
 use crate::fit::residual_stats::{PRIOR_PENALTY, ResidualStats};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
 use crate::search::candidates::{Start, candidates, places_open, starts};
-use crate::trial::voltage::{EffectInstance, Hypothesis};
+use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use rig::effects::Definition;
 
 /// The model after each step, and what competed.

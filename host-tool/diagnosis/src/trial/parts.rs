@@ -1,7 +1,9 @@
 //! What a model's equation consists of along a stretch, and how it changes with an effect.
 
-use super::link_motion::Felt;
-use super::voltage::{EffectInstance, Same, Trial, at_samples};
+use super::equation::{MotorSide, Trial};
+use super::hypothesis::EffectInstance;
+use super::joint_dynamics::JointDynamics;
+use crate::logs::intervals::at_samples;
 use rig::effects::Touches;
 
 /// The equation of a joint over a stretch, on the log's clock [V].
@@ -15,8 +17,8 @@ pub struct Parts {
     pub net: Vec<f64>,
     /// What the rigid body needs, by samples.
     pub needed: Vec<f64>,
-    /// What the joint feels of the rest of the arm, by samples.
-    felt: Vec<Felt>,
+    /// Dynamics of the joint as if it were stiff, by samples.
+    dynamics: Vec<JointDynamics>,
 }
 
 impl Parts {
@@ -25,8 +27,8 @@ impl Parts {
         let drive = trial.drive(joint);
         let friction = trial.friction(joint, trial.robot());
         let net = drive.iter().zip(&friction).map(|(drive, friction)| drive - friction).collect();
-        let (needed, felt) = (trial.needed(joint).to_vec(), trial.felt(joint));
-        Self { drive, friction, net, needed, felt }
+        let (needed, dynamics) = (trial.needed(joint).to_vec(), trial.dynamics(joint));
+        Self { drive, friction, net, needed, dynamics }
     }
 
     /// Change of the residual at the samples when a trial takes these parts' place.
@@ -51,11 +53,11 @@ impl Parts {
     }
 }
 
-/// What these parts share with those of a model that differs in `effect`: nothing unless
-/// that is a spring.
-pub fn same<'a>(parts: &'a [Parts; 3], effect: &EffectInstance) -> Option<Same<'a>> {
-    effect.is_spring().then(|| Same {
-        felt: [0, 1, 2].map(|joint| &parts[joint].felt[..]),
+/// The motors' side of the springs in these parts, for a hypothesis that differs from theirs in
+/// `effect` alone: nothing unless that is a spring.
+pub fn motor_side<'a>(parts: &'a [Parts; 3], effect: &EffectInstance) -> Option<MotorSide<'a>> {
+    effect.is_spring().then(|| MotorSide {
+        dynamics: [0, 1, 2].map(|joint| &parts[joint].dynamics[..]),
         net_v: [0, 1, 2].map(|joint| &parts[joint].net[..]),
     })
 }
@@ -64,10 +66,10 @@ pub fn same<'a>(parts: &'a [Parts; 3], effect: &EffectInstance) -> Option<Same<'
 pub fn touched(effect: &EffectInstance, others: &[EffectInstance]) -> Touches {
     let mut touches = effect.definition.touches;
     let moves_others = touches.body && !effect.is_spring() && !others.is_empty();
-    // What is in the model already may feel a body or a motion that changes.
+    // What is in the model already may depend on a body or a motion that changes.
     touches.drive |= moves_others;
     touches.friction |= moves_others;
-    // A link with play is kept on its track by what drives its motor.
+    // A link with backlash is kept on its track by what drives its motor.
     let meets = |other: &EffectInstance| effect.joint == 0 || effect.joint == other.joint;
     touches.body |= others.iter().any(|other| other.has_backlash() && meets(other));
     touches

@@ -8,7 +8,7 @@ use crate::fit::residual_stats::OWN_RATIO;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::{Evidence, Rows};
 use crate::search::candidates::{places, starts, typical};
-use crate::trial::voltage::EffectInstance;
+use crate::trial::hypothesis::EffectInstance;
 use crate::{Detectable, Untestable};
 use rig::effects::Definition;
 

@@ -3,7 +3,7 @@
 use crate::fit::residual_stats::ResidualStats;
 use crate::logs::subject::Subject;
 use crate::search::selection::{Rivalry, Selection, Step};
-use crate::trial::voltage::EffectInstance;
+use crate::trial::hypothesis::EffectInstance;
 use crate::{Alternative, Verdict};
 
 /// A rest up to so many times the noise is explained, whatever the gap was.

@@ -3,9 +3,9 @@
 use crate::Verdict;
 use crate::fit::linearisation::Linearisation;
 use crate::fit::residual_stats::ResidualStats;
+use crate::logs::intervals::at_samples;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
-use crate::trial::voltage::at_samples;
 
 /// Part of the command's rms that the refitted model of another robot leaves at least.
 const ANOTHER_ROBOT: f64 = 0.2;

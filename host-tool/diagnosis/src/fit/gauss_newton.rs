@@ -4,7 +4,7 @@ use super::linearisation::{Linearisation, objective};
 use super::unknowns::{Expected, Unknown, expected, kept_physical};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
-use crate::trial::voltage::{EffectInstance, Hypothesis};
+use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 
 /// Most steps of a fit.
 pub const MOST_STEPS: usize = 6;
