@@ -69,7 +69,7 @@ pub fn diagnose(campaign: &Campaign, progress: &dyn Fn(&str)) -> Result<Diagnosi
         evidence: &evidence,
         selection: &selection,
         traces: &campaign.traces,
-        noise: preparation::noise_left(&subject, &evidence, &selection),
+        noise: preparation::noise_left(&subject, &evidence, &selection.last().linear.hypothesis),
     };
     Ok(assembly.diagnosis(&campaign.robot_file, usable.remarks))
 }

@@ -7,7 +7,11 @@ use model::reference_robot::reference_robot;
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
 
-use super::*;
+use crate::places::places;
+use crate::result::{
+    Cause, Detectable, Diagnosis, Gap, JointResiduals, Level, LogResiduals, Report, Rival,
+    Untestable, Value, Verdict,
+};
 use files::{RobotFile, Role};
 
 const FLOOR_V: f64 = 4e-3;

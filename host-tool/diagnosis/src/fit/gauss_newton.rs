@@ -5,6 +5,7 @@ use super::unknowns::{Expected, Unknown, expected, kept_physical};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
+use crate::trial::residual_rows::residual_rows;
 
 /// Most steps of a fit.
 pub const MOST_STEPS: usize = 6;
@@ -93,7 +94,7 @@ fn improved(
 }
 
 fn objective_of(evidence: &Evidence, hypothesis: &Hypothesis, open: &[Expected]) -> f64 {
-    let residual = evidence.residual(hypothesis, &evidence.joints);
+    let residual = residual_rows(evidence, hypothesis);
     let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
     objective(&residual, &train, hypothesis, open)
 }

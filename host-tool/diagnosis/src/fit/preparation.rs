@@ -8,7 +8,6 @@ use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
 use crate::rows::noise::{Noise, NoiseByRate, of_encoder};
-use crate::search::selection::Selection;
 use crate::trial::equation::Trial;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use recordings::StepError;
@@ -56,12 +55,10 @@ fn with_noise(
     Ok(Evidence::new(stretches, subject.joints.clone(), &noise))
 }
 
-/// Noise in what the last model of a selection leaves: a gap that is always there passes for
+/// Noise in what the last model of a search leaves: a gap that is always there passes for
 /// noise until its cause is found.
-pub fn noise_left(subject: &Subject, evidence: &Evidence, selection: &Selection) -> NoiseByRate {
-    let hypothesis = selection.steps.last().map(|step| step.linear.hypothesis.clone());
-    let hypothesis = hypothesis.unwrap_or_else(|| as_given(subject));
-    noise(&evidence.stretches, &hypothesis, subject.known.encoder_step_rad)
+pub fn noise_left(subject: &Subject, evidence: &Evidence, last: &Hypothesis) -> NoiseByRate {
+    noise(&evidence.stretches, last, subject.known.encoder_step_rad)
 }
 
 /// The model as given.

@@ -1,10 +1,11 @@
 //! What varies with acceleration.
 
 use super::curve::curve;
+use super::found::Found;
+use super::samples::Samples;
 use super::shape::{explained, spread};
-use super::{Found, Samples};
-use crate::Axis;
 use crate::quantity::{number, volts};
+use crate::result::Axis;
 
 /// A function of acceleration.
 pub(super) fn find(samples: &Samples) -> Option<Found> {

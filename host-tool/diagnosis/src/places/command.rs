@@ -1,10 +1,11 @@
 //! What varies with the command.
 
 use super::curve::{Curve, curve};
+use super::found::Found;
+use super::samples::Samples;
 use super::shape::{explained, spread};
-use super::{Found, Samples};
-use crate::Axis;
 use crate::quantity::volts;
+use crate::result::Axis;
 
 /// A function of the command.
 pub(super) fn find(samples: &Samples) -> Option<Found> {

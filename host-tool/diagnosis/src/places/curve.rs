@@ -1,8 +1,8 @@
 //! A function of one variable that vanishes with it.
 
-use super::Samples;
 use super::fit::{Design, Fit};
 use super::nodes::Nodes;
+use super::samples::Samples;
 use super::shape::centred;
 
 /// A fitted function.

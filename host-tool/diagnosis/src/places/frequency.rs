@@ -1,9 +1,10 @@
 //! What lies at certain frequencies, lines and bands, and is no function of anything else.
 
+use super::found::Found;
+use super::samples::Samples;
 use super::spectrum::{Spectrum, spectrum};
-use super::{Found, Samples};
-use crate::Axis;
 use crate::quantity::number;
+use crate::result::Axis;
 
 /// A line or a band of frequencies.
 struct Part {

@@ -1,10 +1,11 @@
 //! What varies with the load.
 
 use super::curve::{Curve, curve};
+use super::found::Found;
+use super::samples::Samples;
 use super::shape::{explained, spread};
-use super::{Found, Samples};
-use crate::Axis;
 use crate::quantity::{number, volts};
+use crate::result::Axis;
 
 /// A function of the load, whatever the motion, or one of its size that opposes the motion.
 pub(super) fn find(samples: &Samples) -> Option<Found> {

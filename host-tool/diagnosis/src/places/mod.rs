@@ -11,6 +11,7 @@ mod angle;
 mod command;
 mod curve;
 mod fit;
+mod found;
 mod frequency;
 mod load;
 mod nodes;
@@ -31,18 +32,8 @@ pub use angle::Carrier;
 pub use samples::Samples;
 pub use spectrum::{Spectrum, spectrum};
 
-use super::{Axis, LogResiduals, Place};
-
-/// What a function of one axis explains on one joint.
-#[derive(Clone, Debug)]
-struct Found {
-    axis: Axis,
-    /// What it takes off the sum of squares [V^2].
-    energy_v2: f64,
-    detail: String,
-    /// The function at every sample [V].
-    fitted_v: Vec<f64>,
-}
+use crate::result::{LogResiduals, Place};
+use found::Found;
 
 /// Shares below this are not worth a word.
 const LEAST_SHARE: f64 = 0.02;

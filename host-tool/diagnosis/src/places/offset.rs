@@ -1,9 +1,10 @@
 //! What is constant.
 
 use super::fit::{Design, Fit};
-use super::{Found, Samples};
-use crate::Axis;
+use super::found::Found;
+use super::samples::Samples;
 use crate::quantity::volts;
+use crate::result::Axis;
 
 /// A constant over all logs, or one for each.
 pub(super) fn find(samples: &Samples) -> Option<Found> {

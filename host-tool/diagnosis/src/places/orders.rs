@@ -1,7 +1,7 @@
 //! Orders per revolution: how much of a residual repeats n times a turn.
 
-use super::Samples;
 use super::angle::{AngleSums, Carrier};
+use super::samples::Samples;
 use super::shape::centred;
 
 /// Highest order that is looked for.

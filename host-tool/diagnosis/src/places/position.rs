@@ -2,12 +2,13 @@
 
 use super::angle::{AngleSums, Carrier, Wave};
 use super::fit::{Design, Fit};
+use super::found::Found;
 use super::nodes::Nodes;
 use super::orders::{HIGHEST_ORDER, lowest_order};
+use super::samples::Samples;
 use super::shape::{centred, explained, spread};
-use super::{Found, Samples};
-use crate::Axis;
 use crate::quantity::volts;
+use crate::result::Axis;
 
 const MOST_WAVES: usize = 4;
 /// A wave that explains less of the excess is not named.

@@ -1,6 +1,6 @@
 //! One joint's residuals over all logs, as one list of samples.
 
-use crate::{JointResiduals, LogResiduals};
+use crate::result::{JointResiduals, LogResiduals};
 
 /// Samples of one joint, log after log.
 #[derive(Clone, Debug, Default)]

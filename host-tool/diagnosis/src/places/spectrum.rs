@@ -1,6 +1,6 @@
 //! The spectrum over time of one joint's values, over all logs.
 
-use super::Samples;
+use super::samples::Samples;
 use signal::spectrum::Welch;
 
 /// A one-sided spectral density.

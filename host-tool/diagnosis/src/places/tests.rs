@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use super::places;
+use crate::result::{Axis, Place};
 use crate::synthetic::{At, logs};
-use crate::{Axis, Place};
 
 fn first(residual_v: impl Fn(&At) -> f64) -> Place {
     let places = places(&logs(residual_v));

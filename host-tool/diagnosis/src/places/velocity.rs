@@ -1,10 +1,11 @@
 //! What varies with velocity.
 
 use super::fit::{Design, Fit};
+use super::found::Found;
 use super::nodes::Nodes;
+use super::samples::Samples;
 use super::shape::{centred, explained};
-use super::{Found, Samples};
-use crate::Axis;
+use crate::result::Axis;
 
 /// Nodes over speed: where it is low, friction bends most.
 const LEVELS: [f64; 9] = [0.0, 0.05, 0.12, 0.25, 0.4, 0.6, 0.8, 0.95, 1.0];

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::motion_gap::drift_rms_rad;
+use super::sentence::{effect_words, joint_words};
 use crate::fit::gauss_newton::{fit, fit_held};
 use crate::fit::linearisation::Linearisation;
 use crate::fit::preparation::as_given;
@@ -10,16 +11,21 @@ use crate::fit::residual_stats::PRIOR_PENALTY;
 use crate::fit::residual_stats::ResidualStats;
 use crate::logs::intervals::at_samples;
 use crate::logs::subject::Subject;
-use crate::report::sentence;
+use crate::places::places;
+use crate::result::{
+    Alternative, Cause, Diagnosis, Gap, JointResiduals, Level, LogResiduals, Report, Rival, Value,
+    Verdict,
+};
 use crate::rows::evidence::{Evidence, Rows};
 use crate::rows::noise::NoiseByRate;
+use crate::search::fitted_model::FittedModel;
 use crate::search::selection::{Rivalry, Selection};
 use crate::trial::equation::Trial;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
+use crate::trial::residual_rows::residual_rows;
 use crate::verdict::judgement::{confidence, verdict};
 use crate::verdict::shrinkage::{Shrinkage, held_out_floor_v, held_out_rms_v, noise_floor_v};
 use crate::verdict::{detectable, misfit};
-use crate::*;
 use files::{EffectTable, RobotFile};
 use recordings::Trace;
 
@@ -45,16 +51,15 @@ impl Assembly<'_> {
     pub fn diagnosis(&self, file: &RobotFile, mut remarks: Vec<String>) -> Diagnosis {
         let verdict = verdict(self.selection);
         let named = verdict == Verdict::Effect;
-        let steps = &self.selection.steps;
-        let given = self.evidence.residual(&as_given(self.subject), &self.evidence.joints);
-        let refitted = self.within_doubt(&steps[0].linear);
-        let last = if named { &steps[steps.len() - 1].linear } else { &refitted };
+        let free = &self.selection.refitted.linear;
+        let given = residual_rows(self.evidence, &as_given(self.subject));
+        let refitted = self.within_doubt(free);
+        let last = if named { &self.selection.last().linear } else { &refitted };
         let logs = self.logs(&given, &refitted.residual, &last.residual);
-        let (detectable, untestable) =
-            detectable::detectable(&steps[0].linear, self.evidence, self.subject);
+        let (detectable, untestable) = detectable::detectable(free, self.evidence, self.subject);
         let (causes, alternatives) =
             if named { self.causes(&refitted, last) } else { Default::default() };
-        remarks.extend(misfit::remark(self.subject, self.evidence, &steps[0].linear, verdict));
+        remarks.extend(misfit::remark(self.subject, self.evidence, free, verdict));
         let report = Report {
             format: 1,
             verdict,
@@ -98,12 +103,12 @@ impl Assembly<'_> {
             rms_v: held_out_rms_v(self.evidence, rows),
         };
         let mut levels = vec![level("as given", given), level("refitted", &refitted.residual)];
-        for step in self.selection.steps.iter().skip(1).filter(|_| named) {
+        for step in self.selection.added.iter().filter(|_| named) {
             let Some(effect) = step.linear.hypothesis.effects.last() else { continue };
             let name = format!(
                 "with {}, {}",
-                sentence::effect_words(effect.definition.name),
-                sentence::joint_words(self.subject.outer_joint(effect.joint))
+                effect_words(effect.definition.name),
+                joint_words(self.subject.outer_joint(effect.joint))
             );
             levels.push(level(&name, &self.within_doubt(&step.linear).residual));
         }
@@ -157,12 +162,11 @@ impl Assembly<'_> {
     }
 
     fn rivals(&self, named: bool) -> Vec<Rival> {
-        let steps = &self.selection.steps;
         let rival = |rivalry: &Rivalry| {
-            let before = &steps[rivalry.round.min(steps.len() - 1)].rest;
+            let before = &self.selection.before(rivalry.round).stats;
             let explained = match before.excess > 0.0 {
-                true => 1.0 - rivalry.rest.excess / before.excess,
-                false => 1.0 - rivalry.rest.prior_penalty / before.prior_penalty.max(1.0),
+                true => 1.0 - rivalry.stats.excess / before.excess,
+                false => 1.0 - rivalry.stats.prior_penalty / before.prior_penalty.max(1.0),
             };
             Rival {
                 effect: rivalry.candidate.effect.definition.name.into(),
@@ -181,38 +185,39 @@ impl Assembly<'_> {
     }
 
     fn why_lost(&self, rivalry: &Rivalry, named: bool) -> String {
-        let steps = &self.selection.steps;
-        let left = format!("leaves up to {:.1} times the noise", rivalry.rest.worst());
-        let Some(step) = steps.get(rivalry.round + 1).filter(|_| named) else { return left };
+        let left = format!("leaves up to {:.1} times the noise", rivalry.stats.worst());
+        let Some(step) = self.selection.added.get(rivalry.round).filter(|_| named) else {
+            return left;
+        };
         let Some(taken) = step.linear.hypothesis.effects.last() else { return left };
-        let ratio = (rivalry.rest.rows / step.rest.rows).sqrt();
+        let ratio = (rivalry.stats.rows / step.stats.rows).sqrt();
         format!(
             "{left}, in all {ratio:.1} times what {} leaves",
-            sentence::effect_words(taken.definition.name)
+            effect_words(taken.definition.name)
         )
     }
 
     /// Effects that were taken, but did not explain enough to be named.
     fn taken_in_vain(&self) -> Vec<Rival> {
-        let first = &self.selection.steps[0].rest;
-        let rival = |step: &selection::Step| {
+        let first = &self.selection.refitted.stats;
+        let rival = |step: &FittedModel| {
             let effect = step.linear.hypothesis.effects.last()?;
             Some(Rival {
                 effect: effect.definition.name.into(),
                 joint: self.subject.outer_joint(effect.joint),
                 parameters: parameters(effect),
-                explained: (1.0 - step.rest.excess / first.excess.max(1.0)).clamp(0.0, 1.0),
+                explained: (1.0 - step.stats.excess / first.excess.max(1.0)).clamp(0.0, 1.0),
                 why: format!(
                     "even with it, up to {:.1} times the noise are left",
-                    step.rest.worst()
+                    step.stats.worst()
                 ),
             })
         };
-        self.selection.steps.iter().skip(1).filter_map(rival).collect()
+        self.selection.added.iter().filter_map(rival).collect()
     }
 
     fn logs(&self, given: &Rows, refitted: &Rows, last: &Rows) -> Vec<LogResiduals> {
-        let hypothesis = &self.selection.steps[0].linear.hypothesis;
+        let hypothesis = &self.selection.refitted.linear.hypothesis;
         let of_stretch = |s: usize| {
             let stretch = &self.evidence.stretches[s];
             let trial = Trial::of(stretch, hypothesis);

@@ -1,7 +1,7 @@
 //! A diagnosis in one sentence, and effects in words.
 
 use crate::quantity::{number, quantity, split_unit, volts};
-use crate::{Axis, Cause, Diagnosis, Place, Value, Verdict};
+use crate::result::{Axis, Cause, Diagnosis, Place, Value, Verdict};
 use rig::effects::Definition;
 
 use std::collections::BTreeMap;

@@ -2,13 +2,9 @@
 
 use std::sync::OnceLock;
 
-use rayon::prelude::*;
-
 use super::noise::{Noise, NoiseByRate};
 use super::row_filter::RowFilter;
 use crate::logs::stretch::Stretch;
-use crate::trial::equation::Trial;
-use crate::trial::hypothesis::Hypothesis;
 use files::Role;
 
 /// Stretches with the filters and weights of their rows.
@@ -71,22 +67,6 @@ impl Evidence {
         });
         let regressors = stretches.iter().map(|_| Default::default()).collect();
         Self { stretches, joints, filters, floors_v, steps_v, train, regressors }
-    }
-
-    /// Rows of a model under trial, on some joints.
-    pub fn residual(&self, hypothesis: &Hypothesis, joints: &[usize]) -> Rows {
-        let pieces: Vec<[Vec<f64>; 3]> = (0..self.stretches.len())
-            .into_par_iter()
-            .map(|s| {
-                let trial = Trial::of(&self.stretches[s], hypothesis);
-                let mut rows: [Vec<f64>; 3] = Default::default();
-                for &joint in joints {
-                    rows[joint] = self.weighted(s, joint, &trial.residual(joint));
-                }
-                rows
-            })
-            .collect();
-        [0, 1, 2].map(|joint| pieces.iter().flat_map(|piece| &piece[joint]).copied().collect())
     }
 
     /// The regressor's rows of a joint along the measured motion; made by `make` at first.

@@ -2,6 +2,7 @@
 
 pub mod candidate;
 pub mod candidates;
+pub mod fitted_model;
 pub mod harmonics;
 pub mod restart;
 pub mod selection;

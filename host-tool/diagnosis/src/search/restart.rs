@@ -6,7 +6,7 @@
 use rayon::prelude::*;
 
 use super::candidate::Candidate;
-use super::selection::{SPRING_STEPS, Step};
+use super::fitted_model::{FittedModel, SPRING_STEPS};
 use crate::fit::gauss_newton::{fit, open_in};
 use crate::fit::linearisation::{Linearisation, Which};
 use crate::logs::subject::Subject;
@@ -24,9 +24,13 @@ const STEPS: usize = 8;
 
 /// A model whose last effect, play, fits better than before; `None` where it is good, or
 /// where nothing better is near.
-pub fn restarted(evidence: &Evidence, subject: &Subject, step: &Step) -> Option<Step> {
+pub fn restarted(
+    evidence: &Evidence,
+    subject: &Subject,
+    step: &FittedModel,
+) -> Option<FittedModel> {
     let play = step.linear.hypothesis.effects.last().filter(|effect| effect.has_backlash())?;
-    if step.rest.worst() < GOOD_RATIO {
+    if step.stats.worst() < GOOD_RATIO {
         return None;
     }
     let mut hypothesis = step.linear.hypothesis.clone();
@@ -46,6 +50,6 @@ pub fn restarted(evidence: &Evidence, subject: &Subject, step: &Step) -> Option<
         .min_by(|a, b| a.score.train.total_cmp(&b.score.train))
         .filter(|best| best.score.train < (1.0 - WORTH_IT) * here.score.train)?;
     let hypothesis = without.hypothesis.with(best.effect);
-    let better = Step::of(evidence, fit(evidence, subject, hypothesis, SPRING_STEPS)?);
+    let better = FittedModel::of(evidence, fit(evidence, subject, hypothesis, SPRING_STEPS)?);
     (better.linear.objective < step.linear.objective).then_some(better)
 }

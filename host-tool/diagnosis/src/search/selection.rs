@@ -4,6 +4,7 @@
 use rayon::prelude::*;
 
 use super::candidate::Candidate;
+use super::fitted_model::{FittedModel, SPRING_STEPS};
 use super::restart::restarted;
 use crate::fit::gauss_newton::fit;
 use crate::fit::linearisation::{Linearisation, Which};
@@ -17,18 +18,12 @@ use rig::effects::Definition;
 
 /// The model after each step, and what competed.
 pub struct Selection {
-    /// The refitted model, then with one effect more each.
-    pub steps: Vec<Step>,
+    /// The refitted model.
+    pub refitted: FittedModel,
+    /// The same with one effect more each.
+    pub added: Vec<FittedModel>,
     /// Candidates that lost, in the round in which they were best, the best first.
     pub rivals: Vec<Rivalry>,
-}
-
-/// A model and what it leaves.
-pub struct Step {
-    /// The model.
-    pub linear: Linearisation,
-    /// What it leaves.
-    pub rest: ResidualStats,
 }
 
 /// A candidate that lost against an effect that was taken.
@@ -39,7 +34,7 @@ pub struct Rivalry {
     /// The candidate, retuned with everything else.
     pub candidate: Candidate,
     /// What the model leaves with it.
-    pub rest: ResidualStats,
+    pub stats: ResidualStats,
 }
 
 /// Most effects in a model.
@@ -56,8 +51,6 @@ const FINALIST_GAIN: f64 = 0.4;
 const FINALIST_STEPS: usize = 2;
 /// Steps of a fit of the one that is taken.
 const TAKEN_STEPS: usize = 4;
-/// The same where that is a spring, whose values are far from linear.
-pub(super) const SPRING_STEPS: usize = 10;
 /// How often play is searched for anew from near where it was found.
 const MOST_RESTARTS: usize = 3;
 /// Part of the excess that an effect must take away.
@@ -76,19 +69,6 @@ const FURTHER: f64 = 1.2;
 /// of what is an excess.
 const LEAST_OF_ALL: f64 = 0.05;
 
-impl Step {
-    /// A model with what it leaves.
-    pub fn of(evidence: &Evidence, linear: Linearisation) -> Self {
-        let rest = ResidualStats::of(evidence, &linear);
-        Self { linear, rest }
-    }
-
-    /// Score of the model, rows held out with it.
-    pub fn total(&self) -> f64 {
-        self.linear.objective + self.linear.score().holdout
-    }
-}
-
 /// Adds effects to a refitted model; `progress` hears what is tried.
 pub fn select(
     evidence: &Evidence,
@@ -96,21 +76,22 @@ pub fn select(
     refitted: Linearisation,
     progress: &dyn Fn(&str),
 ) -> Selection {
-    let mut selection = Selection { steps: vec![Step::of(evidence, refitted)], rivals: Vec::new() };
+    let refitted = FittedModel::of(evidence, refitted);
+    let mut selection = Selection { refitted, added: Vec::new(), rivals: Vec::new() };
     for round in 0..MOST_EFFECTS {
         progress(&format!("trying every effect on every joint, round {}", round + 1));
-        let now = &selection.steps[round];
-        if now.rest.is_clean() || is_as_good_as_clean(&selection.steps[0].rest, &now.rest) {
+        let now = selection.before(round);
+        if now.stats.is_clean() || is_as_good_as_clean(&selection.refitted.stats, &now.stats) {
             break;
         }
         let Some(untuned) = untuned(evidence, subject, &now.linear) else { break };
-        let mut finalists = finalists(evidence, subject, &untuned, &now.rest);
-        let paying = finalists.iter().position(|finalist| is_worth_it(&now.rest, &finalist.1));
+        let mut finalists = finalists(evidence, subject, &untuned, &now.stats);
+        let paying = finalists.iter().position(|finalist| is_worth_it(&now.stats, &finalist.1));
         let taken = paying.map(|place| finalists.remove(place));
         let lost = finalists.into_iter().map(|(candidate, step)| Rivalry {
             round,
             candidate,
-            rest: step.rest,
+            stats: step.stats,
         });
         selection.rivals.extend(lost);
         match taken {
@@ -119,10 +100,10 @@ pub fn select(
                 // What fits better in the end may yet foretell worse.
                 let effects = &finished.linear.hypothesis.effects;
                 let physical = effects.iter().all(|e| is_physical(e, subject, evidence));
-                if !physical || !is_worth_it(&selection.steps[round].rest, &finished) {
+                if !physical || !is_worth_it(&selection.before(round).stats, &finished) {
                     break;
                 }
-                selection.steps.push(finished);
+                selection.added.push(finished);
             }
             None => break,
         }
@@ -132,18 +113,28 @@ pub fn select(
 }
 
 impl Selection {
+    /// The model with all effects that were taken.
+    pub fn last(&self) -> &FittedModel {
+        self.added.last().unwrap_or(&self.refitted)
+    }
+
+    /// The model to which a round of the search, counted from 0, adds.
+    pub fn before(&self, round: usize) -> &FittedModel {
+        self.added[..round.min(self.added.len())].last().unwrap_or(&self.refitted)
+    }
+
     /// Without effects that others, taken later, make needless: an offset goes once the
     /// spring is found that it stood for.
     fn pruned(mut self, evidence: &Evidence, subject: &Subject) -> Self {
         let known = subject.known_effects.len();
         let mut index = 0;
-        while index + 2 < self.steps.len() {
-            let last = &self.steps[self.steps.len() - 1];
+        while index + 1 < self.added.len() {
+            let last = self.last();
             let mut hypothesis = last.linear.hypothesis.clone();
             hypothesis.effects.remove(known + index);
             let without = fit(evidence, subject, hypothesis, TAKEN_STEPS);
-            match without.map(|linear| Step::of(evidence, linear)) {
-                Some(without) if !pays(&without.rest, &last.rest) => {
+            match without.map(|linear| FittedModel::of(evidence, linear)) {
+                Some(without) if !pays(&without.stats, &last.stats) => {
                     self.leave_out(evidence, subject, index, without);
                 }
                 _ => index += 1,
@@ -152,18 +143,24 @@ impl Selection {
         self
     }
 
-    /// Takes an effect out of all steps after it; `last` is the last of them.
-    fn leave_out(&mut self, evidence: &Evidence, subject: &Subject, index: usize, last: Step) {
+    /// Takes an effect out of all models after it; `last` is the last of them.
+    fn leave_out(
+        &mut self,
+        evidence: &Evidence,
+        subject: &Subject,
+        index: usize,
+        last: FittedModel,
+    ) {
         let effects = last.linear.hypothesis.effects.clone();
         let known = subject.known_effects.len();
-        self.steps.truncate(index + 1);
+        self.added.truncate(index);
         for count in known + index + 1..effects.len() {
             let mut hypothesis = last.linear.hypothesis.clone();
             hypothesis.effects.truncate(count);
             let step = fit(evidence, subject, hypothesis, TAKEN_STEPS);
-            self.steps.extend(step.map(|linear| Step::of(evidence, linear)));
+            self.added.extend(step.map(|linear| FittedModel::of(evidence, linear)));
         }
-        self.steps.push(last);
+        self.added.push(last);
         self.rivals.retain(|rival| rival.round != index);
         for rival in self.rivals.iter_mut().filter(|rival| rival.round > index) {
             rival.round -= 1;
@@ -172,11 +169,11 @@ impl Selection {
 }
 
 /// A step whose fit is carried on to its end.
-fn finished(evidence: &Evidence, subject: &Subject, step: Step) -> Step {
+fn finished(evidence: &Evidence, subject: &Subject, step: FittedModel) -> FittedModel {
     let is_spring = step.linear.hypothesis.effects.last().is_some_and(EffectInstance::is_spring);
     let steps = if is_spring { SPRING_STEPS } else { TAKEN_STEPS };
     let fitted = fit(evidence, subject, step.linear.hypothesis.clone(), steps);
-    let mut best = fitted.map_or(step, |linear| Step::of(evidence, linear));
+    let mut best = fitted.map_or(step, |linear| FittedModel::of(evidence, linear));
     for _ in 0..MOST_RESTARTS {
         match restarted(evidence, subject, &best) {
             Some(better) => best = better,
@@ -205,7 +202,7 @@ fn finalists(
     subject: &Subject,
     now: &Linearisation,
     rest: &ResidualStats,
-) -> Vec<(Candidate, Step)> {
+) -> Vec<(Candidate, FittedModel)> {
     let before = now.score().total();
     let mut promising = candidates(now, evidence, subject);
     promising.retain(|candidate| candidate.score.total() < before);
@@ -230,7 +227,7 @@ fn overlooked(
     evidence: &Evidence,
     subject: &Subject,
     now: &Linearisation,
-    tried: &[(Candidate, Step)],
+    tried: &[(Candidate, FittedModel)],
 ) -> Vec<Candidate> {
     const STEPS: usize = 3;
     let is_new = |place: &(&'static Definition, u8)| {
@@ -270,12 +267,12 @@ fn retuned(
     subject: &Subject,
     now: &Linearisation,
     batch: Vec<Candidate>,
-) -> Vec<(Candidate, Step)> {
+) -> Vec<(Candidate, FittedModel)> {
     batch
         .into_par_iter()
         .filter_map(|mut candidate| {
             let start = now.hypothesis.with(candidate.effect.clone());
-            let step = Step::of(evidence, fit(evidence, subject, start, FINALIST_STEPS)?);
+            let step = FittedModel::of(evidence, fit(evidence, subject, start, FINALIST_STEPS)?);
             candidate.effect = step.linear.hypothesis.effects.last()?.clone();
             is_physical(&candidate.effect, subject, evidence).then_some((candidate, step))
         })
@@ -308,9 +305,9 @@ fn is_as_good_as_clean(gap: &ResidualStats, rest: &ResidualStats) -> bool {
 
 /// Whether the last effect of a model pays. A spring rings, and that shows in the rows; where
 /// those are noise alone, it could only smooth what a coarse encoder reads.
-fn is_worth_it(before: &ResidualStats, after: &Step) -> bool {
+fn is_worth_it(before: &ResidualStats, after: &FittedModel) -> bool {
     let is_spring = after.linear.hypothesis.effects.last().is_some_and(EffectInstance::is_spring);
-    (before.excess > 0.0 || !is_spring) && pays(before, &after.rest)
+    (before.excess > 0.0 || !is_spring) && pays(before, &after.stats)
 }
 
 /// Whether an effect takes enough away, and does not do so by bending the model beyond

@@ -8,5 +8,6 @@ pub mod link_covariance;
 pub mod link_motion;
 pub mod parts;
 pub mod reading;
+pub mod residual_rows;
 #[cfg(test)]
 mod tests;

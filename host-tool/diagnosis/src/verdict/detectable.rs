@@ -6,10 +6,10 @@ use rayon::prelude::*;
 use crate::fit::linearisation::{Linearisation, Which};
 use crate::fit::residual_stats::OWN_RATIO;
 use crate::logs::subject::Subject;
+use crate::result::{Detectable, Untestable};
 use crate::rows::evidence::{Evidence, Rows};
 use crate::search::candidates::{places, starts, typical};
 use crate::trial::hypothesis::EffectInstance;
-use crate::{Detectable, Untestable};
 use rig::effects::Definition;
 
 /// What the logs would have shown of an effect on a joint.

@@ -2,9 +2,10 @@
 
 use crate::fit::residual_stats::ResidualStats;
 use crate::logs::subject::Subject;
-use crate::search::selection::{Rivalry, Selection, Step};
+use crate::result::{Alternative, Verdict};
+use crate::search::fitted_model::FittedModel;
+use crate::search::selection::{Rivalry, Selection};
 use crate::trial::hypothesis::EffectInstance;
-use crate::{Alternative, Verdict};
 
 /// A rest up to so many times the noise is explained, whatever the gap was.
 const EXPLAINED_RATIO: f64 = 3.0;
@@ -23,25 +24,23 @@ const INDEPENDENT: f64 = 60.0;
 
 /// The verdict on a selection.
 pub fn verdict(selection: &Selection) -> Verdict {
-    let (Some(first), Some(last)) = (selection.steps.first(), selection.steps.last()) else {
-        return Verdict::Unknown;
-    };
-    let named = selection.steps.len() > 1;
+    let (first, last) = (&selection.refitted, selection.last());
+    let named = !selection.added.is_empty();
     match named {
-        false if first.rest.excess == 0.0 || first.rest.worst() < NO_GAP_RATIO => Verdict::None,
+        false if first.stats.excess == 0.0 || first.stats.worst() < NO_GAP_RATIO => Verdict::None,
         true if is_explained(first, last) => Verdict::Effect,
         _ => Verdict::Unknown,
     }
 }
 
 /// Whether what is left is as good as noise.
-fn is_explained(gap: &Step, last: &Step) -> bool {
+fn is_explained(gap: &FittedModel, last: &FittedModel) -> bool {
     let sprung = last.linear.hypothesis.effects.iter().any(EffectInstance::is_spring);
     let (ratio, part) = match sprung {
         true => (SPRUNG_RATIO, SPRUNG_PART),
         false => (EXPLAINED_RATIO, EXPLAINED_PART),
     };
-    let (gap, rest) = (&gap.rest, &last.rest);
+    let (gap, rest) = (&gap.stats, &last.stats);
     let small = rest.worst() <= ratio.max(part * gap.worst());
     let believable = !rest.is_beyond_belief();
     believable && small && rest.excess <= (1.0 - EXPLAINED_EXCESS) * gap.excess
@@ -57,12 +56,12 @@ pub fn confidence(
     round: usize,
     subject: &Subject,
 ) -> (f64, Vec<Alternative>) {
-    let taken = &selection.steps[round + 1].rest;
+    let taken = &selection.added[round].stats;
     let rivals: Vec<(&Rivalry, f64)> = selection
         .rivals
         .iter()
         .filter(|rival| rival.round == round)
-        .map(|rival| (rival, (-advantage(taken, &rival.rest)).exp()))
+        .map(|rival| (rival, (-advantage(taken, &rival.stats)).exp()))
         .collect();
     let sum: f64 = 1.0 + rivals.iter().map(|rival| rival.1).sum::<f64>();
     let alternatives = rivals

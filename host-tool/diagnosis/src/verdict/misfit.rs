@@ -1,10 +1,10 @@
 //! Whether the model is that of the robot in the logs at all.
 
-use crate::Verdict;
 use crate::fit::linearisation::Linearisation;
 use crate::fit::residual_stats::ResidualStats;
 use crate::logs::intervals::at_samples;
 use crate::logs::subject::Subject;
+use crate::result::Verdict;
 use crate::rows::evidence::Evidence;
 
 /// Part of the command's rms that the refitted model of another robot leaves at least.
