@@ -3,6 +3,7 @@
 //!
 //! | module | what it holds, in the order in which data flow |
 //! | --- | --- |
+//! | [`criteria`] | every threshold |
 //! | [`logs`] | the rig and its logs: which of them can be used, and their unbroken stretches |
 //! | [`rows`] | filtered, whitened rows, and the noise in them |
 //! | [`trial`] | what a hypothesis, a model with effects, leaves of the command |
@@ -14,6 +15,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod criteria;
 pub mod fit;
 pub mod logs;
 pub mod places;
@@ -27,6 +29,7 @@ pub mod synthetic;
 pub mod trial;
 pub mod verdict;
 
+pub use criteria::Criteria;
 pub use logs::subject::SubjectError;
 pub use places::places;
 pub use report::sentence::sentence;
@@ -51,14 +54,18 @@ pub enum DiagnosisError {
     Logs(#[from] StepError),
 }
 
-/// Diagnoses the logs of a campaign against the model in its robot file; `progress` hears what
-/// is under way.
+/// Diagnoses the logs of a campaign against the model in its robot file by these criteria;
+/// `progress` hears what is under way.
 ///
 /// # Errors
 /// Logs that do not fit the model's robot, or that cannot be used.
-pub fn diagnose(campaign: &Campaign, progress: &dyn Fn(&str)) -> Result<Diagnosis, DiagnosisError> {
-    let mut subject = Subject::of(campaign)?;
-    encoder_step::find(&mut subject.known, &campaign.traces);
+pub fn diagnose(
+    campaign: &Campaign,
+    criteria: &Criteria,
+    progress: &dyn Fn(&str),
+) -> Result<Diagnosis, DiagnosisError> {
+    let mut subject = Subject::of(campaign, criteria)?;
+    encoder_step::find(&mut subject.known, &campaign.traces, &criteria.logs);
     let usable = Usable::of(campaign, &subject)?;
     progress("refitting the model");
     let (evidence, refitted) = preparation::prepared(&subject, usable.stretches)?;

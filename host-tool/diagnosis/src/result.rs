@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+use crate::criteria::Criteria;
 use files::{RobotFile, Role};
 
 /// A diagnosis: its report, what pictures are drawn from, and the amended model.
@@ -19,6 +20,8 @@ pub struct Diagnosis {
     pub rivals: Vec<Rival>,
     /// The model with the effects added, both refitted.
     pub model: RobotFile,
+    /// The thresholds by which it was made.
+    pub criteria: Criteria,
 }
 
 /// `report.json`.

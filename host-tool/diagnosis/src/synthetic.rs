@@ -7,6 +7,7 @@ use model::reference_robot::reference_robot;
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
 
+use crate::criteria::Criteria;
 use crate::places::places;
 use crate::result::{
     Cause, Detectable, Diagnosis, Gap, JointResiduals, Level, LogResiduals, Report, Rival,
@@ -91,6 +92,7 @@ pub fn diagnosis(
     causes: Vec<Cause>,
     residual_v: impl Fn(&At) -> f64,
 ) -> Diagnosis {
+    let criteria = Criteria::default();
     let logs = logs(residual_v);
     let rms = |pick: fn(&JointResiduals) -> &Vec<f64>| -> Vec<f64> {
         let of = |joint: &JointResiduals| {
@@ -120,7 +122,7 @@ pub fn diagnosis(
         verdict,
         causes,
         alternatives: vec![],
-        places: places(&logs),
+        places: places(&logs, &criteria.places),
         gap,
         untestable: vec![Untestable {
             effect: "delay".into(),
@@ -131,7 +133,7 @@ pub fn diagnosis(
         remarks: vec!["excitation-1.csv has 3 gaps; they are left out.".into()],
     };
     let model = RobotFile::from_robot(&reference_robot());
-    Diagnosis { report, logs, waterfall, rivals: rivals(), model }
+    Diagnosis { report, logs, waterfall, rivals: rivals(), model, criteria }
 }
 
 /// Cogging on joint 3.

@@ -12,7 +12,7 @@ use blind_trial::{
     Case, DrawSettings, Kind, Outcome, Results, RunSettings, Seal, TrialError, diagnose_case, draw,
     logs, seal, table,
 };
-use diagnosis::diagnose;
+use diagnosis::{Criteria, diagnose};
 
 /// Arguments of `rrr blind-trial`.
 #[derive(Debug, Args)]
@@ -130,7 +130,7 @@ impl Arguments {
         let settings =
             RunSettings { out: self.out.clone(), keep_logs: self.keep_logs, ceiling: self.ceiling };
         let outcome = diagnose_case(case, &settings, &|campaign| {
-            let diagnosis = diagnose(campaign, &|_| ());
+            let diagnosis = diagnose(campaign, &Criteria::default(), &|_| ());
             diagnosis.map(|found| found.report).map_err(|error| error.to_string())
         })?;
         Ok(outcome)

@@ -57,7 +57,7 @@ pub enum Command {
     /// Judge a model on the logs held out: the command and the motion that it reconstructs.
     Validate(validate::Arguments),
     /// Find what causes the gap between a real robot and its model.
-    Diagnose(diagnose::Arguments),
+    Diagnose(diagnose::Choice),
     /// Design the motion that identifies the base parameters best.
     DesignExcitation(design_excitation::Arguments),
     /// Judge the diagnosis on robots whose hidden effects it is not told.

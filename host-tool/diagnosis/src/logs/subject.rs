@@ -6,6 +6,7 @@
 use model::base::COUNT;
 use model::{HANGING_RAD, Robot};
 
+use crate::criteria::Criteria;
 use files::{FileError, RobotFile};
 use recordings::Campaign;
 use recordings::campaign::Known;
@@ -33,6 +34,8 @@ pub struct Subject {
     pub known: Known,
     /// Whether the model tells the stiffness of its bristles.
     pub bristles_known: bool,
+    /// The thresholds by which it is diagnosed.
+    pub criteria: Criteria,
 }
 
 impl Subject {
@@ -46,7 +49,7 @@ impl Subject {
     ///
     /// # Errors
     /// The model lacks a parameter, or holds an effect that is none.
-    pub fn of(campaign: &Campaign) -> Result<Self, SubjectError> {
+    pub fn of(campaign: &Campaign, criteria: &Criteria) -> Result<Self, SubjectError> {
         let file = &campaign.robot_file;
         let one_joint = file.is_pendulum();
         let robot = if one_joint { file.as_third_joint(IMMOVABLE_KG_M2)? } else { file.robot()? };
@@ -61,6 +64,7 @@ impl Subject {
             bristles_known: !one_joint
                 || file.friction_table(numbers[0])?.sigma0_v_per_rad.is_some(),
             numbers,
+            criteria: criteria.clone(),
         };
         for table in &file.effects {
             let (definition, values) = rig::effects::definition_and_values(table)?;

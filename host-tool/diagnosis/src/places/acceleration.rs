@@ -12,8 +12,7 @@ pub(super) fn find(samples: &Samples) -> Option<Found> {
     let acceleration = &samples.acceleration_rad_per_s2;
     let found = curve(samples, acceleration, None);
     let (share, slope) = explained(&found.fitted_v, |k| acceleration[k]);
-    const CLEARLY: f64 = 0.8;
-    let detail = if share > CLEARLY {
+    let detail = if share > samples.criteria.clear_part {
         format!("proportional to acceleration, {} mV s^2/rad", number(1e3 * slope))
     } else {
         format!("varies with acceleration by {}", volts(spread(&found.fitted_v)))

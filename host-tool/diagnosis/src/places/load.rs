@@ -22,11 +22,9 @@ pub(super) fn find(samples: &Samples) -> Option<Found> {
     Some(Found { axis: Axis::Load, energy_v2, detail, fitted_v })
 }
 
-const CLEARLY: f64 = 0.8;
-
 fn pushing_words(fitted_v: &[f64], samples: &Samples) -> String {
     let (share, slope) = explained(fitted_v, |k| samples.load_nm[k]);
-    if share > CLEARLY {
+    if share > samples.criteria.clear_part {
         let sense = if slope > 0.0 { "grows" } else { "falls" };
         format!("{sense} with the load, {} mV/Nm", number(1e3 * slope))
     } else {
@@ -36,7 +34,7 @@ fn pushing_words(fitted_v: &[f64], samples: &Samples) -> String {
 
 fn rubbing_words(fitted_v: &[f64], size: &[f64], samples: &Samples) -> String {
     let (share, slope) = explained(fitted_v, |k| size[k] * samples.direction[k]);
-    if share > CLEARLY {
+    if share > samples.criteria.clear_part {
         let sense = if slope > 0.0 { "grows" } else { "falls" };
         format!("friction {sense} with |load|, {} mV/Nm", number(1e3 * slope))
     } else {

@@ -32,17 +32,15 @@ pub use angle::Carrier;
 pub use samples::Samples;
 pub use spectrum::{Spectrum, spectrum};
 
+use crate::criteria::PlaceCriteria;
 use crate::result::{LogResiduals, Place};
 use found::Found;
 
-/// Shares below this are not worth a word.
-const LEAST_SHARE: f64 = 0.02;
-
-/// Where the gap of the refitted model lies, largest share first; shares under 2 % are left out.
+/// Where the gap of the refitted model lies, largest share first; small shares are left out.
 ///
 /// Empty where no joint leaves more than its noise floor.
-pub fn places(logs: &[LogResiduals]) -> Vec<Place> {
-    let samples: Vec<Samples> = Samples::of_joints(logs, |joint| &joint.refitted_v);
+pub fn places(logs: &[LogResiduals], criteria: &PlaceCriteria) -> Vec<Place> {
+    let samples: Vec<Samples> = Samples::of_joints(logs, criteria, |joint| &joint.refitted_v);
     let whole_v2: f64 = samples.iter().map(Samples::excess_v2).sum();
     if whole_v2 <= 0.0 {
         return Vec::new();
@@ -58,7 +56,7 @@ pub fn places(logs: &[LogResiduals]) -> Vec<Place> {
         found(samples).into_iter().map(place).collect()
     };
     let mut places: Vec<Place> = samples.par_iter().flat_map(of_joint).collect();
-    places.retain(|place| place.share >= LEAST_SHARE);
+    places.retain(|place| place.share >= criteria.least_share);
     places.sort_by(|a, b| b.share.total_cmp(&a.share));
     places
 }
@@ -66,15 +64,15 @@ pub fn places(logs: &[LogResiduals]) -> Vec<Place> {
 /// What the axes explain of one joint's residual one after the other, the strongest first;
 /// frequencies come last, for they are looked for in what the other axes leave.
 fn found(samples: &Samples) -> Vec<Found> {
-    let whole_v2 = samples.excess_v2();
+    let (whole_v2, criteria) = (samples.excess_v2(), &samples.criteria);
     let mut all: Vec<Found> = Vec::new();
-    if whole_v2 <= 0.0 || samples.len() < LEAST_SAMPLES {
+    if whole_v2 <= 0.0 || samples.len() < criteria.fewest_samples {
         return all;
     }
     let mut left = samples.clone();
-    while all.len() < MOST_PASSES && left.excess_v2() > 0.0 {
-        let strongest = strongest(&left);
-        let Some(next) = strongest.filter(|f| f.energy_v2 > LEAST_SHARE * whole_v2) else { break };
+    while all.len() < criteria.most_axes && left.excess_v2() > 0.0 {
+        let least_v2 = criteria.least_share * whole_v2;
+        let Some(next) = strongest(&left).filter(|f| f.energy_v2 > least_v2) else { break };
         left.residual_v.iter_mut().zip(&next.fitted_v).for_each(|(left, f)| *left -= f);
         all.push(next);
     }
@@ -110,6 +108,3 @@ fn merged(all: Vec<Found>) -> Vec<Found> {
     }
     merged
 }
-
-const LEAST_SAMPLES: usize = 100;
-const MOST_PASSES: usize = 5;

@@ -115,8 +115,7 @@ fn no_gap(diagnosis: &Diagnosis) -> String {
     let joint = joints.get(index).copied().unwrap_or(0);
     let (given_v, left_v) = (gap.as_given_v[index], gap.refitted_v[index]);
     let floor = volts(gap.noise_floor_v[index]);
-    const WORTH_REFITTING: f64 = 1.5;
-    if given_v > WORTH_REFITTING * left_v {
+    if given_v > diagnosis.criteria.verdict.worth_refitting * left_v {
         let (given, left) = (volts(given_v), volts(left_v));
         return format!(
             "No gap above the noise once the model is refitted: that takes joint {joint} from \

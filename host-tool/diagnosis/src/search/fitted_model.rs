@@ -3,6 +3,7 @@
 use crate::fit::linearisation::Linearisation;
 use crate::fit::residual_stats::ResidualStats;
 use crate::rows::evidence::Evidence;
+use crate::trial::hypothesis::EffectInstance;
 
 /// A model and what it leaves.
 pub struct FittedModel {
@@ -12,14 +13,16 @@ pub struct FittedModel {
     pub stats: ResidualStats,
 }
 
-/// Most steps of a fit whose last effect is a spring, whose values are far from linear.
-pub(super) const SPRING_STEPS: usize = 10;
-
 impl FittedModel {
     /// A model with what it leaves.
     pub fn of(evidence: &Evidence, linear: Linearisation) -> Self {
         let stats = ResidualStats::of(evidence, &linear);
         Self { linear, stats }
+    }
+
+    /// Whether the last of its effects is a spring between motor and link.
+    pub fn ends_with_spring(&self) -> bool {
+        self.linear.hypothesis.effects.last().is_some_and(EffectInstance::is_spring)
     }
 
     /// Score of the model, rows held out with it.

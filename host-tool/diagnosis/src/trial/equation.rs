@@ -12,7 +12,8 @@ use model::{FrictionState, Posture, Robot};
 use super::active_effects::ActiveEffects;
 use super::hypothesis::Hypothesis;
 use super::joint_dynamics::JointDynamics;
-use super::link_motion::{self, JointMotion};
+use super::link_motion::{self, JointMotion, MeasuredTorque};
+use crate::criteria::FitCriteria;
 use crate::logs::intervals::at_samples;
 use crate::logs::stretch::{Kinematics, Stretch};
 use rig::effects::Transmission;
@@ -22,6 +23,7 @@ use signal::derivative;
 pub struct Trial<'a> {
     stretch: &'a Stretch,
     hypothesis: &'a Hypothesis,
+    criteria: &'a FitCriteria,
     effects: ActiveEffects<'a>,
     /// Joints (0 to 2) with a spring between motor and link.
     springs: Vec<(usize, Transmission)>,
@@ -52,14 +54,15 @@ pub struct MotorSide<'a> {
 
 impl<'a> Trial<'a> {
     /// Prepares a hypothesis for a stretch.
-    pub fn of(stretch: &'a Stretch, hypothesis: &'a Hypothesis) -> Self {
-        Self::with_motor_side(stretch, hypothesis, None)
+    pub fn of(stretch: &'a Stretch, hypothesis: &'a Hypothesis, criteria: &'a FitCriteria) -> Self {
+        Self::with_motor_side(stretch, hypothesis, criteria, None)
     }
 
     /// The same where the motors' side of the springs may be known from another hypothesis.
     pub fn with_motor_side(
         stretch: &'a Stretch,
         hypothesis: &'a Hypothesis,
+        criteria: &'a FitCriteria,
         motor_side: Option<MotorSide<'a>>,
     ) -> Self {
         let effects = ActiveEffects::of(stretch, hypothesis);
@@ -70,6 +73,7 @@ impl<'a> Trial<'a> {
         Self {
             stretch,
             hypothesis,
+            criteria,
             effects,
             springs,
             links,
@@ -219,8 +223,12 @@ impl<'a> Trial<'a> {
             Some(known) => self.push_nm(joint, known.net_v[joint]),
             None => self.push_nm(joint, &self.net(joint)),
         });
+        let measured = push_nm.as_deref().map(|push_nm| MeasuredTorque {
+            push_nm,
+            unknown_torque: self.criteria.unknown_link_torque,
+        });
         let period_s = self.stretch.period_s;
-        link_motion::behind(spring, joint, self.motor(), &dynamics, push_nm.as_deref(), period_s)
+        link_motion::behind(spring, joint, self.motor(), &dynamics, measured, period_s)
     }
 
     /// Torque that pushes a joint in the interval after each sample [Nm].

@@ -2,11 +2,6 @@
 
 use nalgebra::{Matrix2, RowVector2, Vector2};
 
-/// Torque on a link that no model tells, in parts of the noise of the measured torque. More
-/// lets less of a bounce's chaos through, but also hides more of whatever slow torque a model
-/// lacks: about 1 - 1/sqrt(1 + part^2) of it, up to a quarter behind a very stiff spring.
-const UNKNOWN_TORQUE: f64 = 0.5;
-
 /// The covariance of a link's angle and velocity, as an extended Kalman filter carries it: in
 /// units of the variance of the measured torque, whose size thus need not be known.
 #[derive(Clone, Copy, Debug)]
@@ -18,17 +13,20 @@ pub struct LinkCovariance {
     /// interval's part in that about the next.
     early: RowVector2<f64>,
     late: RowVector2<f64>,
+    /// Deviation of the torque on a link that no model tells.
+    unknown_torque: f64,
 }
 
 impl LinkCovariance {
     /// At the begin of a motion, where a torque of a few units may bend the spring.
-    pub fn initial(stiffness_nm_per_rad: f64) -> Self {
+    pub fn initial(stiffness_nm_per_rad: f64, unknown_torque: f64) -> Self {
         let angle = (3.0 / stiffness_nm_per_rad).powi(2);
         Self {
             covariance: Matrix2::new(angle, 0.0, 0.0, 1e3 * angle),
             transition: Matrix2::identity(),
             early: RowVector2::zeros(),
             late: RowVector2::zeros(),
+            unknown_torque,
         }
     }
 
@@ -56,7 +54,7 @@ impl LinkCovariance {
     pub fn update(&mut self, missed_nm: f64, kick: f64) -> Vector2<f64> {
         let back = self.transition.try_inverse().unwrap_or_else(Matrix2::identity);
         self.covariance = self.transition * self.covariance * self.transition.transpose();
-        self.covariance[(1, 1)] += (UNKNOWN_TORQUE * kick).powi(2);
+        self.covariance[(1, 1)] += (self.unknown_torque * kick).powi(2);
         let slope = self.early * back;
         let across = self.covariance * slope.transpose();
         let gain = across / (1.0 + (slope * across)[0]);

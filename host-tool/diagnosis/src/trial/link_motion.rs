@@ -28,32 +28,41 @@ impl Kinematics {
     }
 }
 
-/// The motion of one link, integrated: its motor drives it through the spring, the other
-/// joints move as measured. `dynamics` are those of the joint as if it were stiff. A link with play bounces,
-/// and small errors grow from contact to contact; `push_nm`, what pushes the motor in the
-/// interval after each sample [Nm], tells what torque the spring passed on and keeps such a
-/// link on its track.
+/// What tells the torque that a spring passed on.
+#[derive(Clone, Copy, Debug)]
+pub struct MeasuredTorque<'a> {
+    /// What pushes the motor in the interval after each sample [Nm].
+    pub push_nm: &'a [f64],
+    /// Torque on the link that no model tells, in parts of the noise of the measured torque.
+    pub unknown_torque: f64,
+}
+
+/// The motion of one link, integrated: its motor drives it through the spring, the other joints
+/// move as measured. `dynamics` are those of the joint as if it were stiff. A link with backlash
+/// bounces, and small errors grow from contact to contact; the `measured` torque corrects such a
+/// link as an extended Kalman filter does.
 pub fn behind(
     spring: &Transmission,
     joint: usize,
     motor: &Kinematics,
     dynamics: &[JointDynamics],
-    push_nm: Option<&[f64]>,
+    measured: Option<MeasuredTorque>,
     period_s: f64,
 ) -> JointMotion {
     let dynamics: Vec<JointDynamics> =
         dynamics.iter().map(|stiff| stiff.without_motor(spring)).collect();
     let drive = Drive::of(motor, joint, period_s);
     let mut motion = JointMotion::default();
-    let mut follower = Follower::at_rest(spring, drive.angle(0, 0.0), dynamics[0].bias_nm);
+    let mut follower =
+        Follower::at_rest(spring, drive.angle(0, 0.0), dynamics[0].bias_nm, measured);
     for k in 0..dynamics.len() {
         motion.q_rad.push(follower.link.q_rad);
         motion.qd_rad_per_s.push(follower.link.qd_rad_per_s);
         let next = &dynamics[(k + 1).min(dynamics.len() - 1)];
         let inside = |x: f64| (drive.angle(k, x), drive.speed(k, x), dynamics[k].towards(next, x));
-        let mean = follower.cross(spring, inside, period_s, push_nm.is_some());
+        let mean = follower.cross(spring, inside, period_s);
         motion.qdd_rad_per_s2.push(mean.acceleration);
-        if let Some(push_nm) = push_nm {
+        if let Some(MeasuredTorque { push_nm, .. }) = measured {
             let own_nm = spring.motor_inertia_kg_m2 * motor.qdd_rad_per_s2[joint][k];
             let passed_nm = 0.5 * (push_nm[k.saturating_sub(1)] + push_nm[k]) - own_nm;
             follower.correct(passed_nm - mean.torque_nm, dynamics[k].inertia_kg_m2, period_s);
@@ -80,17 +89,25 @@ impl Mean {
 /// A link on its way from sample to sample.
 struct Follower {
     link: Link,
-    covariance: LinkCovariance,
+    /// Covariance of the link's state, where the measured torque corrects it.
+    covariance: Option<LinkCovariance>,
     /// What the interval before adds to the means at the sample after it.
     before: Mean,
 }
 
 impl Follower {
-    fn at_rest(spring: &Transmission, theta_rad: f64, bias_nm: f64) -> Self {
+    fn at_rest(
+        spring: &Transmission,
+        theta_rad: f64,
+        bias_nm: f64,
+        measured: Option<MeasuredTorque>,
+    ) -> Self {
         let q_rad = theta_rad - spring.hold(bias_nm);
         Self {
             link: Link { q_rad, qd_rad_per_s: 0.0 },
-            covariance: LinkCovariance::initial(spring.stiffness_nm_per_rad),
+            covariance: measured.map(|measured| {
+                LinkCovariance::initial(spring.stiffness_nm_per_rad, measured.unknown_torque)
+            }),
             before: Mean { torque_nm: 0.5 * bias_nm, acceleration: 0.0 },
         }
     }
@@ -102,7 +119,6 @@ impl Follower {
         spring: &Transmission,
         inside: impl Fn(f64) -> (f64, f64, JointDynamics),
         period_s: f64,
-        corrected: bool,
     ) -> Mean {
         let step_s = period_s / STEPS as f64;
         let (mut early, mut late) = (self.before, Mean::default());
@@ -110,10 +126,10 @@ impl Follower {
             let x = (step as f64 + 0.5) / STEPS as f64;
             let (theta, speed, dynamics) = inside(x);
             let (torque_nm, dynamics) = self.link.advance(spring, theta, speed, &dynamics, step_s);
-            if corrected {
+            if let Some(covariance) = &mut self.covariance {
                 let slope = slope(spring, torque_nm) / STEPS as f64;
                 let kick = step_s * STEPS as f64 / dynamics.inertia_kg_m2;
-                self.covariance.advance(slope, kick, step_s, x);
+                covariance.advance(slope, kick, step_s, x);
             }
             let acceleration = dynamics.acceleration(torque_nm);
             early.add(torque_nm, acceleration, 1.0 - x);
@@ -125,7 +141,8 @@ impl Follower {
 
     /// Moves the link by what the torque about the last sample missed.
     fn correct(&mut self, missed_nm: f64, inertia_kg_m2: f64, period_s: f64) {
-        let change = self.covariance.update(missed_nm, period_s / inertia_kg_m2);
+        let Some(covariance) = &mut self.covariance else { return };
+        let change = covariance.update(missed_nm, period_s / inertia_kg_m2);
         self.link.q_rad += change[0];
         self.link.qd_rad_per_s += change[1];
     }

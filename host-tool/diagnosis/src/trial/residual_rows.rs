@@ -11,7 +11,7 @@ pub fn residual_rows(evidence: &Evidence, hypothesis: &Hypothesis) -> Rows {
     let pieces: Vec<Rows> = (0..evidence.stretches.len())
         .into_par_iter()
         .map(|s| {
-            let trial = Trial::of(&evidence.stretches[s], hypothesis);
+            let trial = Trial::of(&evidence.stretches[s], hypothesis, &evidence.criteria.fit);
             let mut rows = Rows::default();
             for &joint in &evidence.joints {
                 rows[joint] = evidence.weighted(s, joint, &trial.residual(joint));

@@ -8,6 +8,7 @@ use rand_pcg::Pcg64Mcg;
 
 use super::equation::Trial;
 use super::hypothesis::{EffectInstance, Hypothesis};
+use crate::criteria::FitCriteria;
 use crate::logs::stretch::{Kinematics, Stretch};
 use files::Role;
 use rig::effects::Definition;
@@ -71,7 +72,7 @@ fn motion(angles: [Vec<f64>; 3]) -> Kinematics {
 fn left_v(stretch: &Stretch, effect: Option<EffectInstance>) -> f64 {
     let effects = effect.into_iter().collect();
     let hypothesis = Hypothesis { robot: reference_robot(), lag_s: [0.0; 3], effects };
-    let left = Trial::of(stretch, &hypothesis).residual(2);
+    let left = Trial::of(stretch, &hypothesis, &FitCriteria::default()).residual(2);
     rms(&LowPass::new(40.0, PERIOD_S).zero_phase(&left)[500..9500])
 }
 

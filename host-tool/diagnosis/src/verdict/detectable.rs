@@ -4,10 +4,9 @@
 use rayon::prelude::*;
 
 use crate::fit::linearisation::{Linearisation, Which};
-use crate::fit::residual_stats::OWN_RATIO;
 use crate::logs::subject::Subject;
 use crate::result::{Detectable, Untestable};
-use crate::rows::evidence::{Evidence, Rows};
+use crate::rows::evidence::{Evidence, RowChange};
 use crate::search::candidates::{places, starts, typical};
 use crate::trial::hypothesis::EffectInstance;
 use rig::effects::Definition;
@@ -19,7 +18,7 @@ struct Sight {
     effect: EffectInstance,
     /// Squares of the rows that a start of the effect changes, everything open retuned.
     squares: f64,
-    change: Rows,
+    change: RowChange,
 }
 
 /// Pairs of effects that are alike where logs lack what tells them apart.
@@ -32,8 +31,6 @@ const ALIKE: [(&str, &str); 7] = [
     ("quadratic_drag", "friction_drift"),
     ("dead_zone", "torque_constant"),
 ];
-/// Squared correlation from which two effects are not told apart.
-const SAME: f64 = 0.995;
 
 /// Smallest sizes, and what cannot be tested, for the model as it stands.
 pub fn detectable(
@@ -76,14 +73,15 @@ pub fn detectable(
     (seen, unseen)
 }
 
-/// Squares that lift a log's rest above what the method itself may leave.
+/// Squares that lift what is left of a log above what the method itself may leave.
 fn wanted_squares(evidence: &Evidence) -> f64 {
     let joint = evidence.joints[0];
     let mut counts: Vec<usize> =
         (0..evidence.train_stretches()).map(|s| evidence.row_count(joint, s)).collect();
     counts.sort_unstable();
     let middle = counts.get(counts.len() / 2).copied().unwrap_or(1);
-    (OWN_RATIO * OWN_RATIO - 1.0) * middle as f64
+    let own_ratio = evidence.criteria.fit.own_ratio;
+    (own_ratio * own_ratio - 1.0) * middle as f64
 }
 
 fn sight(
@@ -95,7 +93,7 @@ fn sight(
 ) -> Option<Sight> {
     let effect = starts(linear, evidence, subject, definition, joint).into_iter().next()?.effect;
     let change = linear.change_by(evidence, &effect, Which::OWN);
-    let (_, curvature) = linear.along(&Rows::default(), std::slice::from_ref(&change));
+    let (_, curvature) = linear.along(&RowChange::default(), std::slice::from_ref(&change));
     Some(Sight { definition, joint, effect, squares: curvature[(0, 0)], change })
 }
 
@@ -118,9 +116,9 @@ fn alike(linear: &Linearisation, subject: &Subject, sights: &[Sight]) -> Vec<Unt
             let on = |s: &&Sight| s.definition.name == b && s.joint == first.joint;
             let Some(second) = sights.iter().find(on) else { continue };
             let both = [first.change.clone(), second.change.clone()];
-            let (_, c) = linear.along(&Rows::default(), &both);
+            let (_, c) = linear.along(&RowChange::default(), &both);
             let same = c[(0, 1)] * c[(0, 1)] / (c[(0, 0)] * c[(1, 1)]).max(1e-300);
-            if same > SAME {
+            if same > subject.criteria.verdict.alike_correlation {
                 found.push(Untestable {
                     effect: b.into(),
                     joint: subject.outer_joint(first.joint),

@@ -52,7 +52,7 @@ fn stems(samples: &Samples, carrier: Carrier) -> Vec<(f64, f64)> {
         let x = order as f64;
         [(x, 0.0), (x, 1e3 * v), (x, 0.0)]
     };
-    amplitudes.filter(|(_, v)| v.is_finite()).flat_map(stem).collect()
+    amplitudes.filter_map(|(order, v)| Some((order, v?))).flat_map(stem).collect()
 }
 
 fn frequency_chart(before: &Samples, after: &Samples, names: (&str, &str)) -> Chart {
