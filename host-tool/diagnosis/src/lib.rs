@@ -10,15 +10,15 @@
 //! | [`fit`] | a hypothesis linearised, fitted, and judged against the noise |
 //! | [`search`] | every effect on every joint, one after the other |
 //! | [`verdict`] | what the search amounts to |
-//! | [`places`] | where the gap lies, without any hypothesis |
+//! | [`gap_by_axis`] | where the gap lies, without any hypothesis |
 //! | [`report`] | the report, in figures and words |
 
 #![forbid(unsafe_code)]
 
 pub mod criteria;
 pub mod fit;
+pub mod gap_by_axis;
 pub mod logs;
-pub mod places;
 pub mod quantity;
 pub mod report;
 mod result;
@@ -30,8 +30,8 @@ pub mod trial;
 pub mod verdict;
 
 pub use criteria::Criteria;
+pub use gap_by_axis::gap_by_axis;
 pub use logs::subject::SubjectError;
-pub use places::places;
 pub use report::sentence::sentence;
 pub use result::*;
 

@@ -8,7 +8,7 @@ use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
 
 use crate::criteria::Criteria;
-use crate::places::places;
+use crate::gap_by_axis::gap_by_axis;
 use crate::result::{
     Cause, Detectable, Diagnosis, Gap, JointResiduals, Level, LogResiduals, Report, Rival,
     Untestable, Value, Verdict,
@@ -122,7 +122,7 @@ pub fn diagnosis(
         verdict,
         causes,
         alternatives: vec![],
-        places: places(&logs, &criteria.places),
+        gap_shares: gap_by_axis(&logs, &criteria.axes),
         gap,
         untestable: vec![Untestable {
             effect: "delay".into(),

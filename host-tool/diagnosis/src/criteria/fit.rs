@@ -57,8 +57,8 @@ criteria! {
         /// deviations off, a quarter of their values.
         implausible_prior_penalty: f64 = 240.0,
         /// Torque on a link behind backlash that no model tells, in parts of the noise of the
-        /// measured torque. More lets less of a bounce's chaos through, but hides more of whatever
-        /// slow torque a model lacks: about 1 - 1/sqrt(1 + part^2) of it, up to a quarter behind a
+        /// measured torque. More lets fewer errors of a bounce grow, but hides more of whatever slow
+        /// torque a model lacks: about 1 - 1/sqrt(1 + part^2) of it, up to a quarter behind a
         /// very stiff spring.
         unknown_link_torque: f64 = 0.5,
     }

@@ -21,7 +21,7 @@ criteria! {
         /// Samples that miss an even clock by less than this part of a period count as even.
         even_part: f64 = 0.02,
         /// Samples further apart than so many periods lack one between them. Under driven noise
-        /// that ends a stretch: nobody knows what was put out then.
+        /// that ends a stretch: what was put out then is not known.
         missing_sample_periods: f64 = 1.6,
         /// Gaps of fewer periods are filled, longer ones end a stretch.
         longest_gap_periods: f64 = 10.0,

@@ -4,9 +4,9 @@
 //! (`docs/blind-trial.md`) test all of them together. "Noise" is the noise of the rows, "squares"
 //! are sums of squares of rows in its units.
 
+mod axes;
 mod fit;
 mod logs;
-mod places;
 mod rows;
 mod search;
 mod selection;
@@ -21,9 +21,9 @@ use serde::{Deserialize, Serialize};
 
 use files::{FileError, settings};
 
+pub use axes::AxisCriteria;
 pub use fit::{FitCriteria, PriorCriteria};
 pub use logs::LogCriteria;
-pub use places::PlaceCriteria;
 pub use rows::RowCriteria;
 pub use search::SearchCriteria;
 pub use selection::SelectionCriteria;
@@ -47,8 +47,8 @@ pub struct Criteria {
     pub selection: SelectionCriteria,
     /// What the search amounts to.
     pub verdict: VerdictCriteria,
-    /// Where the gap lies.
-    pub places: PlaceCriteria,
+    /// What the gap varies with.
+    pub axes: AxisCriteria,
 }
 
 impl Criteria {
@@ -71,7 +71,7 @@ impl Criteria {
             ("search", self.search.commented()),
             ("selection", self.selection.commented()),
             ("verdict", self.verdict.commented()),
-            ("places", self.places.commented()),
+            ("axes", self.axes.commented()),
         ];
         sections.map(|(name, lines)| format!("[{name}]\n{lines}")).join("\n")
     }

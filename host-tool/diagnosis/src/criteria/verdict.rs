@@ -42,7 +42,7 @@ criteria! {
         drift_window_s: f64 = 0.25,
         /// Commands before such a window that fill lags and delays [s].
         drift_before_s: f64 = 0.1,
-        /// The refit is told where the model as given leaves so many times what it leaves.
+        /// The sentence mentions the refit where the model as given leaves so many times what it leaves.
         worth_refitting: f64 = 1.5,
     }
 }

@@ -1,4 +1,4 @@
-//! Retuning a model to the train logs, Gauss-Newton with what is known beforehand.
+//! Fits of a model to the train logs: Gauss-Newton steps with a prior.
 
 use super::linearisation::{Linearisation, objective};
 use super::unknowns::{Expected, Unknown, expected, kept_physical};
@@ -7,7 +7,7 @@ use crate::rows::evidence::Evidence;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use crate::trial::residual_rows::residual_rows;
 
-/// Retunes a model with everything open in it; `None` where the numbers do not work out.
+/// Fits a model with everything open in it; `None` where the numbers do not work out.
 pub fn fit(
     evidence: &Evidence,
     subject: &Subject,
@@ -51,13 +51,13 @@ pub fn fit_held(
 fn hold(open: &mut [Expected], hypothesis: &mut Hypothesis, within: f64) {
     const FIXED: f64 = 1e-3;
     for expected in open {
-        let miss = (expected.unknown.get(hypothesis) - expected.mean) / expected.deviation;
+        let deviations = (expected.unknown.get(hypothesis) - expected.mean) / expected.deviation;
         let may_be_held = !matches!(
             expected.unknown,
             Unknown::Effect { .. } | Unknown::Friction { parameter: 1 | 2 | 4 | 5, .. }
         );
-        if may_be_held && miss.abs() > within {
-            expected.mean += within * expected.deviation * miss.signum();
+        if may_be_held && deviations.abs() > within {
+            expected.mean += within * expected.deviation * deviations.signum();
             expected.deviation *= FIXED;
             expected.unknown.set(hypothesis, expected.mean);
         }

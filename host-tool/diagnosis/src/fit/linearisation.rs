@@ -1,5 +1,5 @@
 //! All rows of a model linearised in what is open, and how well a change of them fits once
-//! everything open is retuned.
+//! everything open is refitted.
 
 use std::ops::Range;
 
@@ -31,7 +31,7 @@ pub struct Linearisation {
     train: [usize; 3],
 }
 
-/// How well a change of the rows fits, everything open retuned.
+/// How well a change of the rows fits, everything open refitted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Score {
     /// Squares of train rows and of prior penalty.
@@ -90,25 +90,25 @@ impl Linearisation {
         hypothesis
     }
 
-    /// The score of the model as it stands, retuned by the slopes.
+    /// The score of the model as it stands, refitted by the slopes.
     pub fn score(&self) -> Score {
         self.score_of(&RowChange::default())
     }
 
     /// The score once all rows change so.
     pub fn score_of(&self, change: &RowChange) -> Score {
-        let (step, train) = self.retuned(change);
+        let (step, train) = self.refitted(change);
         Score { train, holdout: self.left_held_out(change, &step) }
     }
 
     /// Squares of train rows and of the prior penalty once train rows change so.
     pub fn train_score_of(&self, change: &RowChange) -> f64 {
-        self.retuned(change).1
+        self.refitted(change).1
     }
 
     /// The step of what is open that fits best once train rows change so, and the train score
     /// after it.
-    fn retuned(&self, change: &RowChange) -> (DVector<f64>, f64) {
+    fn refitted(&self, change: &RowChange) -> (DVector<f64>, f64) {
         let gradient = &self.gradient + self.against(change);
         let step = -self.normal.solve(&gradient);
         let mut train = self.objective + gradient.dot(&step);
@@ -156,7 +156,7 @@ impl Linearisation {
     }
 
     /// Half the gradient and the curvature of the score along changes of rows, about a
-    /// change of rows, everything open retuned.
+    /// change of rows, everything open refitted.
     pub fn along(&self, about: &RowChange, slopes: &[RowChange]) -> (DVector<f64>, DMatrix<f64>) {
         let count = slopes.len();
         let against: Vec<DVector<f64>> = slopes.iter().map(|rows| self.against(rows)).collect();

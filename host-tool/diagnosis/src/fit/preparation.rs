@@ -12,7 +12,7 @@ use crate::trial::equation::Trial;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use recordings::StepError;
 
-/// The rows, and the model retuned to those of train logs.
+/// The rows, and the model refitted to those of train logs.
 ///
 /// # Errors
 /// The logs are too short to see their noise, or do not determine the model.

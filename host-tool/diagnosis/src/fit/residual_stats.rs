@@ -27,7 +27,7 @@ pub struct ResidualStats {
 }
 
 impl ResidualStats {
-    /// What a model leaves once retuned.
+    /// What a fitted model leaves.
     pub fn of(evidence: &Evidence, linear: &Linearisation) -> Self {
         let own_ratio = evidence.criteria.fit.own_ratio;
         let (mut ratios, mut excess, mut held_out_squares) = (Vec::new(), 0.0, 0.0);

@@ -23,7 +23,7 @@ pub struct JointSlopes {
 }
 
 /// Appends the change of joints' rows in a stretch once a model becomes `hypothesis`, which
-/// differs in an effect beside others.
+/// differs in one of its effects from that of `parts`.
 pub fn changed(
     evidence: &Evidence,
     s: usize,

@@ -41,7 +41,7 @@ pub struct Expected {
     pub deviation: f64,
 }
 
-/// Everything that retuning may change.
+/// Everything that a refit may change.
 pub fn expected(subject: &Subject, period_s: f64) -> Vec<Expected> {
     let base = subject.robot.base.to_array();
     let prior = &subject.criteria.prior;
@@ -82,7 +82,7 @@ fn friction_deviation(values: &[f64; FRICTION_COUNT], parameter: usize, subject:
     let own = prior.friction * values[parameter].abs();
     let least = match parameter {
         STRIBECK_LEVEL => prior.stribeck_level * values[COULOMB],
-        // Identification gives zero where it is small, which leaves doubt.
+        // Identification gives zero where it is small, and the truth may differ.
         VISCOUS => own.max(prior.viscous * values[COULOMB]),
         STIFFNESS if !bristles_known => values[STIFFNESS],
         DAMPING if !bristles_known => prior.unknown_damping * values[STIFFNESS],
@@ -99,7 +99,7 @@ fn base_scales(base: &BaseParameters<f64>) -> [f64; COUNT] {
     let third = (base.zz3r + base.ia3).abs();
     let moment2 = base.mx2r.hypot(base.my2r);
     let moment3 = match base.mx3r.hypot(base.my3r) {
-        // A balanced link may yet be off balance by a trifle, as if 1 m from its inertia.
+        // A balanced link may yet be slightly off balance: its scale is that of its inertia at 1 m.
         0.0 => third,
         moment => moment,
     };

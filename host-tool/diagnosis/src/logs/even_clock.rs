@@ -20,8 +20,8 @@ impl<'a> EvenClock<'a> {
         // The mean of this stretch: a typical period is rounded, which adds up.
         let period_s = span_s / intervals;
         let count = intervals as usize + 1;
-        let miss = |(k, t): (usize, &f64)| (t - time_s[0] - k as f64 * period_s).abs();
-        let worst = time_s.iter().enumerate().map(miss).fold(0.0, f64::max);
+        let offset = |(k, t): (usize, &f64)| (t - time_s[0] - k as f64 * period_s).abs();
+        let worst = time_s.iter().enumerate().map(offset).fold(0.0, f64::max);
         let even = count == time_s.len() && worst < criteria.even_part * period_s;
         let missing_sample_periods = criteria.missing_sample_periods;
         Self { time_s, period_s, count, even, missing_sample_periods }

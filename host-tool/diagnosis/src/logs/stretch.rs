@@ -1,7 +1,7 @@
 //! Unbroken motion with its commands, prepared once for all models that are tried.
 //!
-//! A command acts over the interval from its sample to the next. So everything that the
-//! motor feels belongs to intervals, and accelerations belong to samples: the second
+//! A command acts over the interval from its sample to the next. So everything that
+//! drives the motor belongs to intervals, and accelerations belong to samples: the second
 //! difference of sampled positions is exactly the mean of the accelerations in the two
 //! intervals about it, whatever the frequency.
 

@@ -12,7 +12,7 @@ use recordings::Campaign;
 use recordings::campaign::Known;
 use rig::effects::{Definition, EffectError};
 
-/// The joint of the arm that stands for the only joint of a rig.
+/// The joint of the arm that takes the place of the only joint of a rig.
 const ONLY: usize = 2;
 /// Inertia of joints that do not move [kg m^2].
 const IMMOVABLE_KG_M2: f64 = 1e6;
@@ -85,8 +85,8 @@ impl Subject {
         if self.one_joint && outer > 0 { ONLY as u8 + 1 } else { outer }
     }
 
-    /// The model file with a retuned robot in it.
-    pub fn retuned_file(&self, file: &RobotFile, robot: &Robot<f64>) -> RobotFile {
+    /// The model file with a refitted robot in it.
+    pub fn refitted_file(&self, file: &RobotFile, robot: &Robot<f64>) -> RobotFile {
         if !self.one_joint {
             return file.clone().with_model(robot.base, &robot.friction);
         }

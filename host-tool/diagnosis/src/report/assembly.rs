@@ -8,9 +8,9 @@ use crate::fit::gauss_newton::{fit, fit_held};
 use crate::fit::linearisation::Linearisation;
 use crate::fit::preparation::as_given;
 use crate::fit::residual_stats::ResidualStats;
+use crate::gap_by_axis::gap_by_axis;
 use crate::logs::intervals::at_samples;
 use crate::logs::subject::Subject;
-use crate::places::places;
 use crate::result::{
     Alternative, Cause, Diagnosis, Gap, JointResiduals, Level, LogResiduals, Report, Rival, Value,
     Verdict,
@@ -61,7 +61,7 @@ impl Assembly<'_> {
             verdict,
             causes,
             alternatives,
-            places: places(&logs, &self.subject.criteria.places),
+            gap_shares: gap_by_axis(&logs, &self.subject.criteria.axes),
             gap: self.gap(&given, &refitted, last),
             untestable,
             detectable,
@@ -257,7 +257,7 @@ impl Assembly<'_> {
 
     /// The model file with refitted parameters and the effects.
     fn amended(&self, file: &RobotFile, hypothesis: &Hypothesis) -> RobotFile {
-        let mut amended = self.subject.retuned_file(file, &hypothesis.robot);
+        let mut amended = self.subject.refitted_file(file, &hypothesis.robot);
         amended.effects = hypothesis
             .effects
             .iter()

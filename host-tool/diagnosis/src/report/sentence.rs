@@ -1,7 +1,7 @@
 //! A diagnosis in one sentence, and effects in words.
 
 use crate::quantity::{number, quantity, split_unit, volts};
-use crate::result::{Axis, Cause, Diagnosis, Place, Value, Verdict};
+use crate::result::{Axis, Cause, Diagnosis, GapShare, Value, Verdict};
 use rig::effects::Definition;
 
 use std::collections::BTreeMap;
@@ -134,11 +134,11 @@ fn unexplained(diagnosis: &Diagnosis) -> String {
     let joints = joint_numbers(diagnosis);
     let mut text = match size.and_then(|(index, excess_v)| Some((joints.get(index)?, excess_v))) {
         Some((joint, excess_v)) => {
-            let place = report.places.iter().find(|place| place.joint == *joint);
+            let share = report.gap_shares.iter().find(|share| share.joint == *joint);
             format!(
                 "A gap of {} on joint {joint} that nothing in the catalogue explains{}.",
                 volts(excess_v),
-                place.map_or_else(String::new, |place| format!("; {}", varies(place)))
+                share.map_or_else(String::new, |share| format!("; {}", varies(share)))
             )
         }
         None => "A gap that nothing in the catalogue explains.".into(),
@@ -150,15 +150,15 @@ fn unexplained(diagnosis: &Diagnosis) -> String {
 }
 
 /// "it varies with position: order 8 per revolution", or what the detail says by itself.
-fn varies(place: &Place) -> String {
-    let detail = &place.detail;
+fn varies(share: &GapShare) -> String {
+    let detail = &share.detail;
     let begins = |words: &[&str]| words.iter().any(|word| detail.starts_with(word));
     if begins(&["varies", "grows", "falls"]) {
         format!("it {detail}")
     } else if begins(&["proportional", "even", "odd", "constant"]) {
         format!("it is {detail}")
     } else {
-        format!("it varies with {}: {detail}", axis_words(place.axis))
+        format!("it varies with {}: {detail}", axis_words(share.axis))
     }
 }
 

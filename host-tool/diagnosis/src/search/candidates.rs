@@ -117,9 +117,9 @@ fn searched(
         .into_iter()
         .filter(|start| start.gain > least)
         .map(|start| {
-            let begun = Candidate::of(linear, evidence, start.effect).0;
-            let steps = if begun.effect.is_spring() { effort.spring_steps } else { effort.steps };
-            begun.refined(linear, evidence, steps)
+            let first = Candidate::of(linear, evidence, start.effect).0;
+            let steps = if first.effect.is_spring() { effort.spring_steps } else { effort.steps };
+            first.refined(linear, evidence, steps)
         })
         .min_by(|a, b| a.train.total_cmp(&b.train))
         .filter(|best| {

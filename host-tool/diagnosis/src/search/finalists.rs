@@ -74,8 +74,8 @@ fn overlooked(
     promising.sort_by(|a, b| b.gain.total_cmp(&a.gain));
     promising.truncate(effort.overlooked);
     let searched = |start: Start| {
-        let begun = Candidate::of(now, evidence, start.effect).0;
-        begun.refined(now, evidence, effort.overlooked_steps).scored(now, evidence)
+        let begin = Candidate::of(now, evidence, start.effect).0;
+        begin.refined(now, evidence, effort.overlooked_steps).scored(now, evidence)
     };
     let mut found: Vec<ScoredCandidate> = promising.into_par_iter().map(searched).collect();
     found.sort_by(|a, b| a.score.total().total_cmp(&b.score.total()));

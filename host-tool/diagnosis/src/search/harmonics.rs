@@ -1,6 +1,6 @@
 //! Which harmonics of the angle an effect may have.
 //!
-//! Every harmonic is tried with sine and cosine, everything open retuned. To be quick, the
+//! Every harmonic is tried with sine and cosine, everything open refitted. To be quick, the
 //! filter is taken as its gain at the momentary frequency of the harmonic, row by row.
 
 use model::{FrictionState, Robot};

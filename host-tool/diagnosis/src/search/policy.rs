@@ -33,8 +33,8 @@ pub fn improves(before: &ResidualStats, after: &ResidualStats, criteria: &Criter
         && (reduces_excess(before, after, criteria) || restores_prior(before, after, criteria))
 }
 
-/// An amplifier that swallows every command "explains" any motion of a robot that weighs
-/// nothing.
+/// An effect that takes away every command, a wide dead zone say, "explains" any motion once the
+/// refit takes away all masses.
 fn makes_implausible(before: &ResidualStats, after: &ResidualStats, criteria: &Criteria) -> bool {
     let growth = criteria.selection.most_prior_penalty_growth;
     after.is_implausible(&criteria.fit) && after.prior_penalty > growth * before.prior_penalty

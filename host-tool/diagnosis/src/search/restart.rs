@@ -36,8 +36,8 @@ pub fn restarted(
     let from = |factors: &[f64; 4]| {
         let values = backlash.values.iter().zip(factors).map(|(value, factor)| value * factor);
         let start = EffectInstance { values: values.collect(), ..backlash.clone() };
-        let begun = Candidate::of(&without, evidence, start).0;
-        begun.refined(&without, evidence, effort.restart_steps)
+        let first = Candidate::of(&without, evidence, start).0;
+        first.refined(&without, evidence, effort.restart_steps)
     };
     let best = RESTARTS
         .par_iter()

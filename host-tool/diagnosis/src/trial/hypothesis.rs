@@ -22,7 +22,7 @@ impl EffectInstance {
         self.definition.with(self.joint, &self.bounded()).ok()
     }
 
-    /// Whether it leaves play between a motor and its link.
+    /// Whether it leaves a gap between a motor and its link.
     pub fn has_backlash(&self) -> bool {
         self.definition.parameters.iter().any(|parameter| parameter.name == "gap_rad")
     }

@@ -49,9 +49,9 @@ impl LinkCovariance {
     }
 
     /// Ends an interval with the filter's correction: the change of angle and velocity once the
-    /// measured mean torque about the sample at its begin is larger by `missed_nm`. `kick` is
+    /// measured mean torque about the sample at its begin is larger by the innovation. `kick` is
     /// what a torque adds to the velocity over the interval.
-    pub fn update(&mut self, missed_nm: f64, kick: f64) -> Vector2<f64> {
+    pub fn update(&mut self, innovation_nm: f64, kick: f64) -> Vector2<f64> {
         let back = self.transition.try_inverse().unwrap_or_else(Matrix2::identity);
         self.covariance = self.transition * self.covariance * self.transition.transpose();
         self.covariance[(1, 1)] += (self.unknown_torque * kick).powi(2);
@@ -62,6 +62,6 @@ impl LinkCovariance {
         self.early = self.late * back;
         self.late = RowVector2::zeros();
         self.transition = Matrix2::identity();
-        gain * missed_nm
+        gain * innovation_nm
     }
 }

@@ -139,10 +139,11 @@ impl Follower {
         early
     }
 
-    /// Moves the link by what the torque about the last sample missed.
-    fn correct(&mut self, missed_nm: f64, inertia_kg_m2: f64, period_s: f64) {
+    /// Corrects the link by the part of the measured torque about the last sample that the model
+    /// lacks.
+    fn correct(&mut self, innovation_nm: f64, inertia_kg_m2: f64, period_s: f64) {
         let Some(covariance) = &mut self.covariance else { return };
-        let change = covariance.update(missed_nm, period_s / inertia_kg_m2);
+        let change = covariance.update(innovation_nm, period_s / inertia_kg_m2);
         self.link.q_rad += change[0];
         self.link.qd_rad_per_s += change[1];
     }

@@ -76,27 +76,27 @@ fn left_v(stretch: &Stretch, effect: Option<EffectInstance>) -> f64 {
     rms(&LowPass::new(40.0, PERIOD_S).zero_phase(&left)[500..9500])
 }
 
-const PLAY: [f64; 4] = [2e-3, 3000.0, 1.5, 0.01];
+const BACKLASH: [f64; 4] = [2e-3, 3000.0, 1.5, 0.01];
 
 #[test]
-fn a_link_that_bounces_in_its_play_is_followed_through_driven_noise() {
+fn a_link_that_bounces_in_its_backlash_is_followed_through_driven_noise() {
     let floor_v = left_v(&driven(None), None);
-    let stretch = driven(Some(&backlash(PLAY)));
-    let (with_v, without_v) = (left_v(&stretch, Some(backlash(PLAY))), left_v(&stretch, None));
+    let stretch = driven(Some(&backlash(BACKLASH)));
+    let (with_v, without_v) = (left_v(&stretch, Some(backlash(BACKLASH))), left_v(&stretch, None));
     assert!(with_v < 5.0 * floor_v, "{with_v} V, floor {floor_v} V");
     assert!(without_v > 15.0 * with_v, "{without_v} V, floor {floor_v} V");
 }
 
 #[test]
-fn play_that_is_not_there_explains_nothing_away() {
+fn backlash_that_is_not_there_explains_nothing_away() {
     let delay = Definition::by_name("delay").unwrap();
     let delay = EffectInstance { definition: delay, joint: 3, values: vec![4e-3] };
     let stretch = driven(Some(&delay));
     let null_v = left_v(&stretch, None);
     for gap_rad in [1e-6, 1e-4, 1e-3] {
         for stiffness in [500.0, 5e3, 5e4, 1e6] {
-            let play = backlash([gap_rad, stiffness, 1e-2 * stiffness.sqrt(), 0.01]);
-            let left_v = left_v(&stretch, Some(play));
+            let guess = backlash([gap_rad, stiffness, 1e-2 * stiffness.sqrt(), 0.01]);
+            let left_v = left_v(&stretch, Some(guess));
             assert!(left_v > 0.75 * null_v, "{left_v} V, without {null_v} V, {stiffness} Nm/rad");
         }
     }

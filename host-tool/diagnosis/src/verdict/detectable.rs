@@ -16,7 +16,7 @@ struct Sight {
     definition: &'static Definition,
     joint: u8,
     effect: EffectInstance,
-    /// Squares of the rows that a start of the effect changes, everything open retuned.
+    /// Squares of the rows that a start of the effect changes, everything open refitted.
     squares: f64,
     change: RowChange,
 }

@@ -3,8 +3,8 @@
 
 use super::stages::Stages;
 use crate::{Axis, Chart, Series, Stroke};
-use diagnosis::places::orders::{best_carrier, lowest_order, orders};
-use diagnosis::places::{Carrier, Samples, spectrum};
+use diagnosis::gap_by_axis::orders::{best_carrier, lowest_order, orders};
+use diagnosis::gap_by_axis::{Carrier, Samples, spectrum};
 
 const HALF: (u32, u32) = (535, 290);
 const BEFORE: usize = 1;

@@ -32,33 +32,33 @@ pub use angle::Carrier;
 pub use samples::Samples;
 pub use spectrum::{Spectrum, spectrum};
 
-use crate::criteria::PlaceCriteria;
-use crate::result::{LogResiduals, Place};
+use crate::criteria::AxisCriteria;
+use crate::result::{GapShare, LogResiduals};
 use found::Found;
 
 /// Where the gap of the refitted model lies, largest share first; small shares are left out.
 ///
 /// Empty where no joint leaves more than its noise floor.
-pub fn places(logs: &[LogResiduals], criteria: &PlaceCriteria) -> Vec<Place> {
+pub fn gap_by_axis(logs: &[LogResiduals], criteria: &AxisCriteria) -> Vec<GapShare> {
     let samples: Vec<Samples> = Samples::of_joints(logs, criteria, |joint| &joint.refitted_v);
     let whole_v2: f64 = samples.iter().map(Samples::excess_v2).sum();
     if whole_v2 <= 0.0 {
         return Vec::new();
     }
-    let of_joint = |samples: &Samples| -> Vec<Place> {
+    let of_joint = |samples: &Samples| -> Vec<GapShare> {
         let limit_v2 = samples.excess_v2();
-        let place = |found: Found| Place {
+        let share = |found: Found| GapShare {
             joint: samples.joint,
             axis: found.axis,
             share: (found.energy_v2.min(limit_v2) / whole_v2).clamp(0.0, 1.0),
             detail: found.detail,
         };
-        found(samples).into_iter().map(place).collect()
+        found(samples).into_iter().map(share).collect()
     };
-    let mut places: Vec<Place> = samples.par_iter().flat_map(of_joint).collect();
-    places.retain(|place| place.share >= criteria.least_share);
-    places.sort_by(|a, b| b.share.total_cmp(&a.share));
-    places
+    let mut shares: Vec<GapShare> = samples.par_iter().flat_map(of_joint).collect();
+    shares.retain(|share| share.share >= criteria.least_share);
+    shares.sort_by(|a, b| b.share.total_cmp(&a.share));
+    shares
 }
 
 /// What the axes explain of one joint's residual one after the other, the strongest first;

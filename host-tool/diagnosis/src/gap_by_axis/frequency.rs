@@ -3,7 +3,7 @@
 use super::found::Found;
 use super::samples::Samples;
 use super::spectrum::{Spectrum, spectrum};
-use crate::criteria::PlaceCriteria;
+use crate::criteria::AxisCriteria;
 use crate::quantity::number;
 use crate::result::Axis;
 
@@ -51,7 +51,7 @@ fn take_lines(
     left: &mut Spectrum,
     motion: &Spectrum,
     scale: f64,
-    criteria: &PlaceCriteria,
+    criteria: &AxisCriteria,
 ) -> Vec<Part> {
     let motion_hz = motion.frequency_of_part(criteria.motion_part);
     let mut lines = Vec::new();
@@ -102,7 +102,7 @@ fn band(
     motion: &Spectrum,
     floor: f64,
     others: f64,
-    criteria: &PlaceCriteria,
+    criteria: &AxisCriteria,
 ) -> Option<Part> {
     let excess: Vec<f64> = left.density.iter().map(|density| density - floor).collect();
     let whole: f64 = excess.iter().sum();

@@ -1,10 +1,10 @@
-//! Thresholds of where the gap lies.
+//! Thresholds of what the gap varies with.
 
 use super::table::criteria;
 
 criteria! {
-    /// Where the gap lies: which axes are named, and with which words.
-    PlaceCriteria {
+    /// What the gap varies with: which axes are named, and with which words.
+    AxisCriteria {
         /// Shares of the gap below this are left out.
         least_share: f64 = 0.02,
         /// Fewest samples of a joint.

@@ -1,6 +1,6 @@
 //! One joint's residuals over all logs, as one list of samples.
 
-use crate::criteria::PlaceCriteria;
+use crate::criteria::AxisCriteria;
 use crate::result::{JointResiduals, LogResiduals};
 
 /// Samples of one joint, log after log.
@@ -29,7 +29,7 @@ pub struct Samples {
     /// Direction of motion, -1 to 1, continuous through standstill.
     pub direction: Vec<f64>,
     /// The thresholds by which they are judged.
-    pub criteria: PlaceCriteria,
+    pub criteria: AxisCriteria,
     /// Sum of squares that noise alone leaves [V^2].
     pub floor_v2: f64,
 }
@@ -38,7 +38,7 @@ impl Samples {
     /// The samples of every joint in the logs, by number, with the residual that `pick` names.
     pub fn of_joints(
         logs: &[LogResiduals],
-        criteria: &PlaceCriteria,
+        criteria: &AxisCriteria,
         pick: impl Fn(&JointResiduals) -> &Vec<f64>,
     ) -> Vec<Self> {
         let mut joints: Vec<u8> =
@@ -51,7 +51,7 @@ impl Samples {
     fn of_joint(
         logs: &[LogResiduals],
         joint: u8,
-        criteria: &PlaceCriteria,
+        criteria: &AxisCriteria,
         pick: &impl Fn(&JointResiduals) -> &Vec<f64>,
     ) -> Self {
         let mut samples = Self { joint, criteria: criteria.clone(), ..Self::default() };
