@@ -7,7 +7,7 @@ use std::fs;
 use std::time::Instant;
 
 use criterion::{BenchmarkId, Criterion, SamplingMode, criterion_group, criterion_main};
-use diagnosis::diagnose;
+use diagnosis::{Criteria, diagnose};
 use files::{RobotFile, Role};
 use model::reference_robot::reference_robot;
 use recordings::{Campaign, Trace};
@@ -53,7 +53,8 @@ fn campaign(length_s: f32) -> Campaign {
 }
 
 fn run(campaign: &Campaign) {
-    diagnose(campaign, &Catalogue::standard(), &|_| ()).expect("the logs can be used");
+    diagnose(campaign, &Catalogue::standard(), &Criteria::default(), &|_| ())
+        .expect("the logs can be used");
 }
 
 /// Processor time of this process [s]; `None` where the system does not tell.

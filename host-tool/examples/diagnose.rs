@@ -6,7 +6,7 @@
 use std::error::Error;
 use std::path::Path;
 
-use diagnosis::{diagnose, sentence};
+use diagnosis::{Criteria, diagnose, sentence};
 use files::{Dataset, RobotFile};
 use recordings::Campaign;
 use rig::effects::Catalogue;
@@ -15,7 +15,9 @@ use rig::effects::Catalogue;
 pub fn diagnosed(folder: &Path) -> Result<String, Box<dyn Error>> {
     let model = RobotFile::read(folder.join("model.toml"))?;
     let campaign = Campaign::read(&Dataset::read(folder)?, model)?;
-    let diagnosis = diagnose(&campaign, &Catalogue::standard(), &|step| eprintln!("{step}"))?;
+    let diagnosis = diagnose(&campaign, &Catalogue::standard(), &Criteria::default(), &|step| {
+        eprintln!("{step}")
+    })?;
     Ok(sentence(&diagnosis))
 }
 

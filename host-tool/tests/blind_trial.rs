@@ -110,7 +110,7 @@ fn fool() -> Report {
         verdict: Verdict::Effect,
         causes: vec![cause],
         alternatives: Vec::new(),
-        places: Vec::new(),
+        gap_shares: Vec::new(),
         gap: Gap { refitted_v: vec![0.01; 3], ..Gap::default() },
         untestable: Vec::new(),
         detectable: Vec::new(),

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use assert_cmd::Command;
+use diagnosis::Criteria;
 use files::RobotFile;
 use model::reference_robot::reference_robot;
 
@@ -42,6 +43,24 @@ fn a_log_that_is_broken_is_named() {
     std::fs::write(path("campaign/a.csv"), "t_s,q1_rad,u1_V\n0,0,zero\n").unwrap();
     let of = ["campaign", "--model", "model.toml", "--out", "out"];
     assert_refused(directory.path(), &of, &["a.csv", "line 2", "u1_V", "zero"]);
+}
+
+#[test]
+fn criteria_that_cannot_be_used_are_named() {
+    let directory = directory();
+    std::fs::write(directory.path().join("criteria.toml"), "[rows]\nmargin = 1.0\n").unwrap();
+    let of = ["campaign", "--model", "m.toml", "--out", "out", "--criteria", "criteria.toml"];
+    assert_refused(directory.path(), &of, &["criteria.toml, line 2", "margin", "--print-criteria"]);
+}
+
+#[test]
+fn printed_criteria_are_the_defaults() {
+    let mut rrr = Command::cargo_bin("rrr").unwrap();
+    let assert = rrr.args(["diagnose", "--print-criteria"]).assert().success();
+    let text = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
+    let defaults: Criteria = toml::from_str(&text).unwrap();
+    assert_eq!(defaults, Criteria::default());
+    assert!(text.contains("# Shortest stretch that is used [s].\nshortest_s = 1.5\n"), "{text}");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use diagnosis::{Cause, Diagnosis, Value, Verdict, diagnose};
+use diagnosis::{Cause, Criteria, Diagnosis, Value, Verdict, diagnose};
 use files::{Dataset, RobotFile};
 use recordings::Campaign;
 use rig::effects::Catalogue;
@@ -12,10 +12,14 @@ fn labelled(number: u32) -> Option<PathBuf> {
 }
 
 fn diagnosis(directory: &Path) -> Diagnosis {
+    diagnosis_by(directory, &Criteria::default())
+}
+
+fn diagnosis_by(directory: &Path, criteria: &Criteria) -> Diagnosis {
     let dataset = Dataset::read(directory).unwrap();
     let model = RobotFile::read(directory.join("model.toml")).unwrap();
     let campaign = Campaign::read(&dataset, model).unwrap();
-    diagnose(&campaign, &Catalogue::standard(), &|_| ()).unwrap()
+    diagnose(&campaign, &Catalogue::standard(), criteria, &|_| ()).unwrap()
 }
 
 fn number(cause: &Cause, name: &str) -> f64 {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use diagnosis::{self, Report, Verdict};
+use diagnosis::{self, Criteria, Report, Verdict};
 use files::{Experiment, RobotFile, Role};
 use model::reference_robot::reference_robot;
 use model::{BaseParameters, Robot};
@@ -139,6 +139,10 @@ impl Rig {
     }
 
     fn diagnosed(self, effects: &[(&str, &[f64])]) -> Report {
+        self.diagnosed_by(&Criteria::default(), effects)
+    }
+
+    fn diagnosed_by(self, criteria: &Criteria, effects: &[(&str, &[f64])]) -> Report {
         let log = |seed, duration_s, speed, driven_v, role| Motion {
             seed,
             duration_s,
@@ -155,7 +159,8 @@ impl Rig {
         let traces = logs.iter().map(|log| self.recorded(effects, *log)).collect();
         let counts = self.in_counts.then_some(COUNTS_PER_TURN);
         let campaign = Campaign::new(self.model(), counts, traces).unwrap();
-        let diagnosis = diagnosis::diagnose(&campaign, &Catalogue::standard(), &|_| ()).unwrap();
+        let diagnosis =
+            diagnosis::diagnose(&campaign, &Catalogue::standard(), criteria, &|_| ()).unwrap();
         eprintln!("{self:?} {effects:?}");
         eprintln!("{}", host_tool::commands::diagnose::in_words(&diagnosis));
         diagnosis.report
@@ -218,6 +223,15 @@ fn cogging_is_found_at_every_rate() {
         let rig = Rig { rate_hz, ..PENDULUM };
         assert_named(&rig.diagnosed(&[("cogging", &[0.2, 7.0, 0.5])]), "cogging", 3);
     }
+}
+
+#[test]
+fn a_criterion_that_is_overridden_changes_the_verdict() {
+    let (rig, cogging) = (Rig { rate_hz: 200.0, ..PENDULUM }, ("cogging", &[0.2, 7.0, 0.5][..]));
+    let mut criteria = Criteria::default();
+    criteria.search.highest_harmonic = 6;
+    let report = rig.diagnosed_by(&criteria, &[cogging]);
+    assert_eq!(report.verdict, Verdict::Unknown, "{:?}", report.causes);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 mod common;
 
-use diagnosis::{self, Report, Verdict};
+use diagnosis::{self, Criteria, Report, Verdict};
 use files::{Dataset, RobotFile, Role};
 use recordings::{Campaign, Trace};
 use rig::effects::Catalogue;
@@ -62,7 +62,9 @@ fn model() -> RobotFile {
 
 fn diagnosed(traces: Vec<Trace>) -> Report {
     let campaign = Campaign::new(model(), None, traces).unwrap();
-    let diagnosis = diagnosis::diagnose(&campaign, &Catalogue::standard(), &|_| ()).unwrap();
+    let diagnosis =
+        diagnosis::diagnose(&campaign, &Catalogue::standard(), &Criteria::default(), &|_| ())
+            .unwrap();
     eprintln!("{}", host_tool::commands::diagnose::in_words(&diagnosis));
     eprintln!("{:?}\n{:?}", diagnosis.report.gap, diagnosis.model.pendulum);
     diagnosis.report
@@ -81,9 +83,10 @@ fn logs_moved_by_hand_are_left_out() {
     for name in ["gravity-compensation", "torque-limited"] {
         let Some(whole) = part(name, 0.0, 50.0) else { return };
         let campaign = Campaign::new(model(), None, vec![whole]).unwrap();
-        let refusal = diagnosis::diagnose(&campaign, &Catalogue::standard(), &|_| ())
-            .unwrap_err()
-            .to_string();
+        let refusal =
+            diagnosis::diagnose(&campaign, &Catalogue::standard(), &Criteria::default(), &|_| ())
+                .unwrap_err()
+                .to_string();
         assert!(refusal.contains(name) && refusal.contains("outside force"), "{refusal}");
     }
 }

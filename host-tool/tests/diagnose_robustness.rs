@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 use std::sync::OnceLock;
 
-use diagnosis::{self, Diagnosis, DiagnosisError, Verdict};
+use diagnosis::{self, Criteria, Diagnosis, DiagnosisError, Verdict};
 use files::{RobotFile, Role};
 use model::Robot;
 use model::reference_robot::reference_robot;
@@ -53,7 +53,8 @@ fn file(robot: &Robot<f64>) -> RobotFile {
 
 fn diagnose_with(robot_file: RobotFile, traces: Vec<Trace>) -> Result<Diagnosis, DiagnosisError> {
     let campaign = Campaign::new(robot_file, Some(COUNTS_PER_TURN), traces).unwrap();
-    let found = diagnosis::diagnose(&campaign, &Catalogue::standard(), &|_| ());
+    let found =
+        diagnosis::diagnose(&campaign, &Catalogue::standard(), &Criteria::default(), &|_| ());
     if let Ok(diagnosis) = &found {
         eprintln!("{}", host_tool::commands::diagnose::in_words(diagnosis));
     }

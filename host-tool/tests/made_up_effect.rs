@@ -3,7 +3,7 @@
 #![allow(missing_docs)]
 
 use blind_trial::{DrawSettings, Kind as CaseKind, draw};
-use diagnosis::{Value, Verdict, diagnose};
+use diagnosis::{Criteria, Value, Verdict, diagnose};
 use files::{RobotFile, Role};
 use model::reference_robot::reference_robot;
 use model::vector::Vector3;
@@ -80,7 +80,7 @@ fn catalogue() -> Catalogue {
 
 #[test]
 fn it_is_simulated_named_and_written_to_a_model_file() {
-    let diagnosis = diagnose(&campaign(), &catalogue(), &|_| ()).unwrap();
+    let diagnosis = diagnose(&campaign(), &catalogue(), &Criteria::default(), &|_| ()).unwrap();
     eprintln!("{}", host_tool::commands::diagnose::in_words(&diagnosis));
     let report = &diagnosis.report;
     let named: Vec<(&str, u8)> = report.causes.iter().map(|c| (&c.effect[..], c.joint)).collect();

@@ -6,11 +6,11 @@ use std::path::Path;
 
 use blind_trial::Rng;
 use blind_trial::robots::nominal_model;
-use diagnosis::fit::fit::fit_held;
+use diagnosis::fit::gauss_newton::fit_held;
 use diagnosis::fit::preparation::prepared;
 use diagnosis::logs::stretch::Stretch;
 use diagnosis::logs::subject::Subject;
-use diagnosis::{Diagnosis, Verdict, diagnose};
+use diagnosis::{Criteria, Diagnosis, Verdict, diagnose};
 use files::{EffectTable, Log, RobotFile};
 use firmware::Mode;
 use host_tool::commands::diagnose::{MODEL, write};
@@ -104,7 +104,7 @@ fn recorded(
 
 /// The model retuned to the same logs within its doubt, without any effect.
 fn refitted(campaign: &Campaign) -> Robot<f64> {
-    let subject = Subject::of(campaign, &rig::effects::Catalogue::standard()).unwrap();
+    let subject = Subject::of(campaign, &Catalogue::standard(), &Criteria::default()).unwrap();
     let logs = campaign.traces.iter().enumerate();
     let stretches = logs.flat_map(|(log, trace)| Stretch::of(trace, log, &subject)).collect();
     let (evidence, free) = prepared(&subject, stretches).unwrap();
@@ -127,7 +127,8 @@ struct Found {
 
 fn found(case: &Case, board: &mut dyn Board, name: &str) -> Found {
     let campaign = case.campaign();
-    let diagnosis = diagnose(&campaign, &Catalogue::standard(), &|_| ()).unwrap();
+    let diagnosis =
+        diagnose(&campaign, &Catalogue::standard(), &Criteria::default(), &|_| ()).unwrap();
     let file = amended(&diagnosis, name);
     let (compensations, left_out) =
         Compensations::of(&file.effects, &Catalogue::standard()).unwrap();

@@ -3,20 +3,22 @@
 //!
 //! | module | what it holds, in the order in which data flow |
 //! | --- | --- |
+//! | [`criteria`] | every threshold |
 //! | [`logs`] | the rig and its logs: which of them can be used, and their unbroken stretches |
 //! | [`rows`] | filtered, whitened rows, and the noise in them |
 //! | [`trial`] | what a hypothesis, a model with effects, leaves of the command |
 //! | [`fit`] | a hypothesis linearised, fitted, and judged against the noise |
 //! | [`search`] | every effect on every joint, one after the other |
 //! | [`verdict`] | what the search amounts to |
-//! | [`places`] | where the gap lies, without any hypothesis |
+//! | [`gap_by_axis`] | where the gap lies, without any hypothesis |
 //! | [`report`] | the report, in figures and words |
 
 #![forbid(unsafe_code)]
 
+pub mod criteria;
 pub mod fit;
+pub mod gap_by_axis;
 pub mod logs;
-pub mod places;
 pub mod quantity;
 pub mod report;
 mod result;
@@ -27,8 +29,9 @@ pub mod synthetic;
 pub mod trial;
 pub mod verdict;
 
+pub use criteria::Criteria;
+pub use gap_by_axis::gap_by_axis;
 pub use logs::subject::SubjectError;
-pub use places::places;
 pub use report::sentence::sentence;
 pub use result::*;
 
@@ -53,17 +56,19 @@ pub enum DiagnosisError {
 }
 
 /// Diagnoses the logs of a campaign against the model in its robot file, with the effects of a
-/// catalogue; `progress` hears what is under way.
+/// catalogue and by these criteria; `progress` hears what is under way.
 ///
 /// ```no_run
+/// use diagnosis::{Criteria, diagnose, sentence};
 /// use files::{Dataset, RobotFile};
 /// use recordings::Campaign;
+/// use rig::effects::Catalogue;
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let model = RobotFile::read("model.toml")?;
 /// let campaign = Campaign::read(&Dataset::read("campaign")?, model)?;
-/// let diagnosis = diagnosis::diagnose(&campaign, &|_| ())?;
-/// println!("{}", diagnosis::sentence(&diagnosis));
+/// let diagnosis = diagnose(&campaign, &Catalogue::standard(), &Criteria::default(), &|_| ())?;
+/// println!("{}", sentence(&diagnosis));
 /// # Ok(())
 /// # }
 /// ```
@@ -73,10 +78,11 @@ pub enum DiagnosisError {
 pub fn diagnose(
     campaign: &Campaign,
     catalogue: &Catalogue,
+    criteria: &Criteria,
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnosisError> {
-    let mut subject = Subject::of(campaign, catalogue)?;
-    encoder_step::find(&mut subject.known, &campaign.traces);
+    let mut subject = Subject::of(campaign, catalogue, criteria)?;
+    encoder_step::find(&mut subject.known, &campaign.traces, &criteria.logs);
     let usable = Usable::of(campaign, &subject)?;
     progress("refitting the model");
     let (evidence, refitted) = preparation::prepared(&subject, usable.stretches)?;
@@ -87,7 +93,7 @@ pub fn diagnose(
         evidence: &evidence,
         selection: &selection,
         traces: &campaign.traces,
-        noise: preparation::noise_left(&subject, &evidence, &selection),
+        noise: preparation::noise_left(&subject, &evidence, &selection.last().linear.hypothesis),
     };
     Ok(assembly.diagnosis(&campaign.robot_file, usable.remarks))
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+use crate::criteria::Criteria;
 use files::{RobotFile, Role};
 use rig::effects::Catalogue;
 
@@ -22,6 +23,8 @@ pub struct Diagnosis {
     pub model: RobotFile,
     /// The effects that were tried, in which the names above are looked up.
     pub catalogue: Catalogue,
+    /// The thresholds by which it was made.
+    pub criteria: Criteria,
 }
 
 /// `report.json`.
@@ -37,7 +40,7 @@ pub struct Report {
     pub alternatives: Vec<Alternative>,
     /// Where the gap of the refitted model lies, largest first.
     #[serde(rename = "where")]
-    pub places: Vec<Place>,
+    pub gap_shares: Vec<GapShare>,
     /// The size of the gap.
     pub gap: Gap,
     /// Effects that these logs cannot show.
@@ -98,9 +101,9 @@ pub struct Alternative {
     pub confidence: f64,
 }
 
-/// Where a part of the gap lies.
+/// The part of the gap that varies with one axis on one joint.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Place {
+pub struct GapShare {
     /// Joint, 1 to 3.
     pub joint: u8,
     /// What the gap varies with.

@@ -7,8 +7,14 @@ use model::reference_robot::reference_robot;
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
 
-use super::*;
+use crate::criteria::Criteria;
+use crate::gap_by_axis::gap_by_axis;
+use crate::result::{
+    Cause, Detectable, Diagnosis, Gap, JointResiduals, Level, LogResiduals, Report, Rival,
+    Untestable, Value, Verdict,
+};
 use files::{RobotFile, Role};
+use rig::effects::Catalogue;
 
 const FLOOR_V: f64 = 4e-3;
 const PERIOD_S: f64 = 2.5e-3;
@@ -87,6 +93,7 @@ pub fn diagnosis(
     causes: Vec<Cause>,
     residual_v: impl Fn(&At) -> f64,
 ) -> Diagnosis {
+    let criteria = Criteria::default();
     let logs = logs(residual_v);
     let rms = |pick: fn(&JointResiduals) -> &Vec<f64>| -> Vec<f64> {
         let of = |joint: &JointResiduals| {
@@ -116,7 +123,7 @@ pub fn diagnosis(
         verdict,
         causes,
         alternatives: vec![],
-        places: places(&logs),
+        gap_shares: gap_by_axis(&logs, &criteria.axes),
         gap,
         untestable: vec![Untestable {
             effect: "delay".into(),
@@ -128,7 +135,7 @@ pub fn diagnosis(
     };
     let model = RobotFile::from_robot(&reference_robot());
     let catalogue = Catalogue::standard();
-    Diagnosis { report, logs, waterfall, rivals: rivals(), model, catalogue }
+    Diagnosis { report, logs, waterfall, rivals: rivals(), model, catalogue, criteria }
 }
 
 /// Cogging on joint 3.

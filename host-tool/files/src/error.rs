@@ -160,6 +160,9 @@ pub enum Problem {
     /// TOML that does not parse or does not fit.
     #[error("{0}")]
     Toml(String),
+    /// A setting that is not known, or has a value that cannot be used.
+    #[error("{0}")]
+    Setting(String),
     /// A format number of a later (or no) version.
     #[error("format {0} is not known here: this version reads format 1")]
     UnknownFormat(i64),
@@ -211,6 +214,9 @@ impl Problem {
             Self::BrokenMcap(_) => "fetch or record the file again; `mcap doctor` tests it",
             Self::BrokenMessage { .. } => "record it again, or convert it to .csv and correct it",
             Self::Toml(_) => "correct the line; strings stand in quotes, numbers do not",
+            Self::Setting(_) => {
+                "`rrr diagnose --print-criteria` prints every key with its meaning and default"
+            }
             Self::UnknownFormat(_) => "update the tool, or write the file with `format = 1`",
             Self::MissingParameter(_) => "add it to the file",
             Self::Parameter(_) => "correct the value in the file",

@@ -34,6 +34,7 @@ pub mod log;
 mod number;
 pub mod replace;
 pub mod robot_file;
+pub mod settings;
 pub mod table;
 mod toml_source;
 

@@ -36,10 +36,21 @@ impl TomlSource {
     /// Checks the same in a file's bytes.
     pub(super) fn of(path: &Path, bytes: Vec<u8>) -> Result<Self, FileError> {
         let source = Self { path: path.to_owned(), text: bytes::text(path, bytes)? };
-        let document = DeTable::parse(&source.text).map_err(|error| source.syntax(&error))?;
+        let document = source.document()?;
         source.check_format(document.get_ref())?;
         source.check_finite("", document.get_ref())?;
         Ok(source)
+    }
+
+    /// Reads a file that may lack a format number, and checks that every number is finite.
+    pub(super) fn without_format(path: &Path) -> Result<Self, FileError> {
+        let source = Self { path: path.to_owned(), text: bytes::text(path, bytes::read(path)?)? };
+        source.check_finite("", source.document()?.get_ref())?;
+        Ok(source)
+    }
+
+    fn document(&self) -> Result<Spanned<DeTable<'_>>, FileError> {
+        DeTable::parse(&self.text).map_err(|error| self.syntax(&error))
     }
 
     /// The file's values.

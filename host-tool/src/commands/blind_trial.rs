@@ -13,7 +13,7 @@ use blind_trial::{
     Case, DrawSettings, Kind, Outcome, Results, RunSettings, SealedTruth, TrialError,
     diagnose_case, draw, logs, markdown, output, sealed_truth,
 };
-use diagnosis::diagnose;
+use diagnosis::{Criteria, diagnose};
 use rig::effects::Catalogue;
 
 /// Arguments of `rrr blind-trial`.
@@ -133,7 +133,8 @@ impl Arguments {
         let settings =
             RunSettings { out: self.out.clone(), keep_logs: self.keep_logs, ceiling: self.ceiling };
         let outcome = diagnose_case(case, &settings, &|campaign| {
-            let diagnosis = diagnose(campaign, &Catalogue::standard(), &|_| ());
+            let diagnosis =
+                diagnose(campaign, &Catalogue::standard(), &Criteria::default(), &|_| ());
             diagnosis.map(|found| found.report).map_err(|error| error.to_string())
         })?;
         Ok(outcome)

@@ -8,14 +8,25 @@ use crate::failure::Failure;
 use crate::output_files::{create_directory, json, write_text};
 use crate::terminal::progress::Steps;
 use diagnosis::sentence;
-use diagnosis::{self, Diagnosis, DiagnosisError, SubjectError};
+use diagnosis::{self, Criteria, Diagnosis, DiagnosisError, SubjectError};
 use files::{Dataset, RobotFile};
 use recordings::Campaign;
 use report::diagnosis_page::diagnosis_page;
 use report::diagnosis_page::tables::{CAUSES, cause_rows};
 use rig::effects::Catalogue;
 
-/// Arguments of `rrr diagnose`.
+/// What `rrr diagnose` takes: a diagnosis to make, or the wish to see its thresholds.
+#[derive(Debug, Args)]
+pub struct Choice {
+    /// Print all thresholds with their meaning and default, as --criteria takes them, and end.
+    #[arg(long, exclusive = true)]
+    pub print_criteria: bool,
+    /// The diagnosis to make.
+    #[command(flatten)]
+    pub diagnosis: Option<Arguments>,
+}
+
+/// Arguments of a diagnosis.
 #[derive(Debug, Args)]
 pub struct Arguments {
     /// The data set: a directory with dataset.toml and its logs.
@@ -27,28 +38,43 @@ pub struct Arguments {
     /// Directory for report.json, report.html and model.toml, the model with the effects added.
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
+    /// Thresholds that replace the defaults, as TOML; what it does not name keeps its default.
+    #[arg(long, value_name = "FILE")]
+    pub criteria: Option<PathBuf>,
 }
 
 /// Runs the command.
 ///
 /// # Errors
 /// Files that cannot be used or written, or logs that do not fit the model's robot.
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    diagnose(arguments).map(drop)
+pub fn run(choice: &Choice) -> Result<(), Failure> {
+    match &choice.diagnosis {
+        Some(arguments) => diagnose(arguments).map(drop),
+        None => {
+            print!("{}", Criteria::default().to_toml());
+            Ok(())
+        }
+    }
 }
 
-/// [`run`], for those who go on with the diagnosis.
+/// Makes a diagnosis, for those who go on with it.
 ///
 /// # Errors
 /// Those of [`run`].
 pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
     refuse_to_replace(&arguments.model, &arguments.out.join(MODEL))?;
+    let criteria = arguments.criteria.as_deref().map(Criteria::read).transpose()?;
     let model = RobotFile::read(&arguments.model)?;
     let dataset = Dataset::read(&arguments.dataset)?;
     let steps = Steps::new();
     steps.at("reading the logs");
     let campaign = Campaign::read(&dataset, model)?;
-    let diagnosis = diagnosis::diagnose(&campaign, &Catalogue::standard(), &|what| steps.at(what))?;
+    let diagnosis = diagnosis::diagnose(
+        &campaign,
+        &Catalogue::standard(),
+        &criteria.unwrap_or_default(),
+        &|what| steps.at(what),
+    )?;
     steps.at("drawing the pictures");
     write(&diagnosis, &arguments.out)?;
     steps.finish();

@@ -49,7 +49,7 @@ pub enum Command {
     /// Validate a model on the held-out logs: the command and the motion that it reconstructs.
     Validate(validate::Arguments),
     /// Find what causes the gap between a real robot and its model.
-    Diagnose(diagnose::Arguments),
+    Diagnose(diagnose::Choice),
     /// Design the motion that identifies the base parameters best.
     DesignExcitation(design_excitation::Arguments),
     /// Score the diagnosis on simulated robots with hidden effects.

@@ -194,7 +194,7 @@ impl Joints {
                 named = named.with(first.joint == truth.joint);
             }
             let gap = outcome.answer.report().filter(|report| report.verdict != Verdict::None);
-            if let Some(place) = gap.and_then(|report| report.places.first()) {
+            if let Some(place) = gap.and_then(|report| report.gap_shares.first()) {
                 largest_place = largest_place.with(place.joint == truth.joint);
             }
         }

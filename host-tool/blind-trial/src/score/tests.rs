@@ -8,7 +8,7 @@ use super::*;
 use crate::case::Kind;
 use crate::cause::{TrueCause, TrueEffect};
 use crate::foreign;
-use diagnosis::{Alternative, Axis, Cause, Gap, Place, Report, Value, Verdict};
+use diagnosis::{Alternative, Axis, Cause, Gap, GapShare, Report, Value, Verdict};
 use rig::effects::Catalogue;
 
 fn cause(name: &str, joint: u8, values: &[f64]) -> TrueCause {
@@ -36,7 +36,7 @@ fn named(truth: &TrueCause, confidence: f64) -> Cause {
 }
 
 fn report(verdict: Verdict, causes: Vec<Cause>, with_effects_v: f64) -> Report {
-    let places = causes.first().map(|cause| Place {
+    let shares = causes.first().map(|cause| GapShare {
         joint: cause.joint,
         axis: Axis::Position,
         share: 0.8,
@@ -53,7 +53,7 @@ fn report(verdict: Verdict, causes: Vec<Cause>, with_effects_v: f64) -> Report {
         verdict,
         causes,
         alternatives: Vec::new(),
-        places: places.into_iter().collect(),
+        gap_shares: shares.into_iter().collect(),
         gap,
         untestable: Vec::new(),
         detectable: Vec::new(),

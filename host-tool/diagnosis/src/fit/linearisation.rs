@@ -1,5 +1,5 @@
 //! All rows of a model linearised in what is open, and how well a change of them fits once
-//! everything open is retuned.
+//! everything open is refitted.
 
 use std::ops::Range;
 
@@ -7,9 +7,9 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::slopes::{JointSlopes, changed, slopes};
 use super::unknowns::Expected;
-use crate::rows::evidence::{Evidence, Rows};
+use crate::rows::evidence::{Evidence, RowChange, Rows};
+use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use crate::trial::parts::Parts;
-use crate::trial::voltage::{EffectInstance, Hypothesis};
 
 /// A model with its residuals and their slopes.
 #[derive(Clone)]
@@ -31,7 +31,7 @@ pub struct Linearisation {
     train: [usize; 3],
 }
 
-/// How well a change of the rows fits, everything open retuned.
+/// How well a change of the rows fits, everything open refitted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Score {
     /// Squares of train rows and of prior penalty.
@@ -90,25 +90,37 @@ impl Linearisation {
         hypothesis
     }
 
-    /// The score of the model as it stands, retuned by the slopes.
+    /// The score of the model as it stands, refitted by the slopes.
     pub fn score(&self) -> Score {
-        self.score_of(&Default::default())
+        self.score_of(&RowChange::default())
     }
 
-    /// The score once rows change by `change` (empty for joints where they do not).
-    pub fn score_of(&self, change: &Rows) -> Score {
-        let gradient = &self.gradient + self.against(change);
-        let step = -self.normal.solve(&gradient);
-        let mut train = self.objective + gradient.dot(&step);
-        for &joint in &[0, 1, 2] {
-            let both = change[joint].iter().zip(&self.residual[joint]).take(self.train[joint]);
-            train += both.map(|(c, r)| c * (c + 2.0 * r)).sum::<f64>();
-        }
+    /// The score once all rows change so.
+    pub fn score_of(&self, change: &RowChange) -> Score {
+        let (step, train) = self.refitted(change);
         Score { train, holdout: self.left_held_out(change, &step) }
     }
 
+    /// Squares of train rows and of the prior penalty once train rows change so.
+    pub fn train_score_of(&self, change: &RowChange) -> f64 {
+        self.refitted(change).1
+    }
+
+    /// The step of what is open that fits best once train rows change so, and the train score
+    /// after it.
+    fn refitted(&self, change: &RowChange) -> (DVector<f64>, f64) {
+        let gradient = &self.gradient + self.against(change);
+        let step = -self.normal.solve(&gradient);
+        let mut train = self.objective + gradient.dot(&step);
+        for joint in [0, 1, 2] {
+            let both = column(change, joint).iter().zip(&self.residual[joint]);
+            train += both.take(self.train[joint]).map(|(c, r)| c * (c + 2.0 * r)).sum::<f64>();
+        }
+        (step, train)
+    }
+
     /// Squares of the rows held out after a change of rows and a step.
-    fn left_held_out(&self, change: &Rows, step: &DVector<f64>) -> f64 {
+    fn left_held_out(&self, change: &RowChange, step: &DVector<f64>) -> f64 {
         let of_joint = |slopes: &JointSlopes| {
             let (joint, first) = (slopes.joint, self.train[slopes.joint]);
             let held = slopes.matrix.rows_range(first..);
@@ -119,7 +131,7 @@ impl Linearisation {
             let mut left = held * own;
             for (k, value) in left.iter_mut().enumerate() {
                 *value += self.residual[joint][first + k];
-                *value += change[joint].get(first + k).copied().unwrap_or(0.0);
+                *value += change[joint].as_ref().map_or(0.0, |column| column[first + k]);
             }
             left.norm_squared()
         };
@@ -127,13 +139,10 @@ impl Linearisation {
     }
 
     /// Slopes' products with a change of the train rows.
-    fn against(&self, change: &Rows) -> DVector<f64> {
+    fn against(&self, change: &RowChange) -> DVector<f64> {
         let mut sum = DVector::zeros(self.expected.len());
         for slopes in &self.joints {
-            let column = &change[slopes.joint];
-            if column.is_empty() {
-                continue;
-            }
+            let Some(column) = &change[slopes.joint] else { continue };
             let rows = self.train[slopes.joint];
             let products = slopes
                 .matrix
@@ -147,45 +156,51 @@ impl Linearisation {
     }
 
     /// Half the gradient and the curvature of the score along changes of rows, about a
-    /// change of rows, everything open retuned.
-    pub fn along(&self, about: &Rows, slopes: &[Rows]) -> (DVector<f64>, DMatrix<f64>) {
+    /// change of rows, everything open refitted.
+    pub fn along(&self, about: &RowChange, slopes: &[RowChange]) -> (DVector<f64>, DMatrix<f64>) {
         let count = slopes.len();
         let against: Vec<DVector<f64>> = slopes.iter().map(|rows| self.against(rows)).collect();
         let solved: Vec<DVector<f64>> = against.iter().map(|b| self.normal.solve(b)).collect();
         let gradient = &self.gradient + self.against(about);
-        let train = |rows: &Rows, other: &Rows| -> f64 {
-            (0..3)
-                .map(|j| {
-                    let pairs = rows[j].iter().zip(&other[j]).take(self.train[j]);
-                    pairs.map(|(a, b)| a * b).sum::<f64>()
-                })
-                .sum()
+        let product = |joint: usize, a: &[f64], b: &[f64]| -> f64 {
+            a.iter().zip(b).take(self.train[joint]).map(|(a, b)| a * b).sum()
+        };
+        let of_changes = |a: &RowChange, b: &RowChange| -> f64 {
+            (0..3).map(|joint| product(joint, column(a, joint), column(b, joint))).sum()
+        };
+        let with_residual = |a: &RowChange| -> f64 {
+            (0..3).map(|joint| product(joint, column(a, joint), &self.residual[joint])).sum()
         };
         let half_gradient = DVector::from_fn(count, |i, _| {
-            train(&slopes[i], &self.residual) + train(&slopes[i], about) - solved[i].dot(&gradient)
+            with_residual(&slopes[i]) + of_changes(&slopes[i], about) - solved[i].dot(&gradient)
         });
         let curvature = DMatrix::from_fn(count, count, |i, k| {
-            train(&slopes[i], &slopes[k]) - against[i].dot(&solved[k])
+            of_changes(&slopes[i], &slopes[k]) - against[i].dot(&solved[k])
         });
         (half_gradient, curvature)
     }
 
     /// Change of rows by one more effect; `all_joints` or just that of its own joint.
-    pub fn change_by(&self, evidence: &Evidence, effect: &EffectInstance, which: Which) -> Rows {
-        let own = usize::from(effect.joint).wrapping_sub(1);
-        let joints = match effect.definition.couples_joints && (effect.joint == 0 || which.joints) {
-            true => evidence.joints.clone(),
-            false => vec![own],
+    pub fn change_by(
+        &self,
+        evidence: &Evidence,
+        effect: &EffectInstance,
+        which: Which,
+    ) -> RowChange {
+        let own = usize::from(effect.joint).checked_sub(1);
+        let joints = match own.filter(|_| !effect.definition.couples_joints || !which.joints) {
+            None => evidence.joints.clone(),
+            Some(own) => vec![own],
         };
         let others = &self.hypothesis.effects;
         let hypothesis = self.hypothesis.with(effect.clone());
         let count =
             if which.held_out { evidence.stretches.len() } else { evidence.train_stretches() };
-        let mut rows: Rows = Default::default();
+        let mut change = RowChange::default();
         for (s, parts) in self.parts.iter().enumerate().take(count) {
-            changed(evidence, s, parts, &hypothesis, (effect, others), &joints, &mut rows);
+            changed(evidence, s, parts, &hypothesis, (effect, others), &joints, &mut change);
         }
-        rows
+        change
     }
 
     /// Rows of a joint that belong to train logs.
@@ -213,6 +228,11 @@ impl Linearisation {
         unit[place] = 1.0;
         self.normal.solve(&unit)[place].max(0.0).sqrt()
     }
+}
+
+/// A joint's rows of a change; none where they do not change.
+fn column(change: &RowChange, joint: usize) -> &[f64] {
+    change[joint].as_deref().unwrap_or_default()
 }
 
 /// Which rows of a change are wanted.

@@ -1,6 +1,6 @@
 //! A hypothesis linearised, fitted, and judged against the noise.
 
-pub mod fit;
+pub mod gauss_newton;
 pub mod linearisation;
 pub mod preparation;
 pub mod residual_stats;

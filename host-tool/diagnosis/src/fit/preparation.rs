@@ -2,20 +2,17 @@
 
 use model::{Posture, Robot};
 
-use super::fit::{MOST_STEPS, fit};
+use super::gauss_newton::fit;
 use super::linearisation::Linearisation;
 use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
 use crate::rows::noise::{Noise, NoiseByRate, of_encoder};
-use crate::search::selection::Selection;
-use crate::trial::voltage::{EffectInstance, Hypothesis, Trial};
+use crate::trial::equation::Trial;
+use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use recordings::StepError;
 
-/// Steps of the first fit, which only serves to see the noise.
-const FIRST_STEPS: usize = 2;
-
-/// The rows, and the model retuned to those of train logs.
+/// The rows, and the model refitted to those of train logs.
 ///
 /// # Errors
 /// The logs are too short to see their noise, or do not determine the model.
@@ -23,11 +20,13 @@ pub fn prepared(
     subject: &Subject,
     stretches: Vec<Stretch>,
 ) -> Result<(Evidence, Linearisation), StepError> {
+    let steps = &subject.criteria.fit;
     let given = as_given(subject);
     let evidence = with_noise(subject, stretches, &given)?;
-    let rough = fit(&evidence, subject, given, FIRST_STEPS).ok_or_else(undetermined)?;
+    let rough = fit(&evidence, subject, given, steps.first_steps).ok_or_else(undetermined)?;
     let evidence = with_noise(subject, evidence.stretches, &rough.hypothesis)?;
-    let linear = fit(&evidence, subject, rough.hypothesis, MOST_STEPS).ok_or_else(undetermined)?;
+    let linear = fit(&evidence, subject, rough.hypothesis, steps.refit_steps);
+    let linear = linear.ok_or_else(undetermined)?;
     Ok((evidence, linear))
 }
 
@@ -42,7 +41,7 @@ fn with_noise(
     stretches: Vec<Stretch>,
     hypothesis: &Hypothesis,
 ) -> Result<Evidence, StepError> {
-    let noise = noise(&stretches, hypothesis, subject.known.encoder_step_rad);
+    let noise = noise(subject, &stretches, hypothesis);
     for (&joint, number) in subject.joints.iter().zip(&subject.numbers) {
         if !noise.knows(joint) {
             let what = format!(
@@ -52,15 +51,13 @@ fn with_noise(
             return Err(StepError::Numerical { step: "diagnosis", what });
         }
     }
-    Ok(Evidence::new(stretches, subject.joints.clone(), &noise))
+    Ok(Evidence::new(stretches, subject.joints.clone(), &noise, &subject.criteria))
 }
 
-/// Noise in what the last model of a selection leaves: a gap that is always there passes for
+/// Noise in what the last model of a search leaves: a gap that is always there passes for
 /// noise until its cause is found.
-pub fn noise_left(subject: &Subject, evidence: &Evidence, selection: &Selection) -> NoiseByRate {
-    let hypothesis = selection.steps.last().map(|step| step.linear.hypothesis.clone());
-    let hypothesis = hypothesis.unwrap_or_else(|| as_given(subject));
-    noise(&evidence.stretches, &hypothesis, subject.known.encoder_step_rad)
+pub fn noise_left(subject: &Subject, evidence: &Evidence, last: &Hypothesis) -> NoiseByRate {
+    noise(subject, &evidence.stretches, last)
 }
 
 /// The model as given.
@@ -73,12 +70,11 @@ pub fn as_given(subject: &Subject) -> Hypothesis {
     Hypothesis { robot: subject.robot, lag_s: [0.0; 3], effects: effects.collect() }
 }
 
-/// Sample periods that differ by less are one rate.
-const SAME_RATE: f64 = 0.05;
-
 /// Noise of each joint in what a model leaves of logs without driven noise, or of all logs
 /// where there are no others; rate by rate.
-fn noise(stretches: &[Stretch], hypothesis: &Hypothesis, step_rad: f64) -> NoiseByRate {
+fn noise(subject: &Subject, stretches: &[Stretch], hypothesis: &Hypothesis) -> NoiseByRate {
+    let (step_rad, criteria) = (subject.known.encoder_step_rad, &subject.criteria);
+    let is_same_rate = |a_s: f64, b_s: f64| (a_s / b_s - 1.0).abs() < criteria.rows.same_rate_part;
     let calm: Vec<&Stretch> = stretches.iter().filter(|s| !s.broadband).collect();
     let used = if calm.is_empty() { stretches.iter().collect() } else { calm };
     let mut noise = NoiseByRate::default();
@@ -90,11 +86,12 @@ fn noise(stretches: &[Stretch], hypothesis: &Hypothesis, step_rad: f64) -> Noise
         }
         rates_s.push(period_s);
         let alike = used.iter().filter(|other| is_same_rate(other.period_s, period_s));
-        let trials: Vec<Trial> = alike.map(|stretch| Trial::of(stretch, hypothesis)).collect();
+        let trials: Vec<Trial> =
+            alike.map(|stretch| Trial::of(stretch, hypothesis, &criteria.fit)).collect();
         let of_joint = |joint: usize| {
             let left: Vec<Vec<f64>> = trials.iter().map(|trial| trial.residual(joint)).collect();
             let left: Vec<&[f64]> = left.iter().map(|rows| &rows[..]).collect();
-            Noise::of(&left, period_s)
+            Noise::of(&left, period_s, &criteria.rows)
         };
         let of_steps = |joint: usize| {
             of_encoder(step_rad, period_s) * lightest(stretch, hypothesis, joint).powi(2)
@@ -110,8 +107,4 @@ fn lightest(stretch: &Stretch, hypothesis: &Hypothesis, joint: usize) -> f64 {
     let inertia = |posture: &Posture<f64>| posture.mass_matrix(base, geometry)[joint][joint];
     let smallest = stretch.postures.iter().map(inertia).fold(f64::INFINITY, f64::min);
     smallest / torque_constant_nm_per_v[joint]
-}
-
-fn is_same_rate(a_s: f64, b_s: f64) -> bool {
-    (a_s / b_s - 1.0).abs() < SAME_RATE
 }

@@ -2,50 +2,44 @@
 
 use super::linearisation::Linearisation;
 use super::unknowns::Unknown;
+use crate::criteria::FitCriteria;
 use crate::rows::evidence::Evidence;
 
 /// What a model leaves, against the noise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResidualStats {
-    /// Root mean square over what noise, and what is not known of the model, make of it; by joint of the
-    /// rig and stretch.
+    /// Rms over what noise, and what is not known of the model, make of it; by joint of the rig
+    /// and stretch.
     pub ratios: Vec<Vec<f64>>,
     /// Squares above what the method itself may leave, in units of noise, all rows.
     pub excess: f64,
     /// Squares of all rows, train and held out, in units of noise.
-    pub rows: f64,
+    pub squares: f64,
     /// The same by joint of the rig.
-    pub rows_of: Vec<f64>,
-    /// Root mean square over what the encoder's steps must leave, of the joint where it is
-    /// smallest.
-    pub of_steps: f64,
-    /// Those of rows held out alone.
-    pub held_out: f64,
-    /// Squares by which retuned parameters miss what is known of them, in deviations.
+    pub squares_by_joint: Vec<f64>,
+    /// Squares of the rows held out.
+    pub held_out_squares: f64,
+    /// Rms over what the encoder's steps alone must leave, of the joint where it is smallest.
+    pub over_encoder_noise: f64,
+    /// Sum of the squared deviations of refitted parameters from the model as given, in standard
+    /// deviations of the prior.
     pub prior_penalty: f64,
 }
 
-/// What the method itself leaves of robots without effect: friction around reversals, where
-/// velocity is hardest to know, reaches 1.5 times the noise on one joint of one log.
-pub const OWN_RATIO: f64 = 1.5;
-/// Squared misses of parameters that ask for a cause; some thirty parameters that are known
-/// to their deviation make thirty.
-pub const PRIOR_PENALTY: f64 = 60.0;
-/// Squared misses with which a model is no longer the one that was given: parameters some
-/// ten deviations off, a quarter of their values.
-pub const BEYOND_BELIEF: f64 = 240.0;
-
 impl ResidualStats {
-    /// What a model leaves once retuned.
+    /// What a fitted model leaves.
     pub fn of(evidence: &Evidence, linear: &Linearisation) -> Self {
-        let (mut ratios, mut excess, mut held_out) = (Vec::new(), 0.0, 0.0);
-        let (mut rows_of, mut of_steps) = (Vec::new(), f64::INFINITY);
+        let own_ratio = evidence.criteria.fit.own_ratio;
+        let (mut ratios, mut excess, mut held_out_squares) = (Vec::new(), 0.0, 0.0);
+        let (mut squares_by_joint, mut over_encoder_noise) = (Vec::new(), f64::INFINITY);
         for &joint in &evidence.joints {
             let (mut own, mut least, mut all) = (0.0, 0.0, 0.0);
             let mut of_joint = Vec::new();
             for (s, range) in evidence.ranges(joint).into_iter().enumerate() {
                 let rows = &linear.residual[joint][range.clone()];
-                let used = rows.iter().filter(|row| **row != 0.0).count().max(1) as f64;
+                // A joint at rest that nothing drives leaves exact zeros, and no noise either.
+                let settled = rows[evidence.first_settled_row(joint, s)..].iter();
+                let used = settled.filter(|row| **row != 0.0).count().max(1) as f64;
                 let squares: f64 = rows.iter().map(|row| row * row).sum();
                 // Motions that the train logs do not hold show what is not known of the model.
                 let expected = match s < evidence.train_stretches() {
@@ -53,36 +47,35 @@ impl ResidualStats {
                     false => used + linear.spread(joint, range),
                 };
                 of_joint.push((squares / expected).sqrt());
-                excess += (squares - OWN_RATIO * OWN_RATIO * expected).max(0.0);
+                excess += (squares - own_ratio * own_ratio * expected).max(0.0);
                 all += squares;
                 own += squares * evidence.floor_v(joint, s).powi(2);
                 least += used * evidence.steps_v(joint, s).powi(2);
-                held_out += if s < evidence.train_stretches() { 0.0 } else { squares };
+                held_out_squares += if s < evidence.train_stretches() { 0.0 } else { squares };
             }
             ratios.push(of_joint);
-            rows_of.push(all);
-            of_steps = f64::min(of_steps, (own / least.max(1e-300)).sqrt());
+            squares_by_joint.push(all);
+            over_encoder_noise = f64::min(over_encoder_noise, (own / least.max(1e-300)).sqrt());
         }
-        let rows = rows_of.iter().sum();
         Self {
             ratios,
             excess,
-            rows,
-            rows_of,
-            of_steps,
-            held_out,
+            squares: squares_by_joint.iter().sum(),
+            squares_by_joint,
+            held_out_squares,
+            over_encoder_noise,
             prior_penalty: prior_penalty(linear),
         }
     }
 
     /// Whether nothing is left that asks for a cause.
-    pub fn is_clean(&self) -> bool {
-        self.excess == 0.0 && self.prior_penalty < PRIOR_PENALTY
+    pub fn is_clean(&self, criteria: &FitCriteria) -> bool {
+        self.excess == 0.0 && self.prior_penalty < criteria.unexplained_prior_penalty
     }
 
-    /// Whether the parameters are where nobody would look for them.
-    pub fn is_beyond_belief(&self) -> bool {
-        self.prior_penalty > BEYOND_BELIEF
+    /// Whether the parameters are too far from what is known of them to be those of the robot.
+    pub fn is_implausible(&self, criteria: &FitCriteria) -> bool {
+        self.prior_penalty > criteria.implausible_prior_penalty
     }
 
     /// The largest ratio to the noise.
@@ -91,7 +84,7 @@ impl ResidualStats {
     }
 }
 
-/// Squared misses of those parameters that logs like these determine.
+/// Squared deviations of those parameters that logs like these determine.
 fn prior_penalty(linear: &Linearisation) -> f64 {
     const ALPHA0: usize = 0;
     const ALPHA2: usize = 3;

@@ -5,9 +5,11 @@ use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 use super::unknowns::{Expected, Unknown};
-use crate::rows::evidence::{Columns, Evidence, Rows};
-use crate::trial::parts::{Parts, same, touched};
-use crate::trial::voltage::{EffectInstance, Hypothesis, Trial, at_samples};
+use crate::logs::intervals::at_samples;
+use crate::rows::evidence::{Columns, Evidence, RowChange, Rows};
+use crate::trial::equation::Trial;
+use crate::trial::hypothesis::{EffectInstance, Hypothesis};
+use crate::trial::parts::{Parts, motor_side, touched};
 use rig::effects::Kind;
 
 /// Slopes of one joint's rows.
@@ -22,7 +24,7 @@ pub struct JointSlopes {
 }
 
 /// Appends the change of joints' rows in a stretch once a model becomes `hypothesis`, which
-/// differs in an effect beside others.
+/// differs in one of its effects from that of `parts`.
 pub fn changed(
     evidence: &Evidence,
     s: usize,
@@ -30,13 +32,18 @@ pub fn changed(
     hypothesis: &Hypothesis,
     (effect, others): (&EffectInstance, &[EffectInstance]),
     joints: &[usize],
-    rows: &mut Rows,
+    change: &mut RowChange,
 ) {
     let touches = touched(effect, others);
-    let trial = Trial::beside(&evidence.stretches[s], hypothesis, same(parts, effect));
+    let trial = Trial::with_motor_side(
+        &evidence.stretches[s],
+        hypothesis,
+        &evidence.criteria.fit,
+        motor_side(parts, effect),
+    );
     for &joint in joints {
-        let change = parts[joint].change_to(&trial, joint, touches);
-        rows[joint].extend(evidence.weighted(s, joint, &change));
+        let signal = parts[joint].change_to(&trial, joint, touches);
+        change[joint].get_or_insert_default().extend(evidence.weighted(s, joint, &signal));
     }
 }
 
@@ -69,8 +76,8 @@ pub fn slopes(
         }));
     }
     for (place, rows) in effect_slopes(evidence, &parts, hypothesis, expected) {
-        for (joint, rows) in rows.into_iter().enumerate().filter(|(_, rows)| !rows.is_empty()) {
-            columns[joint].push((place, rows));
+        for (joint, rows) in rows.into_iter().enumerate() {
+            columns[joint].extend(rows.map(|rows| (place, rows)));
         }
     }
     let of_joint = |&joint: &usize| JointSlopes::of(joint, &columns[joint], residual[joint].len());
@@ -102,13 +109,13 @@ fn stretch_slopes(
     hypothesis: &Hypothesis,
     expected: &[Expected],
 ) -> [Piece; 3] {
-    let trial = Trial::of(&evidence.stretches[s], hypothesis);
+    let trial = Trial::of(&evidence.stretches[s], hypothesis, &evidence.criteria.fit);
     [0, 1, 2].map(|joint| {
         if !evidence.joints.contains(&joint) {
             return Piece::default();
         }
         let parts = Parts::of(&trial, joint);
-        let rows = evidence.weighted(s, joint, &trial.left(joint, &parts.net));
+        let rows = evidence.weighted(s, joint, &trial.residual_of_net(joint, &parts.net));
         let columns = own_slopes(evidence, s, joint, (&trial, &parts), hypothesis, expected);
         (parts, rows, columns)
     })
@@ -136,7 +143,7 @@ fn own_slopes(
     let mut columns = Vec::new();
     for (place, e) in expected.iter().enumerate() {
         match e.unknown {
-            Unknown::Base(k) if !base[k].is_empty() => columns.push((place, base[k].clone())),
+            Unknown::Base(k) => columns.extend(base[k].clone().map(|column| (place, column))),
             Unknown::Friction { joint: of, parameter } if of == joint => {
                 let (moved, step) = friction_moved(hypothesis, joint, parameter);
                 let slope: Vec<f64> = trial
@@ -160,18 +167,15 @@ fn own_slopes(
 /// Rows of the regressor, what is needed counted as negative.
 fn base_columns(evidence: &Evidence, s: usize, joint: usize, trial: &Trial) -> Columns {
     let regressor = trial.regressor_row(joint);
-    let column = |k: usize| match base_counts(joint, k) {
-        true => {
-            let raw: Vec<f64> = regressor.iter().map(|r| -r[k]).collect();
-            evidence.weighted(s, joint, &raw)
-        }
-        false => Vec::new(),
+    let column = |k: usize| {
+        let raw = || -> Vec<f64> { regressor.iter().map(|r| -r[k]).collect() };
+        base_counts(joint, k).then(|| evidence.weighted(s, joint, &raw()))
     };
     (0..COUNT).map(column).collect()
 }
 
-/// Whether a base parameter is in a joint's row at all: joint 3 does not feel link 1 and 2,
-/// joint 2 not link 1 (eq. (5)).
+/// Whether a base parameter is in a joint's row at all: joint 3 does not depend on
+/// links 1 and 2, joint 2 not on link 1 (eq. (5)).
 fn base_counts(joint: usize, k: usize) -> bool {
     const FIRST_OF_LINK_2: usize = 1;
     const FIRST_OF_LINK_3: usize = 8;
@@ -201,7 +205,7 @@ fn effect_slopes(
     parts: &[[Parts; 3]],
     hypothesis: &Hypothesis,
     expected: &[Expected],
-) -> Vec<(usize, Rows)> {
+) -> Vec<(usize, RowChange)> {
     let slope = |place: usize| match expected[place].unknown {
         Unknown::Effect { index, value } => {
             Some((place, effect_slope(evidence, parts, hypothesis, index, value)))
@@ -218,7 +222,7 @@ fn effect_slope(
     hypothesis: &Hypothesis,
     index: usize,
     value: usize,
-) -> Rows {
+) -> RowChange {
     let effect = &hypothesis.effects[index];
     let step = step_of(effect, value);
     let mut moved = hypothesis.clone();
@@ -229,16 +233,16 @@ fn effect_slope(
         true => evidence.joints.clone(),
         false => vec![usize::from(effect.joint) - 1],
     };
-    let mut slope: Rows = Default::default();
+    let mut slope = RowChange::default();
     for (s, parts) in parts.iter().enumerate() {
         changed(evidence, s, parts, &moved, (effect, &others), &joints, &mut slope);
     }
-    slope.iter_mut().flatten().for_each(|row| *row /= step);
+    slope.iter_mut().flatten().flatten().for_each(|row| *row /= step);
     slope
 }
 
 /// Step for a difference along a parameter of an effect, away from its nearer bound. A link
-/// that bounces in its play makes rows rough: only wide steps show where they lead.
+/// that bounces in its backlash makes rows rough: only wide steps show where they lead.
 pub fn step_of(effect: &EffectInstance, value: usize) -> f64 {
     let parameters = effect.definition.parameters;
     let (parameter, value) = (&parameters[value], effect.values[value]);

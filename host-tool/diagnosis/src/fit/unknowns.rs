@@ -1,10 +1,11 @@
 //! What a model under trial leaves open, and what is known of it beforehand.
 
+use model::BaseParameters;
 use model::base::COUNT;
-use model::{BaseParameters, Friction};
 
 use crate::logs::subject::Subject;
-use crate::trial::voltage::Hypothesis;
+use crate::trial::hypothesis::Hypothesis;
+use model::Friction;
 use model::friction_parameters::COUNT as FRICTION_COUNT;
 
 /// One open parameter.
@@ -41,16 +42,10 @@ pub struct Expected {
     pub deviation: f64,
 }
 
-/// What identification leaves open of each parameter: two to three per cent, and of small
-/// ones a part of the largest of their kind.
-const RELATIVE: f64 = 0.025;
-const OF_LARGEST: f64 = 0.004;
-/// Doubt about the instants of commands, in periods.
-const LAG_PERIODS: f64 = 0.05;
-
-/// Everything that retuning may change.
+/// Everything that a refit may change.
 pub fn expected(subject: &Subject, period_s: f64) -> Vec<Expected> {
     let base = subject.robot.base.to_array();
+    let prior = &subject.criteria.prior;
     let scales = base_scales(&subject.robot.base);
     let mut all: Vec<Expected> = subject
         .free_base()
@@ -58,7 +53,7 @@ pub fn expected(subject: &Subject, period_s: f64) -> Vec<Expected> {
         .map(|k| Expected {
             unknown: Unknown::Base(k),
             mean: base[k],
-            deviation: RELATIVE * base[k].abs() + OF_LARGEST * scales[k],
+            deviation: prior.relative * base[k].abs() + prior.of_largest * scales[k],
         })
         .collect();
     for &joint in &subject.joints {
@@ -66,40 +61,37 @@ pub fn expected(subject: &Subject, period_s: f64) -> Vec<Expected> {
         all.extend((0..FRICTION_COUNT).map(|parameter| Expected {
             unknown: Unknown::Friction { joint, parameter },
             mean: values[parameter],
-            deviation: friction_deviation(&values, parameter, subject.bristles_known),
+            deviation: friction_deviation(&values, parameter, subject),
         }));
         all.push(Expected {
             unknown: Unknown::Lag(joint),
             mean: 0.0,
-            deviation: LAG_PERIODS * period_s,
+            deviation: prior.lag_periods * period_s,
         });
     }
     all
 }
 
-fn friction_deviation(
-    values: &[f64; FRICTION_COUNT],
-    parameter: usize,
-    bristles_known: bool,
-) -> f64 {
+fn friction_deviation(values: &[f64; FRICTION_COUNT], parameter: usize, subject: &Subject) -> f64 {
     const COULOMB: usize = 0;
     const STRIBECK_LEVEL: usize = 1;
     const STRIBECK_VELOCITY: usize = 2;
     const VISCOUS: usize = 3;
     const STIFFNESS: usize = 4;
     const DAMPING: usize = 5;
-    let own = 0.005 * values[parameter].abs();
+    let (prior, bristles_known) = (&subject.criteria.prior, subject.bristles_known);
+    let own = prior.friction * values[parameter].abs();
     let least = match parameter {
-        STRIBECK_LEVEL => 0.02 * values[COULOMB],
-        // Identification gives zero where it is small, which leaves doubt.
-        VISCOUS => own.max(0.002 * values[COULOMB]),
+        STRIBECK_LEVEL => prior.stribeck_level * values[COULOMB],
+        // Identification gives zero where it is small, and the truth may differ.
+        VISCOUS => own.max(prior.viscous * values[COULOMB]),
         STIFFNESS if !bristles_known => values[STIFFNESS],
-        DAMPING if !bristles_known => 0.02 * values[STIFFNESS],
-        DAMPING => own.max(1e-5 * values[STIFFNESS]),
+        DAMPING if !bristles_known => prior.unknown_damping * values[STIFFNESS],
+        DAMPING => own.max(prior.damping * values[STIFFNESS]),
         STRIBECK_VELOCITY => own.max(1e-6),
         _ => own,
     };
-    RELATIVE * values[parameter].abs() + least
+    prior.relative * values[parameter].abs() + least
 }
 
 /// The largest parameter of each one's kind: inertias and first moments, link by link.
@@ -108,7 +100,7 @@ fn base_scales(base: &BaseParameters<f64>) -> [f64; COUNT] {
     let third = (base.zz3r + base.ia3).abs();
     let moment2 = base.mx2r.hypot(base.my2r);
     let moment3 = match base.mx3r.hypot(base.my3r) {
-        // A balanced link may yet be off balance by a trifle, as if 1 m from its inertia.
+        // A balanced link may yet be slightly off balance: its scale is that of its inertia at 1 m.
         0.0 => third,
         moment => moment,
     };
@@ -167,15 +159,17 @@ impl Unknown {
 }
 
 /// Friction parameters kept where friction is friction.
-pub fn kept_physical(hypothesis: &mut Hypothesis, from: &[Friction<f64>; 3]) {
-    for (friction, given) in hypothesis.robot.friction.iter_mut().zip(from) {
+pub fn kept_physical(hypothesis: &mut Hypothesis, subject: &Subject) {
+    let bounds = &subject.criteria.prior;
+    for (friction, given) in hypothesis.robot.friction.iter_mut().zip(&subject.robot.friction) {
         let f = friction;
-        f.alpha0_v = f.alpha0_v.max(0.02 * given.alpha0_v);
-        f.alpha1_v = f.alpha1_v.max(-0.95 * f.alpha0_v);
+        f.alpha0_v = f.alpha0_v.max(bounds.least_coulomb * given.alpha0_v);
+        f.alpha1_v = f.alpha1_v.max(-bounds.most_stribeck_drop * f.alpha0_v);
         f.alpha2_v_s_per_rad = f.alpha2_v_s_per_rad.max(0.0);
         f.sigma1_v_s_per_rad = f.sigma1_v_s_per_rad.max(0.0);
-        let least_v = 0.2 * given.stribeck_velocity_rad_per_s;
+        let least_v = bounds.least_stribeck_velocity * given.stribeck_velocity_rad_per_s;
         f.stribeck_velocity_rad_per_s = f.stribeck_velocity_rad_per_s.max(least_v);
-        f.sigma0_v_per_rad = f.sigma0_v_per_rad.max(0.1 * given.sigma0_v_per_rad);
+        let least_v_per_rad = bounds.least_bristle_stiffness * given.sigma0_v_per_rad;
+        f.sigma0_v_per_rad = f.sigma0_v_per_rad.max(least_v_per_rad);
     }
 }

@@ -2,18 +2,14 @@
 
 use super::subject::Subject;
 use recordings::Trace;
-use recordings::campaign::{JointTrace, Known};
+use recordings::campaign::JointTrace;
 use recordings::one_joint::{NotDriven, check_driven};
-
-/// Other joints of an arm stand still if they move by less [rad].
-const STILL_RAD: f64 = 0.05;
-/// A log with more of its commands at the limit says little.
-const MOST_AT_LIMIT: f64 = 0.5;
 
 /// The model of one joint does not hold where others of the arm move along.
 pub fn others_move(trace: &Trace, subject: &Subject) -> Option<String> {
     let moves = |joint: &&JointTrace| {
-        !subject.numbers.contains(&joint.number) && span(&joint.q_rad) > STILL_RAD
+        !subject.numbers.contains(&joint.number)
+            && span(&joint.q_rad) > subject.criteria.logs.still_rad
     };
     let other = trace.joints.iter().find(moves)?;
     Some(format!(
@@ -28,7 +24,7 @@ pub fn others_move(trace: &Trace, subject: &Subject) -> Option<String> {
 /// Why a log that can be what it says cannot be judged by a model.
 pub fn cannot_be_judged(trace: &Trace, subject: &Subject) -> Option<String> {
     let of_joint = |joint: &JointTrace| {
-        dead_encoder(joint, subject).or_else(|| mostly_at_the_limit(joint, &subject.known))
+        dead_encoder(joint, subject).or_else(|| mostly_at_the_limit(joint, subject))
     };
     let outside = || {
         let alone = subject.one_joint.then_some(subject.numbers[0])?;
@@ -41,7 +37,6 @@ pub fn cannot_be_judged(trace: &Trace, subject: &Subject) -> Option<String> {
 
 /// An angle that never changes under commands that friction cannot hold.
 fn dead_encoder(joint: &JointTrace, subject: &Subject) -> Option<String> {
-    const SURELY: f64 = 1.5;
     if span(&joint.q_rad) > 0.0 {
         return None;
     }
@@ -49,7 +44,7 @@ fn dead_encoder(joint: &JointTrace, subject: &Subject) -> Option<String> {
     let friction = &subject.robot.friction[subject.joints[place]];
     let level_v = friction.alpha0_v + friction.alpha1_v.max(0.0);
     let span_v = span(&joint.command_v);
-    (span_v > SURELY * 2.0 * level_v).then(|| {
+    (span_v > subject.criteria.logs.stuck_encoder_ratio * 2.0 * level_v).then(|| {
         format!(
             "q{} never changes while u{}_V spans {span_v:.2} V, more than friction holds; the \
              encoder is stuck or not connected",
@@ -58,11 +53,12 @@ fn dead_encoder(joint: &JointTrace, subject: &Subject) -> Option<String> {
     })
 }
 
-fn mostly_at_the_limit(joint: &JointTrace, known: &Known) -> Option<String> {
-    let edge_v = known.command_limit_v - 1.5 * known.command_step_v;
+fn mostly_at_the_limit(joint: &JointTrace, subject: &Subject) -> Option<String> {
+    let (known, criteria) = (&subject.known, &subject.criteria.logs);
+    let edge_v = known.command_limit_v - criteria.limit_steps * known.command_step_v;
     let at_limit = joint.command_v.iter().filter(|u| u.abs() >= edge_v).count();
     let share = at_limit as f64 / joint.command_v.len().max(1) as f64;
-    (share > MOST_AT_LIMIT).then(|| {
+    (share > criteria.most_at_limit).then(|| {
         format!(
             "joint {} is at its limit for {:.0} % of the time; record it with less motion",
             joint.number,

@@ -1,27 +1,24 @@
 //! The encoder's step where no file tells it: the smallest step that the angles make.
 
+use crate::criteria::LogCriteria;
 use recordings::Trace;
 use recordings::campaign::Known;
 
-/// Steps below this part of the usual one are rounding of the file.
-const ROUNDING: f64 = 1e-3;
-
 /// Fills in the encoder's step from logs in radians, where it is not known.
-pub fn find(known: &mut Known, traces: &[Trace]) {
+pub fn find(known: &mut Known, traces: &[Trace], criteria: &LogCriteria) {
     if known.encoder_step_rad > 0.0 {
         return;
     }
     let columns = traces.iter().flat_map(|trace| &trace.joints);
     let columns = columns.filter(|joint| known.joints.contains(&joint.number));
-    let smallest =
-        columns.filter_map(|joint| smallest_step(&joint.q_rad)).fold(f64::INFINITY, f64::min);
-    if smallest.is_finite() {
+    let steps = columns.filter_map(|joint| smallest_step(&joint.q_rad, criteria.rounding_part));
+    if let Some(smallest) = steps.min_by(f64::total_cmp) {
         known.encoder_step_rad = smallest;
     }
 }
 
-/// The smallest step from sample to sample that is no rounding; `None` where nothing moves.
-fn smallest_step(q_rad: &[f64]) -> Option<f64> {
+/// The smallest step from sample to sample that is no rounding, of the median step; `None` where nothing moves.
+fn smallest_step(q_rad: &[f64], rounding_part: f64) -> Option<f64> {
     let steps = q_rad.windows(2).map(|pair| (pair[1] - pair[0]).abs());
     let mut steps: Vec<f64> = steps.filter(|&step| step > 1e-12 && step.is_finite()).collect();
     let middle = steps.len() / 2;
@@ -29,7 +26,7 @@ fn smallest_step(q_rad: &[f64]) -> Option<f64> {
         return None;
     }
     let usual = *steps.select_nth_unstable_by(middle, f64::total_cmp).1;
-    steps.into_iter().filter(|&step| step > ROUNDING * usual).min_by(f64::total_cmp)
+    steps.into_iter().filter(|&step| step > rounding_part * usual).min_by(f64::total_cmp)
 }
 
 #[cfg(test)]
@@ -43,7 +40,7 @@ mod tests {
             ((2.0 * (0.02 * f64::from(k)).sin() / step).round() * step * 1e8).round() / 1e8
         };
         let q: Vec<f64> = (0..2000).map(rounded).collect();
-        assert!((smallest_step(&q).unwrap() / step - 1.0).abs() < 1e-4);
-        assert_eq!(smallest_step(&[0.5; 9]), None);
+        assert!((smallest_step(&q, 1e-3).unwrap() / step - 1.0).abs() < 1e-4);
+        assert_eq!(smallest_step(&[0.5; 9], 1e-3), None);
     }
 }

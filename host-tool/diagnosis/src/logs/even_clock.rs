@@ -1,5 +1,7 @@
 //! Unevenly sampled signals on an even clock.
 
+use crate::criteria::LogCriteria;
+
 /// Samples at their own times, and the even clock they are brought to.
 #[derive(Clone, Debug)]
 pub struct EvenClock<'a> {
@@ -7,23 +9,22 @@ pub struct EvenClock<'a> {
     period_s: f64,
     count: usize,
     even: bool,
+    missing_sample_periods: f64,
 }
-
-/// Part of a period by which samples may miss an even clock and still count as even.
-const EVEN: f64 = 0.02;
 
 impl<'a> EvenClock<'a> {
     /// A clock over strictly increasing times, at least two of them.
-    pub fn over(time_s: &'a [f64], typical_period_s: f64) -> Self {
+    pub fn over(time_s: &'a [f64], typical_period_s: f64, criteria: &LogCriteria) -> Self {
         let span_s = time_s[time_s.len() - 1] - time_s[0];
         let intervals = (span_s / typical_period_s).round().max(1.0);
         // The mean of this stretch: a typical period is rounded, which adds up.
         let period_s = span_s / intervals;
         let count = intervals as usize + 1;
-        let miss = |(k, t): (usize, &f64)| (t - time_s[0] - k as f64 * period_s).abs();
-        let worst = time_s.iter().enumerate().map(miss).fold(0.0, f64::max);
-        let even = count == time_s.len() && worst < EVEN * period_s;
-        Self { time_s, period_s, count, even }
+        let offset = |(k, t): (usize, &f64)| (t - time_s[0] - k as f64 * period_s).abs();
+        let worst = time_s.iter().enumerate().map(offset).fold(0.0, f64::max);
+        let even = count == time_s.len() && worst < criteria.even_part * period_s;
+        let missing_sample_periods = criteria.missing_sample_periods;
+        Self { time_s, period_s, count, even, missing_sample_periods }
     }
 
     /// The even period [s].
@@ -81,7 +82,11 @@ impl<'a> EvenClock<'a> {
     /// What acts on average between sample k and the next.
     fn value(&self, signal: &[f64], k: usize) -> f64 {
         let gap = self.time_s[k + 1] - self.time_s[k];
-        if gap > 1.6 * self.period_s { 0.5 * (signal[k] + signal[k + 1]) } else { signal[k] }
+        if gap > self.missing_sample_periods * self.period_s {
+            0.5 * (signal[k] + signal[k + 1])
+        } else {
+            signal[k]
+        }
     }
 
     /// Integral from the first sample to each.
@@ -120,7 +125,7 @@ mod tests {
         let all: Vec<f64> = (0..2000).map(at).collect();
         let some: Vec<f64> = (0..2000).filter(|k| k % 10 != 7).map(at).collect();
         let swing = |t: &f64| (6.0 * t).sin();
-        let clock = EvenClock::over(&some, 1e-3);
+        let clock = EvenClock::over(&some, 1e-3, &LogCriteria::default());
         let filled = clock.smooth(&some.iter().map(swing).collect::<Vec<_>>());
         let error = all.iter().zip(&filled).map(|(t, q)| (swing(t) - q).abs()).fold(0.0, f64::max);
         assert!(filled.len() == 2000 && error < 1e-5, "{error:e}");
@@ -129,7 +134,7 @@ mod tests {
     #[test]
     fn a_held_command_keeps_its_area() {
         let times = [0.0, 0.0008, 0.002, 0.0031, 0.004, 0.005];
-        let clock = EvenClock::over(&times, 1e-3);
+        let clock = EvenClock::over(&times, 1e-3, &LogCriteria::default());
         let mean = clock.held_mean(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
         assert!((mean[0] - 1.2).abs() < 1e-12 && (mean[1] - 2.0).abs() < 1e-12, "{mean:?}");
     }

@@ -1,7 +1,7 @@
 //! Unbroken motion with its commands, prepared once for all models that are tried.
 //!
-//! A command acts over the interval from its sample to the next. So everything that the
-//! motor feels belongs to intervals, and accelerations belong to samples: the second
+//! A command acts over the interval from its sample to the next. So everything that
+//! drives the motor belongs to intervals, and accelerations belong to samples: the second
 //! difference of sampled positions is exactly the mean of the accelerations in the two
 //! intervals about it, whatever the frequency.
 
@@ -11,6 +11,7 @@ use std::ops::Range;
 
 use super::even_clock::EvenClock;
 use super::subject::Subject;
+use crate::criteria::LogCriteria;
 use files::Role;
 use recordings::{Trace, unbroken};
 use signal::{LowPass, derivative};
@@ -56,31 +57,17 @@ pub struct Stretch {
     pub postures: Vec<Posture<f64>>,
     /// Whether the commands drive the joints at high frequencies.
     pub broadband: bool,
-    /// First sample of each joint from which the bend of its friction is known.
+    /// First sample of each joint from which the bend of its bristles is known.
     pub settled: [usize; 3],
 }
-
-/// Shortest stretch that is used [s].
-const SHORTEST_S: f64 = 1.5;
-/// Gaps of fewer periods are filled, longer ones end a stretch.
-const LONGEST_GAP_PERIODS: f64 = 10.0;
-/// Under driven noise one missing sample ends a stretch: nobody knows what was put out then.
-const LONGEST_BROADBAND_GAP_PERIODS: f64 = 1.6;
-/// Highest cut-off of positions where they enter products and friction [Hz]. What encoder
-/// steps add to the velocity blurs friction around reversals; what a filter takes away is
-/// missed where noise drives the joints.
-const CALM_CUTOFF_HZ: f64 = 90.0;
-const BROADBAND_CUTOFF_HZ: f64 = 200.0;
-
-/// What is faster is hardly seen from sample to sample, in parts of the sampling rate.
-const FAST: f64 = 0.2;
 
 impl Stretch {
     /// The stretches of a log that holds all joints of the rig.
     pub fn of(trace: &Trace, log: usize, subject: &Subject) -> Vec<Self> {
+        let criteria = &subject.criteria.logs;
         let whole = |longest: f64| {
             let is_long = |range: &Range<usize>| {
-                trace.time_s[range.end - 1] - trace.time_s[range.start] >= SHORTEST_S
+                trace.time_s[range.end - 1] - trace.time_s[range.start] >= criteria.shortest_s
             };
             unbroken(&trace.time_s, longest * trace.period_s)
                 .into_iter()
@@ -88,19 +75,16 @@ impl Stretch {
                 .map(|range| Self::of_range(trace, log, subject, range))
                 .collect::<Vec<Self>>()
         };
-        let stretches = whole(LONGEST_GAP_PERIODS);
+        let stretches = whole(criteria.longest_gap_periods);
         match stretches.iter().any(|stretch| stretch.broadband) {
-            true => whole(LONGEST_BROADBAND_GAP_PERIODS),
+            true => whole(criteria.missing_sample_periods),
             false => stretches,
         }
     }
 
-    /// Root mean square of a command (joint 0 to 2) above a fifth of the sampling rate [V].
-    pub fn fast_command_v(&self, joint: usize) -> f64 {
-        let command_v = &self.command_v[joint];
-        let slow = LowPass::new(FAST / self.period_s, self.period_s).zero_phase(command_v);
-        let fast: Vec<f64> = command_v.iter().zip(&slow).map(|(u, s)| u - s).collect();
-        signal::rms(&fast)
+    /// Root mean square of a command (joint 0 to 2) above this part of the sampling rate [V].
+    pub fn fast_command_v(&self, joint: usize, fast_part: f64) -> f64 {
+        rms_above(&self.command_v[joint], self.period_s, fast_part / self.period_s)
     }
 
     /// Its duration [s].
@@ -110,7 +94,7 @@ impl Stretch {
 
     fn of_range(trace: &Trace, log: usize, subject: &Subject, range: Range<usize>) -> Self {
         let time_s = &trace.time_s[range.clone()];
-        let clock = EvenClock::over(time_s, trace.period_s);
+        let clock = EvenClock::over(time_s, trace.period_s, &subject.criteria.logs);
         let period_s = clock.period_s();
         let mut stretch = Self {
             log,
@@ -128,15 +112,13 @@ impl Stretch {
             let Some(columns) = trace.joint(number) else { continue };
             let q = clock.smooth(&columns.q_rad[range.clone()]);
             let command = clock.held_mean(&columns.command_v[range.clone()]);
-            stretch.broadband |= is_broadband(&command, period_s);
+            stretch.broadband |= is_broadband(&command, period_s, &subject.criteria.logs);
             stretch.settled[joint] = settled(&q, subject, joint);
             angles[joint] = q;
             stretch.command_v[joint] = command;
         }
-        let highest_hz = if stretch.broadband { BROADBAND_CUTOFF_HZ } else { CALM_CUTOFF_HZ };
         for &joint in subject.joints.iter().filter(|&&joint| !angles[joint].is_empty()) {
-            let step_rad = subject.known.encoder_step_rad;
-            let cutoff_hz = motion_cutoff_hz(&angles[joint], period_s, step_rad, highest_hz);
+            let cutoff_hz = motion_cutoff_hz(&angles[joint], period_s, stretch.broadband, subject);
             stretch.motion.set(joint, &angles[joint], period_s, cutoff_hz);
         }
         stretch.fill_absent();
@@ -202,16 +184,17 @@ impl Kinematics {
     }
 }
 
-/// Cut-off that keeps what the encoder's steps add to the velocity to a hundredth of it.
-fn motion_cutoff_hz(q_rad: &[f64], period_s: f64, step_rad: f64, highest_hz: f64) -> f64 {
-    const SHARE: f64 = 0.01;
-    const LOWEST_HZ: f64 = 8.0;
-    let highest_hz = highest_hz.min(FAST / period_s);
+/// Cut-off that keeps what the encoder's steps add to the velocity to a small part of it.
+fn motion_cutoff_hz(q_rad: &[f64], period_s: f64, broadband: bool, subject: &Subject) -> f64 {
+    let criteria = &subject.criteria.logs;
+    let highest_hz = if broadband { criteria.broadband_cutoff_hz } else { criteria.calm_cutoff_hz };
+    let highest_hz = highest_hz.min(criteria.fast_part / period_s);
     let speed = signal::rms(&derivative::first(q_rad, period_s));
-    let noise_rad = step_rad / 12f64.sqrt();
+    let noise_rad = subject.known.encoder_step_rad / 12f64.sqrt();
     // Noise of the velocity up to f: 2 pi noise sqrt(2 period / 3) f^(3/2).
     let unit = std::f64::consts::TAU * noise_rad * (2.0 * period_s / 3.0).sqrt();
-    (SHARE * speed / unit).powf(2.0 / 3.0).clamp(LOWEST_HZ.min(highest_hz), highest_hz)
+    let wanted_hz = (criteria.velocity_noise_part * speed / unit).powf(2.0 / 3.0);
+    wanted_hz.clamp(criteria.lowest_cutoff_hz.min(highest_hz), highest_hz)
 }
 
 fn second_difference(q_rad: &[f64], period_s: f64) -> Vec<f64> {
@@ -223,25 +206,27 @@ fn second_difference(q_rad: &[f64], period_s: f64) -> Vec<f64> {
     (0..q_rad.len()).map(at).collect()
 }
 
-/// Whether a twentieth of a command lies above 50 Hz.
-fn is_broadband(command_v: &[f64], period_s: f64) -> bool {
-    const ABOVE_HZ: f64 = 50.0;
-    const SHARE: f64 = 0.05;
-    if period_s * ABOVE_HZ > 0.2 {
-        return false;
-    }
-    let slow = LowPass::new(ABOVE_HZ, period_s).zero_phase(command_v);
-    let fast: Vec<f64> = command_v.iter().zip(&slow).map(|(u, s)| u - s).collect();
-    let rms = signal::rms;
-    rms(&fast) > SHARE * rms(command_v)
+/// Whether a good part of a command lies at high frequencies.
+fn is_broadband(command_v: &[f64], period_s: f64, criteria: &LogCriteria) -> bool {
+    let above_hz = criteria.broadband_above_hz;
+    period_s * above_hz <= criteria.fast_part
+        && rms_above(command_v, period_s, above_hz)
+            > criteria.broadband_part * signal::rms(command_v)
 }
 
-/// The first sample when a joint has come so far that its friction no longer remembers
-/// how it was bent: five times the largest bend. A joint that never does counts from 1 s.
+/// Root mean square of what a signal has above a frequency.
+fn rms_above(signal: &[f64], period_s: f64, frequency_hz: f64) -> f64 {
+    let slow = LowPass::new(frequency_hz, period_s).zero_phase(signal);
+    let fast: Vec<f64> = signal.iter().zip(&slow).map(|(u, s)| u - s).collect();
+    signal::rms(&fast)
+}
+
+/// The first sample when a joint has come so far that its friction no longer depends on how its
+/// bristles were bent before. A joint that never comes so far counts from its first sample.
 fn settled(q_rad: &[f64], subject: &Subject, joint: usize) -> usize {
     let friction = &subject.robot.friction[joint];
     let level_v = friction.alpha0_v + friction.alpha1_v.max(0.0);
-    let path_rad = 5.0 * level_v / friction.sigma0_v_per_rad;
+    let path_rad = subject.criteria.logs.settled_bends * level_v / friction.sigma0_v_per_rad;
     let gone = |q: &f64| (q - q_rad[0]).abs() > path_rad;
     q_rad.iter().position(gone).unwrap_or(0)
 }

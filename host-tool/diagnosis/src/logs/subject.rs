@@ -6,12 +6,13 @@
 use model::base::COUNT;
 use model::{HANGING_RAD, Robot};
 
+use crate::criteria::Criteria;
 use files::{FileError, RobotFile};
 use recordings::Campaign;
 use recordings::campaign::Known;
 use rig::effects::{Catalogue, Definition, EffectError};
 
-/// The joint of the arm that stands for the only joint of a rig.
+/// The joint of the arm that takes the place of the only joint of a rig.
 const ONLY: usize = 2;
 /// Inertia of joints that do not move [kg m^2].
 const IMMOVABLE_KG_M2: f64 = 1e6;
@@ -35,6 +36,8 @@ pub struct Subject {
     pub known: Known,
     /// Whether the model tells the stiffness of its bristles.
     pub bristles_known: bool,
+    /// The thresholds by which it is diagnosed.
+    pub criteria: Criteria,
 }
 
 impl Subject {
@@ -48,7 +51,11 @@ impl Subject {
     ///
     /// # Errors
     /// The model lacks a parameter, or holds an effect that is none.
-    pub fn of(campaign: &Campaign, catalogue: &Catalogue) -> Result<Self, SubjectError> {
+    pub fn of(
+        campaign: &Campaign,
+        catalogue: &Catalogue,
+        criteria: &Criteria,
+    ) -> Result<Self, SubjectError> {
         let file = &campaign.robot_file;
         let one_joint = file.is_pendulum();
         let robot = if one_joint { file.as_third_joint(IMMOVABLE_KG_M2)? } else { file.robot()? };
@@ -64,6 +71,7 @@ impl Subject {
             bristles_known: !one_joint
                 || file.friction_table(numbers[0])?.sigma0_v_per_rad.is_some(),
             numbers,
+            criteria: criteria.clone(),
         };
         for table in &file.effects {
             let (definition, values) = catalogue.definition_and_values(table)?;
@@ -84,8 +92,8 @@ impl Subject {
         if self.one_joint && outer > 0 { ONLY as u8 + 1 } else { outer }
     }
 
-    /// The model file with a retuned robot in it.
-    pub fn retuned_file(&self, file: &RobotFile, robot: &Robot<f64>) -> RobotFile {
+    /// The model file with a refitted robot in it.
+    pub fn refitted_file(&self, file: &RobotFile, robot: &Robot<f64>) -> RobotFile {
         if !self.one_joint {
             return file.clone().with_model(robot.base, &robot.friction);
         }

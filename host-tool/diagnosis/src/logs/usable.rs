@@ -2,6 +2,7 @@
 
 use super::stretch::Stretch;
 use super::subject::Subject;
+use crate::criteria::LogCriteria;
 use crate::logs::checks::{cannot_be_judged, others_move};
 use files::Role;
 use recordings::campaign::JointTrace;
@@ -16,11 +17,6 @@ pub struct Usable {
     /// What a reader must know.
     pub remarks: Vec<String>,
 }
-
-/// Part of a log that is held out where no log is.
-const HELD_OUT: f64 = 0.3;
-/// A log must be so long that a part of it can be held out [s].
-const SHORTEST_TO_PART_S: f64 = 6.0;
 
 impl Usable {
     /// The logs of a campaign that hold all joints of the rig and can be what they say.
@@ -42,7 +38,7 @@ impl Usable {
         if usable.stretches.is_empty() {
             return Err(refusal.unwrap_or_else(|| no_log(campaign)));
         }
-        usable.hold_some_out()?;
+        usable.hold_some_out(&subject.criteria.logs)?;
         Ok(usable)
     }
 
@@ -67,7 +63,7 @@ impl Usable {
         }
         trace.joints.retain(|joint| subject.numbers.contains(&joint.number));
         for joint in &mut trace.joints {
-            self.remarks.extend(unwrap(&trace.file, joint));
+            self.remarks.extend(unwrap(&trace.file, joint, &subject.criteria.logs));
         }
         let remarks = examine(&trace, &subject.known)?;
         if let Some(why) = cannot_be_judged(&trace, subject) {
@@ -82,26 +78,27 @@ impl Usable {
                     .into(),
             ));
         }
-        self.remarks.extend(lost(&trace, &stretches));
+        self.remarks.extend(lost(&trace, &stretches, &subject.criteria.logs));
         Ok(stretches)
     }
 
     /// Parts every stretch where there are only train logs or none.
-    fn hold_some_out(&mut self) -> Result<(), StepError> {
+    fn hold_some_out(&mut self, criteria: &LogCriteria) -> Result<(), StepError> {
         let roles: Vec<Role> = self.stretches.iter().map(|stretch| stretch.role).collect();
         let missing = match (roles.contains(&Role::Train), roles.contains(&Role::Holdout)) {
             (true, true) => return Ok(()),
             (true, false) => "is held out",
             _ => "is for training",
         };
-        let parted: Vec<Stretch> =
-            std::mem::take(&mut self.stretches).into_iter().flat_map(parted).collect();
+        let whole = std::mem::take(&mut self.stretches).into_iter();
+        let parted: Vec<Stretch> = whole.flat_map(|stretch| parted(stretch, criteria)).collect();
         if !parted.iter().any(|stretch| stretch.role == Role::Holdout) {
             return Err(StepError::Numerical {
                 step: "diagnosis",
                 what: format!(
                     "no log {missing}, and none is long enough to be parted; record one of \
-                     {SHORTEST_TO_PART_S} s or more"
+                     {} s or more",
+                    criteria.shortest_to_part_s
                 ),
             });
         }
@@ -109,7 +106,7 @@ impl Usable {
         self.remarks.push(format!(
             "no log {missing}, so the last {:.0} % of each log are held out; a log of another \
              motion would say more",
-            100.0 * HELD_OUT
+            100.0 * criteria.held_out_part
         ));
         Ok(())
     }
@@ -124,35 +121,34 @@ fn no_log(campaign: &Campaign) -> StepError {
 }
 
 /// What is said where gaps cost a good part of a log.
-fn lost(trace: &Trace, stretches: &[Stretch]) -> Option<String> {
-    const WORTH_TELLING: f64 = 0.9;
+fn lost(trace: &Trace, stretches: &[Stretch], criteria: &LogCriteria) -> Option<String> {
     let whole_s = trace.time_s.last()? - trace.time_s.first()?;
     let used_s: f64 = stretches.iter().map(Stretch::duration_s).sum();
-    (used_s < WORTH_TELLING * whole_s).then(|| {
+    (used_s < criteria.remark_below_part * whole_s).then(|| {
         format!("{}: gaps leave {used_s:.1} s of {whole_s:.1} s that can be used", trace.file)
     })
 }
 
 /// A stretch as one to train on and one held out, where it is long enough.
-fn parted(stretch: Stretch) -> Vec<Stretch> {
-    if stretch.duration_s() < SHORTEST_TO_PART_S {
+fn parted(stretch: Stretch, criteria: &LogCriteria) -> Vec<Stretch> {
+    if stretch.duration_s() < criteria.shortest_to_part_s {
         return vec![Stretch { role: Role::Train, ..stretch }];
     }
-    let cut = ((1.0 - HELD_OUT) * stretch.len() as f64) as usize;
+    let cut = ((1.0 - criteria.held_out_part) * stretch.len() as f64) as usize;
     let train = Stretch { role: Role::Train, ..stretch.part(0..cut) };
     let holdout = Stretch { role: Role::Holdout, ..stretch.part(cut..stretch.len()) };
     vec![train, holdout]
 }
 
 /// Takes out the jumps of an encoder that wraps after a turn.
-fn unwrap(file: &str, joint: &mut JointTrace) -> Option<String> {
+fn unwrap(file: &str, joint: &mut JointTrace, criteria: &LogCriteria) -> Option<String> {
     use std::f64::consts::{PI, TAU};
     let (mut turns, mut wraps) = (0.0, 0);
     for k in 1..joint.q_rad.len() {
         let step = joint.q_rad[k] + turns - joint.q_rad[k - 1];
         if step.abs() > PI && (step.abs() / TAU).fract() - 0.5 != 0.0 {
             let jump = (step / TAU).round() * TAU;
-            if (step - jump).abs() < 0.5 {
+            if (step - jump).abs() < criteria.wrap_tolerance_rad {
                 turns -= jump;
                 wraps += 1;
             }
@@ -177,10 +173,11 @@ mod tests {
             command_v: Vec::new(),
             reference_rad: None,
         };
-        assert!(unwrap("log.csv", &mut joint).unwrap().contains("wraps 3 times"));
+        let criteria = LogCriteria::default();
+        assert!(unwrap("log.csv", &mut joint, &criteria).unwrap().contains("wraps 3 times"));
         let error =
             turning.iter().zip(&joint.q_rad).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(error < 1e-9, "{error}");
-        assert_eq!(unwrap("log.csv", &mut joint), None);
+        assert_eq!(unwrap("log.csv", &mut joint, &criteria), None);
     }
 }

@@ -3,21 +3,28 @@
 use std::collections::BTreeMap;
 
 use super::motion_gap::drift_rms_rad;
-use crate::fit::fit::{fit, fit_held};
+use super::sentence::{effect_words, joint_words};
+use crate::fit::gauss_newton::{fit, fit_held};
 use crate::fit::linearisation::Linearisation;
 use crate::fit::preparation::as_given;
-use crate::fit::residual_stats::PRIOR_PENALTY;
 use crate::fit::residual_stats::ResidualStats;
+use crate::gap_by_axis::gap_by_axis;
+use crate::logs::intervals::at_samples;
 use crate::logs::subject::Subject;
-use crate::report::sentence;
+use crate::result::{
+    Alternative, Cause, Diagnosis, Gap, JointResiduals, Level, LogResiduals, Report, Rival, Value,
+    Verdict,
+};
 use crate::rows::evidence::{Evidence, Rows};
 use crate::rows::noise::NoiseByRate;
-use crate::search::selection::{Rivalry, Selection};
-use crate::trial::voltage::{EffectInstance, Hypothesis, Trial, at_samples};
-use crate::verdict::judgement::{confidence, verdict};
+use crate::search::fitted_model::FittedModel;
+use crate::search::selection::{RejectedCandidate, Selection};
+use crate::trial::equation::Trial;
+use crate::trial::hypothesis::{EffectInstance, Hypothesis};
+use crate::trial::residual_rows::residual_rows;
+use crate::verdict::decision::{confidence, verdict};
 use crate::verdict::shrinkage::{Shrinkage, held_out_floor_v, held_out_rms_v, noise_floor_v};
 use crate::verdict::{detectable, misfit};
-use crate::*;
 use files::{EffectTable, RobotFile};
 use recordings::Trace;
 
@@ -35,30 +42,26 @@ pub struct Assembly<'a> {
     pub noise: NoiseByRate,
 }
 
-/// Steps of a fit without one of the causes.
-const STEPS: usize = 4;
-
 impl Assembly<'_> {
     /// The whole diagnosis.
     pub fn diagnosis(&self, file: &RobotFile, mut remarks: Vec<String>) -> Diagnosis {
-        let verdict = verdict(self.selection);
+        let verdict = verdict(self.selection, &self.subject.criteria);
         let named = verdict == Verdict::Effect;
-        let steps = &self.selection.steps;
-        let given = self.evidence.residual(&as_given(self.subject), &self.evidence.joints);
-        let refitted = self.within_doubt(&steps[0].linear);
-        let last = if named { &steps[steps.len() - 1].linear } else { &refitted };
+        let free = &self.selection.refitted.linear;
+        let given = residual_rows(self.evidence, &as_given(self.subject));
+        let refitted = self.within_prior(free);
+        let last = if named { &self.selection.last().linear } else { &refitted };
         let logs = self.logs(&given, &refitted.residual, &last.residual);
-        let (detectable, untestable) =
-            detectable::detectable(&steps[0].linear, self.evidence, self.subject);
+        let (detectable, untestable) = detectable::detectable(free, self.evidence, self.subject);
         let (causes, alternatives) =
             if named { self.causes(&refitted, last) } else { Default::default() };
-        remarks.extend(misfit::remark(self.subject, self.evidence, &steps[0].linear, verdict));
+        remarks.extend(misfit::remark(self.subject, self.evidence, free, verdict));
         let report = Report {
             format: 1,
             verdict,
             causes,
             alternatives,
-            places: places(&logs),
+            gap_shares: gap_by_axis(&logs, &self.subject.criteria.axes),
             gap: self.gap(&given, &refitted, last),
             untestable,
             detectable,
@@ -66,15 +69,16 @@ impl Assembly<'_> {
         };
         let waterfall = self.waterfall(&given, &refitted, named);
         let model = self.amended(file, &last.hypothesis);
-        let catalogue = self.subject.catalogue.clone();
-        Diagnosis { report, logs, waterfall, rivals: self.rivals(named), model, catalogue }
+        let (catalogue, criteria) = (self.subject.catalogue.clone(), self.subject.criteria.clone());
+        let rivals = self.rivals(named);
+        Diagnosis { report, logs, waterfall, rivals, model, catalogue, criteria }
     }
 
-    /// The refitted model, its parameters no further than three deviations from what is
-    /// known of them: what a model's own doubt can explain, and no more.
-    fn within_doubt(&self, free: &Linearisation) -> Linearisation {
-        let rest = ResidualStats::of(self.evidence, free);
-        let held = (rest.prior_penalty > PRIOR_PENALTY)
+    /// The refitted model, its parameters no further from the model as given than the prior
+    /// allows: what the uncertainty of that model can explain, and no more.
+    fn within_prior(&self, free: &Linearisation) -> Linearisation {
+        let stats = ResidualStats::of(self.evidence, free);
+        let held = (stats.prior_penalty > self.subject.criteria.fit.unexplained_prior_penalty)
             .then(|| fit_held(self.evidence, self.subject, free.hypothesis.clone()))
             .flatten();
         held.unwrap_or_else(|| free.clone())
@@ -97,14 +101,14 @@ impl Assembly<'_> {
             rms_v: held_out_rms_v(self.evidence, rows),
         };
         let mut levels = vec![level("as given", given), level("refitted", &refitted.residual)];
-        for step in self.selection.steps.iter().skip(1).filter(|_| named) {
+        for step in self.selection.added.iter().filter(|_| named) {
             let Some(effect) = step.linear.hypothesis.effects.last() else { continue };
             let name = format!(
                 "with {}, {}",
-                sentence::effect_words(effect.definition.name),
-                sentence::joint_words(self.subject.outer_joint(effect.joint))
+                effect_words(effect.definition.name),
+                joint_words(self.subject.outer_joint(effect.joint))
             );
-            levels.push(level(&name, &self.within_doubt(&step.linear).residual));
+            levels.push(level(&name, &self.within_prior(&step.linear).residual));
         }
         let rms_v = held_out_floor_v(self.evidence, &self.noise);
         levels.push(Level { name: "noise".into(), rms_v });
@@ -147,74 +151,72 @@ impl Assembly<'_> {
         (causes, alternatives)
     }
 
-    /// The model without one of its causes, within its doubt.
+    /// The model without one of its causes, within the prior.
     fn without(&self, last: &Linearisation, index: usize) -> Option<Linearisation> {
         let mut hypothesis = last.hypothesis.clone();
         hypothesis.effects.remove(index);
-        let free = fit(self.evidence, self.subject, hypothesis, STEPS)?;
-        Some(self.within_doubt(&free))
+        let steps = self.subject.criteria.verdict.without_cause_steps;
+        let free = fit(self.evidence, self.subject, hypothesis, steps)?;
+        Some(self.within_prior(&free))
     }
 
     fn rivals(&self, named: bool) -> Vec<Rival> {
-        let steps = &self.selection.steps;
-        let rival = |rivalry: &Rivalry| {
-            let before = &steps[rivalry.round.min(steps.len() - 1)].rest;
+        let rival = |rejected: &RejectedCandidate| {
+            let before = &self.selection.before(rejected.round).stats;
             let explained = match before.excess > 0.0 {
-                true => 1.0 - rivalry.rest.excess / before.excess,
-                false => 1.0 - rivalry.rest.prior_penalty / before.prior_penalty.max(1.0),
+                true => 1.0 - rejected.stats.excess / before.excess,
+                false => 1.0 - rejected.stats.prior_penalty / before.prior_penalty.max(1.0),
             };
-            Rival {
-                effect: rivalry.candidate.effect.definition.name.into(),
-                joint: self.subject.outer_joint(rivalry.candidate.effect.joint),
-                parameters: parameters(&rivalry.candidate.effect),
-                explained: explained.clamp(0.0, 1.0),
-                why: self.why_lost(rivalry, named),
-            }
+            self.rival(&rejected.effect, explained, self.why_rejected(rejected, named))
         };
-        let mut rivals: Vec<Rival> = self.selection.rivals.iter().map(rival).collect();
+        let mut rivals: Vec<Rival> = self.selection.rejected.iter().map(rival).collect();
         if !named {
-            rivals.extend(self.taken_in_vain());
+            rivals.extend(self.insufficient());
         }
         rivals.sort_by(|a, b| b.explained.total_cmp(&a.explained));
         rivals
     }
 
-    fn why_lost(&self, rivalry: &Rivalry, named: bool) -> String {
-        let steps = &self.selection.steps;
-        let left = format!("leaves up to {:.1} times the noise", rivalry.rest.worst());
-        let Some(step) = steps.get(rivalry.round + 1).filter(|_| named) else { return left };
-        let Some(taken) = step.linear.hypothesis.effects.last() else { return left };
-        let ratio = (rivalry.rest.rows / step.rest.rows).sqrt();
+    fn rival(&self, effect: &EffectInstance, explained: f64, why: String) -> Rival {
+        Rival {
+            effect: effect.definition.name.into(),
+            joint: self.subject.outer_joint(effect.joint),
+            parameters: parameters(effect),
+            explained: explained.clamp(0.0, 1.0),
+            why,
+        }
+    }
+
+    fn why_rejected(&self, rejected: &RejectedCandidate, named: bool) -> String {
+        let left = format!("leaves up to {:.1} times the noise", rejected.stats.worst());
+        let Some(model) = self.selection.added.get(rejected.round).filter(|_| named) else {
+            return left;
+        };
+        let Some(added) = model.linear.hypothesis.effects.last() else { return left };
+        let ratio = (rejected.stats.squares / model.stats.squares).sqrt();
         format!(
             "{left}, in all {ratio:.1} times what {} leaves",
-            sentence::effect_words(taken.definition.name)
+            effect_words(added.definition.name)
         )
     }
 
-    /// Effects that were taken, but did not explain enough to be named.
-    fn taken_in_vain(&self) -> Vec<Rival> {
-        let first = &self.selection.steps[0].rest;
-        let rival = |step: &selection::Step| {
-            let effect = step.linear.hypothesis.effects.last()?;
-            Some(Rival {
-                effect: effect.definition.name.into(),
-                joint: self.subject.outer_joint(effect.joint),
-                parameters: parameters(effect),
-                explained: (1.0 - step.rest.excess / first.excess.max(1.0)).clamp(0.0, 1.0),
-                why: format!(
-                    "even with it, up to {:.1} times the noise are left",
-                    step.rest.worst()
-                ),
-            })
+    /// Effects that were added, but do not explain enough to be named.
+    fn insufficient(&self) -> Vec<Rival> {
+        let gap = &self.selection.refitted.stats;
+        let rival = |model: &FittedModel| {
+            let effect = model.linear.hypothesis.effects.last()?;
+            let left = model.stats.worst();
+            let why = format!("even with it, up to {left:.1} times the noise are left");
+            Some(self.rival(effect, 1.0 - model.stats.excess / gap.excess.max(1.0), why))
         };
-        self.selection.steps.iter().skip(1).filter_map(rival).collect()
+        self.selection.added.iter().filter_map(rival).collect()
     }
 
     fn logs(&self, given: &Rows, refitted: &Rows, last: &Rows) -> Vec<LogResiduals> {
-        let hypothesis = &self.selection.steps[0].linear.hypothesis;
+        let hypothesis = &self.selection.refitted.linear.hypothesis;
         let of_stretch = |s: usize| {
             let stretch = &self.evidence.stretches[s];
-            let trial = Trial::of(stretch, hypothesis);
+            let trial = Trial::of(stretch, hypothesis, &self.subject.criteria.fit);
             let filter = self.evidence.filter(self.evidence.joints[0], s);
             let instants: Vec<usize> = filter.instants(stretch.len()).collect();
             let joint = |(&joint, &number): (&usize, &u8)| {
@@ -256,7 +258,7 @@ impl Assembly<'_> {
 
     /// The model file with refitted parameters and the effects.
     fn amended(&self, file: &RobotFile, hypothesis: &Hypothesis) -> RobotFile {
-        let mut amended = self.subject.retuned_file(file, &hypothesis.robot);
+        let mut amended = self.subject.refitted_file(file, &hypothesis.robot);
         amended.effects = hypothesis
             .effects
             .iter()

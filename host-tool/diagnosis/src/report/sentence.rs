@@ -1,7 +1,7 @@
 //! A diagnosis in one sentence, and effects in words.
 
 use crate::quantity::{number, quantity, split_unit, volts};
-use crate::{Axis, Cause, Diagnosis, Place, Value, Verdict};
+use crate::result::{Axis, Cause, Diagnosis, GapShare, Value, Verdict};
 use rig::effects::{Catalogue, Kind, Parameter};
 
 use std::collections::BTreeMap;
@@ -112,8 +112,7 @@ fn no_gap(diagnosis: &Diagnosis) -> String {
     let joint = joints.get(index).copied().unwrap_or(0);
     let (given_v, left_v) = (gap.as_given_v[index], gap.refitted_v[index]);
     let floor = volts(gap.noise_floor_v[index]);
-    const WORTH_REFITTING: f64 = 1.5;
-    if given_v > WORTH_REFITTING * left_v {
+    if given_v > diagnosis.criteria.verdict.worth_refitting * left_v {
         let (given, left) = (volts(given_v), volts(left_v));
         return format!(
             "No gap above the noise once the model is refitted: that takes joint {joint} from \
@@ -132,11 +131,11 @@ fn unexplained(diagnosis: &Diagnosis) -> String {
     let joints = joint_numbers(diagnosis);
     let mut text = match size.and_then(|(index, excess_v)| Some((joints.get(index)?, excess_v))) {
         Some((joint, excess_v)) => {
-            let place = report.places.iter().find(|place| place.joint == *joint);
+            let share = report.gap_shares.iter().find(|share| share.joint == *joint);
             format!(
                 "A gap of {} on joint {joint} that nothing in the catalogue explains{}.",
                 volts(excess_v),
-                place.map_or_else(String::new, |place| format!("; {}", varies(place)))
+                share.map_or_else(String::new, |share| format!("; {}", varies(share)))
             )
         }
         None => "A gap that nothing in the catalogue explains.".into(),
@@ -148,15 +147,15 @@ fn unexplained(diagnosis: &Diagnosis) -> String {
 }
 
 /// "it varies with position: order 8 per revolution", or what the detail says by itself.
-fn varies(place: &Place) -> String {
-    let detail = &place.detail;
+fn varies(share: &GapShare) -> String {
+    let detail = &share.detail;
     let begins = |words: &[&str]| words.iter().any(|word| detail.starts_with(word));
     if begins(&["varies", "grows", "falls"]) {
         format!("it {detail}")
     } else if begins(&["proportional", "even", "odd", "constant"]) {
         format!("it is {detail}")
     } else {
-        format!("it varies with {}: {detail}", axis_words(place.axis))
+        format!("it varies with {}: {detail}", axis_words(share.axis))
     }
 }
 

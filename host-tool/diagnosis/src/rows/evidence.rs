@@ -2,12 +2,10 @@
 
 use std::sync::OnceLock;
 
-use rayon::prelude::*;
-
 use super::noise::{Noise, NoiseByRate};
 use super::row_filter::RowFilter;
+use crate::criteria::Criteria;
 use crate::logs::stretch::Stretch;
-use crate::trial::voltage::{Hypothesis, Trial};
 use files::Role;
 
 /// Stretches with the filters and weights of their rows.
@@ -25,30 +23,40 @@ pub struct Evidence {
     steps_v: [Vec<f64>; 3],
     /// Stretches of train logs.
     train: usize,
+    /// The thresholds by which models are compared.
+    pub criteria: Criteria,
     /// Rows of the regressor along the measured motion, by stretch and joint, once asked for.
     regressors: Vec<[OnceLock<Columns>; 3]>,
 }
 
-/// Columns of rows, one per base parameter, empty where it does not count.
-pub type Columns = Vec<Vec<f64>>;
+/// Columns of a joint's rows, one per base parameter; none where the joint does not depend on it.
+pub type Columns = Vec<Option<Vec<f64>>>;
 
-/// Rows of the three joints, each in units of its noise; empty where a joint has none.
+/// Rows of the arm's three joints, each in units of its noise. A joint that the rig lacks has no
+/// row.
 pub type Rows = [Vec<f64>; 3];
 
-/// Part of a command too fast for the sampling that is not accounted for, per second between
-/// samples: how the joint moves meanwhile is not known, nor what its friction does.
-const BETWEEN_SAMPLES_PER_S: f64 = 10.0;
+/// Change of the rows of each joint, those held out last or not at all; none where a joint's rows
+/// do not change.
+pub type RowChange = [Option<Vec<f64>>; 3];
 
 impl Evidence {
     /// Stretches as rows that are white for this noise.
-    pub fn new(mut stretches: Vec<Stretch>, joints: Vec<usize>, noise: &NoiseByRate) -> Self {
+    pub fn new(
+        mut stretches: Vec<Stretch>,
+        joints: Vec<usize>,
+        noise: &NoiseByRate,
+        criteria: &Criteria,
+    ) -> Self {
+        let of_rows = &criteria.rows;
         stretches.sort_by_key(|stretch| stretch.role == Role::Holdout);
         let train = stretches.iter().filter(|s| s.role == Role::Train).count();
         let filters = [0, 1, 2].map(|joint| {
             let filter = |s: &Stretch| {
-                let corner_hz =
-                    noise.of(joint, s.period_s).corner_hz().clamp(2.0, 0.4 / s.period_s);
-                RowFilter::new(s.period_s, s.broadband, corner_hz)
+                let corner_hz = noise.of(joint, s.period_s).corner_hz();
+                let highest_hz = of_rows.highest_corner_part / s.period_s;
+                let corner_hz = corner_hz.clamp(of_rows.lowest_corner_hz, highest_hz);
+                RowFilter::new(s.period_s, s.broadband, corner_hz, of_rows)
             };
             stretches.iter().map(filter).collect::<Vec<_>>()
         });
@@ -58,7 +66,8 @@ impl Evidence {
         let floors_v = [0, 1, 2].map(|joint| {
             let floor = |(s, filter): (&Stretch, &RowFilter)| {
                 let seen_v = behind(filter, s, noise.of(joint, s.period_s));
-                seen_v.hypot(BETWEEN_SAMPLES_PER_S * s.period_s * s.fast_command_v(joint))
+                let fast_v = s.fast_command_v(joint, criteria.logs.fast_part);
+                seen_v.hypot(of_rows.between_samples_per_s * s.period_s * fast_v)
             };
             stretches.iter().zip(&filters[joint]).map(floor).collect()
         });
@@ -69,23 +78,8 @@ impl Evidence {
             stretches.iter().zip(&filters[joint]).map(steps).collect()
         });
         let regressors = stretches.iter().map(|_| Default::default()).collect();
-        Self { stretches, joints, filters, floors_v, steps_v, train, regressors }
-    }
-
-    /// Rows of a model under trial, on some joints.
-    pub fn residual(&self, hypothesis: &Hypothesis, joints: &[usize]) -> Rows {
-        let pieces: Vec<[Vec<f64>; 3]> = (0..self.stretches.len())
-            .into_par_iter()
-            .map(|s| {
-                let trial = Trial::of(&self.stretches[s], hypothesis);
-                let mut rows: [Vec<f64>; 3] = Default::default();
-                for &joint in joints {
-                    rows[joint] = self.weighted(s, joint, &trial.residual(joint));
-                }
-                rows
-            })
-            .collect();
-        [0, 1, 2].map(|joint| pieces.iter().flat_map(|piece| &piece[joint]).copied().collect())
+        let criteria = criteria.clone();
+        Self { stretches, joints, filters, floors_v, steps_v, train, criteria, regressors }
     }
 
     /// The regressor's rows of a joint along the measured motion; made by `make` at first.
@@ -93,8 +87,8 @@ impl Evidence {
         self.regressors[s][joint].get_or_init(make)
     }
 
-    /// A signal of a stretch as rows in units of the noise; zero before the joint's
-    /// friction is settled.
+    /// A signal of a stretch as rows in units of the noise. Rows before the joint's friction is
+    /// settled have no weight: they are zero, and add to no sum.
     pub fn weighted(&self, s: usize, joint: usize, signal: &[f64]) -> Vec<f64> {
         let stretch = &self.stretches[s];
         let filter = &self.filters[joint][s];
@@ -124,6 +118,13 @@ impl Evidence {
     /// Rows of a joint in a stretch.
     pub fn row_count(&self, joint: usize, s: usize) -> usize {
         self.filters[joint][s].row_count(self.stretches[s].len())
+    }
+
+    /// The first of a joint's rows in a stretch that has weight.
+    pub fn first_settled_row(&self, joint: usize, s: usize) -> usize {
+        let stretch = &self.stretches[s];
+        let instants = self.filters[joint][s].instants(stretch.len());
+        instants.take_while(|&instant| instant < stretch.settled[joint]).count()
     }
 
     /// Where a joint's rows of each stretch lie among all of its rows.

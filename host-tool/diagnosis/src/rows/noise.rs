@@ -10,6 +10,8 @@ use std::f64::consts::{PI, TAU};
 
 use realfft::RealFftPlanner;
 
+use crate::criteria::RowCriteria;
+
 /// Power density of noise, a + b f^4 [V^2/Hz], one-sided.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Noise {
@@ -66,31 +68,22 @@ impl NoiseByRate {
     }
 }
 
-/// Length of a piece [s].
-const PIECE_S: f64 = 0.4;
-/// Lowest frequency that is looked at [Hz].
-const LOWEST_HZ: f64 = 7.0;
-/// A frequency with so many times the power of noise carries a hum.
-const HUM: f64 = 3.0;
-/// Highest frequency, in parts of the sampling frequency.
-const HIGHEST: f64 = 0.2;
-
 impl Noise {
     /// The noise in residuals, one per stretch, all of the same period; `None` where there
     /// is too little to look at.
-    pub fn of(residuals: &[&[f64]], period_s: f64) -> Option<Self> {
-        let length = (PIECE_S / period_s).round() as usize;
+    pub fn of(residuals: &[&[f64]], period_s: f64, criteria: &RowCriteria) -> Option<Self> {
+        let length = (criteria.noise_piece_s / period_s).round() as usize;
         let pieces: Vec<Vec<f64>> =
             residuals.iter().flat_map(|residual| powers(residual, length, period_s)).collect();
-        if pieces.len() < 8 {
+        if pieces.len() < criteria.fewest_noise_pieces {
             return None;
         }
         let step_hz = 1.0 / (length as f64 * period_s);
-        let first = (LOWEST_HZ / step_hz).ceil() as usize;
-        let last = (HIGHEST / (period_s * step_hz)) as usize;
+        let first = (criteria.lowest_noise_hz / step_hz).ceil() as usize;
+        let last = (criteria.highest_noise_part / (period_s * step_hz)) as usize;
         let quiet: Vec<(f64, f64)> =
             (first..=last).map(|bin| (bin as f64 * step_hz, quiet_power(&pieces, bin))).collect();
-        Self::fitted(&quiet)
+        Self::fitted(&quiet, criteria)
     }
 
     /// The noise, its growing part no smaller than this.
@@ -126,11 +119,11 @@ impl Noise {
 
     /// Least squares of the relative deviation, weights from the fit before. Frequencies far
     /// above that fit are left out: a hum is no noise.
-    fn fitted(quiet: &[(f64, f64)]) -> Option<Self> {
+    fn fitted(quiet: &[(f64, f64)], criteria: &RowCriteria) -> Option<Self> {
         let mut noise = Self { white: quiet.iter().map(|q| q.1).sum::<f64>(), growing: 0.0 };
         for _ in 0..12 {
             let mut sums = [0.0; 5];
-            let is_noise = |q: &&(f64, f64)| q.1 < HUM * noise.density(q.0);
+            let is_noise = |q: &&(f64, f64)| q.1 < criteria.hum_ratio * noise.density(q.0);
             for &(frequency_hz, power) in quiet.iter().filter(is_noise) {
                 let w = noise.density(frequency_hz).max(1e-300).powi(-2);
                 let f4 = frequency_hz.powi(4);
@@ -142,7 +135,8 @@ impl Noise {
             noise.growing = ((aa * by - ab * ay) / determinant).max(0.0);
             noise.white = (ay - ab * noise.growing) / aa;
             if noise.white <= 0.0 {
-                noise = Self { white: 1e-3 * by / bb * LOWEST_HZ.powi(4), growing: by / bb };
+                let white = 1e-3 * by / bb * criteria.lowest_noise_hz.powi(4);
+                noise = Self { white, growing: by / bb };
             }
         }
         (noise.white.is_finite() && noise.white > 0.0).then_some(noise)
@@ -198,7 +192,7 @@ mod tests {
         let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
         let hum = |k: i32| 0.05 * (TAU * 0.04 * f64::from(k)).sin();
         let signal: Vec<f64> = (0..20_000).map(|k| 4e-3 * normal() + hum(k)).collect();
-        let noise = Noise::of(&[&signal], 1e-3).unwrap();
+        let noise = Noise::of(&[&signal], 1e-3, &RowCriteria::default()).unwrap();
         let white = 2.0 * 1e-3 * 4e-3f64.powi(2);
         assert!((noise.density(40.0) / white - 1.0).abs() < 0.4, "{}", noise.density(40.0) / white);
     }
@@ -215,7 +209,7 @@ mod tests {
                 4e-3 * normal() + 0.1 * acceleration + burst
             })
             .collect();
-        let noise = Noise::of(&[&signal], 1e-3).unwrap();
+        let noise = Noise::of(&[&signal], 1e-3, &RowCriteria::default()).unwrap();
         let white = 2.0 * 1e-3 * 4e-3f64.powi(2);
         let growing = 0.01 * of_encoder(2.8e-6 * 12f64.sqrt(), 1e-3);
         // Half of all pieces hold a burst, so the quietest quarter of all is the quieter half

@@ -5,6 +5,7 @@
 //! square of frequency. A first-order low-pass forwards and backwards, with its corner where
 //! the two are equal, makes both together nearly white.
 
+use crate::criteria::RowCriteria;
 use signal::{LowPass, derivative};
 
 /// Turns signals into rows.
@@ -18,24 +19,17 @@ pub struct RowFilter {
     period_s: f64,
 }
 
-/// Rows per second of a motion without and with driven noise.
-const CALM_ROWS_PER_S: f64 = 200.0;
-const BROADBAND_ROWS_PER_S: f64 = 500.0;
-/// Cut-off of the low-pass in parts of the row rate.
-const CUTOFF: f64 = 0.3;
-/// What the ends lose [s].
-const MARGIN_S: f64 = 0.25;
-
 impl RowFilter {
     /// For signals of a period; `broadband` where the motion is driven at high frequencies,
     /// `corner_hz` as above.
-    pub fn new(period_s: f64, broadband: bool, corner_hz: f64) -> Self {
-        let wanted = if broadband { BROADBAND_ROWS_PER_S } else { CALM_ROWS_PER_S };
+    pub fn new(period_s: f64, broadband: bool, corner_hz: f64, criteria: &RowCriteria) -> Self {
+        let wanted =
+            if broadband { criteria.broadband_rows_per_s } else { criteria.calm_rows_per_s };
         let every = (1.0 / (wanted * period_s)).round().max(1.0);
-        let cutoff_hz = CUTOFF / (every * period_s);
+        let cutoff_hz = criteria.cutoff_part / (every * period_s);
         Self {
             low_pass: LowPass::new(cutoff_hz, period_s).behind_first_order(corner_hz, period_s),
-            margin: (MARGIN_S / period_s).round() as usize,
+            margin: (criteria.margin_s / period_s).round() as usize,
             every: every as usize,
             period_s,
         }
@@ -82,7 +76,7 @@ mod tests {
 
     #[test]
     fn a_sine_takes_the_gain_that_is_told() {
-        let filter = RowFilter::new(1e-3, false, 20.0);
+        let filter = RowFilter::new(1e-3, false, 20.0, &RowCriteria::default());
         for frequency_hz in [2.0, 20.0, 50.0] {
             let sine: Vec<f64> =
                 (0..4000).map(|k| (TAU * frequency_hz * f64::from(k) * 1e-3).sin()).collect();

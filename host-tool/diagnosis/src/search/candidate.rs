@@ -4,21 +4,27 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::fit::linearisation::{Linearisation, Score, Which};
 use crate::fit::slopes::step_of;
-use crate::rows::evidence::{Evidence, Rows};
-use crate::trial::voltage::EffectInstance;
+use crate::rows::evidence::{Evidence, RowChange};
+use crate::trial::hypothesis::EffectInstance;
 use rig::effects::Kind;
 
-/// An effect with its best values so far, and how well the model does with it.
+/// An effect with its best values so far, and how well the model does with it on train logs.
 #[derive(Clone, Debug)]
 pub struct Candidate {
     /// The effect.
     pub effect: EffectInstance,
-    /// The score with it, everything open retuned.
-    pub score: Score,
+    /// Squares of train rows and of the prior penalty with it, everything open refitted.
+    pub train: f64,
 }
 
-/// Smallest part of the gap that one more step of a search must gain.
-const SMALL_STEP: f64 = 1e-3;
+/// An effect with its best values, judged on the rows held out too.
+#[derive(Clone, Debug)]
+pub struct ScoredCandidate {
+    /// The effect.
+    pub effect: EffectInstance,
+    /// The score with it, everything open refitted.
+    pub score: Score,
+}
 
 impl Candidate {
     /// A candidate with the values as they are.
@@ -26,36 +32,37 @@ impl Candidate {
         linear: &Linearisation,
         evidence: &Evidence,
         mut effect: EffectInstance,
-        which: Which,
-    ) -> (Self, Rows) {
+    ) -> (Self, RowChange) {
         effect.normalise();
-        let change = linear.change_by(evidence, &effect, which);
-        let score = linear.score_of(&change);
-        (Self { effect, score }, change)
+        let change = linear.change_by(evidence, &effect, Which::TRAIN);
+        let train = linear.train_score_of(&change);
+        (Self { effect, train }, change)
+    }
+
+    /// The candidate judged on all rows.
+    pub fn scored(self, linear: &Linearisation, evidence: &Evidence) -> ScoredCandidate {
+        let mut effect = self.effect;
+        effect.normalise();
+        let score = linear.score_of(&linear.change_by(evidence, &effect, Which::ALL));
+        ScoredCandidate { effect, score }
     }
 
     /// Searches from the candidate's values: Levenberg-Marquardt, everything open in the
     /// model eliminated by its slopes.
-    pub fn refined(
-        self,
-        linear: &Linearisation,
-        evidence: &Evidence,
-        most_steps: usize,
-        which: Which,
-    ) -> Self {
-        let (mut best, mut change) = Self::of(linear, evidence, self.effect, which);
+    pub fn refined(self, linear: &Linearisation, evidence: &Evidence, most_steps: usize) -> Self {
+        let (mut best, mut change) = Self::of(linear, evidence, self.effect);
         let mut damping = 1e-3;
         for _ in 0..most_steps {
             let free = best.free_values();
-            let slopes: Vec<Rows> =
-                free.iter().map(|&v| best.slope(linear, evidence, &change, v, which)).collect();
+            let slopes: Vec<RowChange> =
+                free.iter().map(|&v| best.slope(linear, evidence, &change, v)).collect();
             let (gradient, curvature) = linear.along(&change, &slopes);
-            let before = best.score.train;
+            let before = best.train;
             let found = (0..4).find_map(|_| {
                 let values = best.stepped(&free, &gradient, &curvature, damping);
                 let trial = EffectInstance { values, ..best.effect.clone() };
-                let (next, next_change) = Self::of(linear, evidence, trial, which);
-                if next.score.train < best.score.train {
+                let (next, next_change) = Self::of(linear, evidence, trial);
+                if next.train < best.train {
                     damping *= 0.1;
                     return Some((next, next_change));
                 }
@@ -64,7 +71,7 @@ impl Candidate {
             });
             let Some((next, next_change)) = found else { break };
             (best, change) = (next, next_change);
-            if before - best.score.train < SMALL_STEP * best.score.train {
+            if before - best.train < evidence.criteria.search.converged_part * best.train {
                 break;
             }
         }
@@ -82,15 +89,14 @@ impl Candidate {
         &self,
         linear: &Linearisation,
         evidence: &Evidence,
-        change: &Rows,
+        change: &RowChange,
         value: usize,
-        which: Which,
-    ) -> Rows {
+    ) -> RowChange {
         let mut moved = self.effect.clone();
         let step = step_of(&moved, value);
         moved.values[value] += step;
-        let mut slope = linear.change_by(evidence, &moved, which);
-        for (rows, before) in slope.iter_mut().zip(change) {
+        let mut slope = linear.change_by(evidence, &moved, Which::TRAIN);
+        for (rows, before) in slope.iter_mut().flatten().zip(change.iter().flatten()) {
             rows.iter_mut().zip(before).for_each(|(row, before)| *row = (*row - before) / step);
         }
         slope

@@ -2,44 +2,31 @@
 
 use rayon::prelude::*;
 
-use super::candidate::Candidate;
+use super::candidate::{Candidate, ScoredCandidate};
 use super::harmonics;
 use crate::fit::linearisation::{Linearisation, Which};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
-use crate::trial::voltage::{EffectInstance, Trial};
+use crate::trial::equation::Trial;
+use crate::trial::hypothesis::EffectInstance;
 use rig::effects::{Definition, Search, Typical};
 use signal::rms;
-
-/// Harmonics that are followed up of those that look best.
-const HARMONICS: usize = 3;
-/// Most steps of a search.
-const MOST_STEPS: usize = 8;
-/// The same for springs, whose values are far from linear.
-const SPRING_STEPS: usize = 14;
-/// A link with play that is kept on its track hides up to two fifths of the squares of
-/// whatever is missed, so play must leave less than this part of them.
-const LEFT_BY_BACKLASH: f64 = 0.6;
-/// Starts of one effect that are searched from.
-const BEST_STARTS: usize = 2;
-/// Effects that promise less than this part of the best one's promise are not searched.
-const WORTH_IT: f64 = 0.08;
-/// Nor are those that promise less than this part of what is left.
-const WORTH_A_LOOK: f64 = 0.001;
 
 /// The best of every effect on every joint that is worth a search, the best first.
 pub fn candidates(
     linear: &Linearisation,
     evidence: &Evidence,
     subject: &Subject,
-) -> Vec<Candidate> {
+) -> Vec<ScoredCandidate> {
     let starts: Vec<Vec<Start>> = places_open(subject, &linear.hypothesis.effects)
         .par_iter()
         .map(|&(definition, joint)| starts(linear, evidence, subject, definition, joint))
         .collect();
     let promised = starts.iter().flatten().map(|start| start.gain).fold(0.0, f64::max);
-    let least = (WORTH_IT * promised).max(WORTH_A_LOOK * linear.score().train);
-    let mut found: Vec<Candidate> = starts
+    let effort = &evidence.criteria.search;
+    let least =
+        (effort.least_of_best_gain * promised).max(effort.least_gain * linear.score().train);
+    let mut found: Vec<ScoredCandidate> = starts
         .into_par_iter()
         .filter_map(|starts| searched(linear, evidence, starts, least))
         .collect();
@@ -95,7 +82,7 @@ pub(crate) fn starts(
         Search::From(starts) => starts(&typical(linear, evidence, subject, joint)),
         Search::Harmonics(carrier) => {
             let joint = usize::from(joint) - 1;
-            harmonics::best(linear, evidence, joint, carrier, HARMONICS)
+            harmonics::best(linear, evidence, joint, carrier)
                 .into_iter()
                 .map(|h| vec![h.amplitude, h.order as f64, h.phase_rad])
                 .collect()
@@ -107,7 +94,7 @@ pub(crate) fn starts(
         .map(|effect| Start { gain: promise(linear, evidence, &effect), effect })
         .collect();
     starts.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-    starts.truncate(BEST_STARTS);
+    starts.truncate(evidence.criteria.search.starts);
     starts
 }
 
@@ -124,21 +111,22 @@ fn searched(
     evidence: &Evidence,
     starts: Vec<Start>,
     least: f64,
-) -> Option<Candidate> {
+) -> Option<ScoredCandidate> {
+    let effort = &evidence.criteria.search;
     starts
         .into_iter()
         .filter(|start| start.gain > least)
         .map(|start| {
-            let begun = Candidate::of(linear, evidence, start.effect, Which::TRAIN).0;
-            let steps = if begun.effect.is_spring() { SPRING_STEPS } else { MOST_STEPS };
-            begun.refined(linear, evidence, steps, Which::TRAIN)
+            let first = Candidate::of(linear, evidence, start.effect).0;
+            let steps = if first.effect.is_spring() { effort.spring_steps } else { effort.steps };
+            first.refined(linear, evidence, steps)
         })
-        .min_by(|a, b| a.score.train.total_cmp(&b.score.train))
+        .min_by(|a, b| a.train.total_cmp(&b.train))
         .filter(|best| {
-            let most = if best.effect.has_backlash() { LEFT_BY_BACKLASH } else { f64::INFINITY };
-            best.score.train < most * linear.score().train
+            !best.effect.has_backlash()
+                || best.train < effort.left_by_backlash * linear.score().train
         })
-        .map(|best| Candidate::of(linear, evidence, best.effect, Which::ALL).0)
+        .map(|best| best.scored(linear, evidence))
 }
 
 /// What is typical of a joint (1 to 3, or 0 for the whole robot) in these logs.
@@ -158,7 +146,9 @@ pub(crate) fn typical(
     let load: Vec<f64> = evidence
         .stretches
         .iter()
-        .flat_map(|stretch| Trial::of(stretch, &linear.hypothesis).load_nm(joint))
+        .flat_map(|stretch| {
+            Trial::of(stretch, &linear.hypothesis, &evidence.criteria.fit).load_nm(joint)
+        })
         .collect();
     Typical {
         command_v: largest(&mut all(|s, j| &s.command_v[j])),

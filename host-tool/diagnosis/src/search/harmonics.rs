@@ -1,17 +1,14 @@
 //! Which harmonics of the angle an effect may have.
 //!
-//! Every harmonic is tried with sine and cosine, everything open retuned. To be quick, the
+//! Every harmonic is tried with sine and cosine, everything open refitted. To be quick, the
 //! filter is taken as its gain at the momentary frequency of the harmonic, row by row.
 
 use model::{FrictionState, Robot};
 use rayon::prelude::*;
 
 use crate::fit::linearisation::Linearisation;
-use crate::rows::evidence::{Evidence, Rows};
+use crate::rows::evidence::{Evidence, RowChange};
 use rig::effects::Carrier;
-
-/// Highest harmonic per turn that is tried.
-pub const HIGHEST: usize = 100;
 
 /// A harmonic with the amplitude and the phase that suit it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,15 +29,14 @@ pub fn best(
     evidence: &Evidence,
     joint: usize,
     carrier: Carrier,
-    most: usize,
 ) -> Vec<Harmonic> {
     let rows = JointRows::of(evidence, linear, joint, carrier);
-    let mut found: Vec<Harmonic> = (1..=HIGHEST)
+    let mut found: Vec<Harmonic> = (1..=evidence.criteria.search.highest_harmonic)
         .into_par_iter()
         .filter_map(|order| rows.harmonic(linear, joint, order))
         .collect();
     found.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-    found.truncate(most);
+    found.truncate(evidence.criteria.search.harmonics);
     found
 }
 
@@ -91,13 +87,13 @@ impl JointRows {
 
     fn harmonic(&self, linear: &Linearisation, joint: usize, order: usize) -> Option<Harmonic> {
         let (sine, cosine) = self.columns(order);
-        let as_rows = |column: Vec<f64>| {
-            let mut rows: Rows = Default::default();
-            rows[joint] = column;
-            rows
+        let as_change = |column: Vec<f64>| {
+            let mut change = RowChange::default();
+            change[joint] = Some(column);
+            change
         };
-        let slopes = [as_rows(sine), as_rows(cosine)];
-        let (gradient, curvature) = linear.along(&Rows::default(), &slopes);
+        let slopes = [as_change(sine), as_change(cosine)];
+        let (gradient, curvature) = linear.along(&RowChange::default(), &slopes);
         let trace = curvature.trace();
         let solution = -curvature.clone().lu().solve(&gradient)?;
         let useful = curvature.determinant() > 1e-6 * trace * trace && trace > 1.0;

@@ -1,51 +1,51 @@
-//! A better fit of play than the one that a search ended at.
+//! A better fit of backlash than the one that a search ended at.
 //!
 //! A link that bounces leaves many shallow minima: a wider gap with a stiffer spring does
-//! nearly the same. From near each of them the search begins anew.
+//! nearly the same. The search restarts from near each of them.
 
 use rayon::prelude::*;
 
 use super::candidate::Candidate;
-use super::selection::{SPRING_STEPS, Step};
-use crate::fit::fit::{fit, open_in};
-use crate::fit::linearisation::{Linearisation, Which};
+use super::fitted_model::FittedModel;
+use crate::fit::gauss_newton::{fit, open_in};
+use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
-use crate::trial::voltage::EffectInstance;
+use crate::trial::hypothesis::EffectInstance;
 
-/// Factors of gap, stiffness, damping and the motor's inertia to begin anew with.
+/// Factors of gap, stiffness, damping and the motor's inertia to restart with.
 const RESTARTS: [[f64; 4]; 4] =
     [[1.15, 1.5, 1.0, 1.0], [0.87, 0.67, 1.0, 1.0], [1.0, 1.0, 0.7, 1.05], [1.1, 1.2, 0.7, 0.95]];
-/// Part of the squares that a new beginning must gain to be worth it.
-const WORTH_IT: f64 = 0.05;
-/// What is left when nothing need be restarted, over noise.
-const GOOD_RATIO: f64 = 3.0;
-const STEPS: usize = 8;
-
-/// A model whose last effect, play, fits better than before; `None` where it is good, or
+/// A model whose last effect, backlash, fits better than before; `None` where it is good, or
 /// where nothing better is near.
-pub fn restarted(evidence: &Evidence, subject: &Subject, step: &Step) -> Option<Step> {
-    let play = step.linear.hypothesis.effects.last().filter(|effect| effect.has_backlash())?;
-    if step.rest.worst() < GOOD_RATIO {
+pub fn restarted(
+    evidence: &Evidence,
+    subject: &Subject,
+    step: &FittedModel,
+) -> Option<FittedModel> {
+    let effort = &evidence.criteria.search;
+    let backlash = step.linear.hypothesis.effects.last().filter(|effect| effect.has_backlash())?;
+    if step.stats.worst() < effort.good_ratio {
         return None;
     }
     let mut hypothesis = step.linear.hypothesis.clone();
     hypothesis.effects.pop();
     let open = open_in(evidence, subject, &hypothesis.effects);
     let without = Linearisation::of(evidence, hypothesis, open)?;
-    let here = Candidate::of(&without, evidence, play.clone(), Which::TRAIN).0;
+    let here = Candidate::of(&without, evidence, backlash.clone()).0;
     let from = |factors: &[f64; 4]| {
-        let values = play.values.iter().zip(factors).map(|(value, factor)| value * factor);
-        let start = EffectInstance { values: values.collect(), ..play.clone() };
-        let begun = Candidate::of(&without, evidence, start, Which::TRAIN).0;
-        begun.refined(&without, evidence, STEPS, Which::TRAIN)
+        let values = backlash.values.iter().zip(factors).map(|(value, factor)| value * factor);
+        let start = EffectInstance { values: values.collect(), ..backlash.clone() };
+        let first = Candidate::of(&without, evidence, start).0;
+        first.refined(&without, evidence, effort.restart_steps)
     };
     let best = RESTARTS
         .par_iter()
         .map(from)
-        .min_by(|a, b| a.score.train.total_cmp(&b.score.train))
-        .filter(|best| best.score.train < (1.0 - WORTH_IT) * here.score.train)?;
+        .min_by(|a, b| a.train.total_cmp(&b.train))
+        .filter(|best| best.train < (1.0 - effort.least_restart_gain) * here.train)?;
     let hypothesis = without.hypothesis.with(best.effect);
-    let better = Step::of(evidence, fit(evidence, subject, hypothesis, SPRING_STEPS)?);
+    let steps = evidence.criteria.selection.accepted_spring_steps;
+    let better = FittedModel::of(evidence, fit(evidence, subject, hypothesis, steps)?);
     (better.linear.objective < step.linear.objective).then_some(better)
 }

@@ -1,7 +1,13 @@
 //! What a hypothesis, a model with effects, leaves of the command.
 
-pub mod doubt;
+pub mod active_effects;
+pub mod equation;
+pub mod hypothesis;
+pub mod joint_dynamics;
+pub mod link_covariance;
 pub mod link_motion;
 pub mod parts;
 pub mod reading;
-pub mod voltage;
+pub mod residual_rows;
+#[cfg(test)]
+mod tests;

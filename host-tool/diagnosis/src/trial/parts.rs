@@ -1,7 +1,9 @@
 //! What a model's equation consists of along a stretch, and how it changes with an effect.
 
-use super::link_motion::Felt;
-use super::voltage::{EffectInstance, Same, Trial, at_samples};
+use super::equation::{MotorSide, Trial};
+use super::hypothesis::EffectInstance;
+use super::joint_dynamics::JointDynamics;
+use crate::logs::intervals::at_samples;
 use rig::effects::Touches;
 
 /// The equation of a joint over a stretch, on the log's clock [V].
@@ -15,8 +17,8 @@ pub struct Parts {
     pub net: Vec<f64>,
     /// What the rigid body needs, by samples.
     pub needed: Vec<f64>,
-    /// What the joint feels of the rest of the arm, by samples.
-    felt: Vec<Felt>,
+    /// Dynamics of the joint as if it were stiff, by samples.
+    dynamics: Vec<JointDynamics>,
 }
 
 impl Parts {
@@ -25,8 +27,8 @@ impl Parts {
         let drive = trial.drive(joint);
         let friction = trial.friction(joint, trial.robot());
         let net = drive.iter().zip(&friction).map(|(drive, friction)| drive - friction).collect();
-        let (needed, felt) = (trial.needed(joint).to_vec(), trial.felt(joint));
-        Self { drive, friction, net, needed, felt }
+        let (needed, dynamics) = (trial.needed(joint).to_vec(), trial.dynamics(joint));
+        Self { drive, friction, net, needed, dynamics }
     }
 
     /// Change of the residual at the samples when a trial takes these parts' place.
@@ -51,11 +53,11 @@ impl Parts {
     }
 }
 
-/// What these parts share with those of a model that differs in `effect`: nothing unless
-/// that is a spring.
-pub fn same<'a>(parts: &'a [Parts; 3], effect: &EffectInstance) -> Option<Same<'a>> {
-    effect.is_spring().then(|| Same {
-        felt: [0, 1, 2].map(|joint| &parts[joint].felt[..]),
+/// The motors' side of the springs in these parts, for a hypothesis that differs from theirs in
+/// `effect` alone: nothing unless that is a spring.
+pub fn motor_side<'a>(parts: &'a [Parts; 3], effect: &EffectInstance) -> Option<MotorSide<'a>> {
+    effect.is_spring().then(|| MotorSide {
+        dynamics: [0, 1, 2].map(|joint| &parts[joint].dynamics[..]),
         net_v: [0, 1, 2].map(|joint| &parts[joint].net[..]),
     })
 }
@@ -64,10 +66,10 @@ pub fn same<'a>(parts: &'a [Parts; 3], effect: &EffectInstance) -> Option<Same<'
 pub fn touched(effect: &EffectInstance, others: &[EffectInstance]) -> Touches {
     let mut touches = effect.definition.touches;
     let moves_others = touches.body && !effect.is_spring() && !others.is_empty();
-    // What is in the model already may feel a body or a motion that changes.
+    // What is in the model already may depend on a body or a motion that changes.
     touches.drive |= moves_others;
     touches.friction |= moves_others;
-    // A link with play is kept on its track by what drives its motor.
+    // A link with backlash is corrected by the torque that drives its motor.
     let meets = |other: &EffectInstance| effect.joint == 0 || effect.joint == other.joint;
     touches.body |= others.iter().any(|other| other.has_backlash() && meets(other));
     touches
@@ -80,8 +82,9 @@ mod tests {
     use rig::effects::{Catalogue, Definition, DrawContext, Random};
 
     use super::*;
+    use crate::criteria::FitCriteria;
     use crate::logs::stretch::{Kinematics, Stretch};
-    use crate::trial::voltage::Hypothesis;
+    use crate::trial::hypothesis::Hypothesis;
 
     /// Knuth's linear congruential generator.
     struct Lcg(u64);
@@ -139,12 +142,12 @@ mod tests {
 
     #[test]
     fn an_effect_touches_what_changes_when_all_is_computed_anew() {
-        let (stretch, bare) = (stretch(), hypothesis(&[]));
-        let before = of_all_joints(&Trial::of(&stretch, &bare));
+        let (stretch, bare, criteria) = (stretch(), hypothesis(&[]), FitCriteria::default());
+        let before = of_all_joints(&Trial::of(&stretch, &bare, &criteria));
         for definition in Catalogue::standard().iter() {
             for effect in instances(definition, &mut Lcg(1)) {
                 let with = hypothesis(&[&effect]);
-                let after = of_all_joints(&Trial::of(&stretch, &with));
+                let after = of_all_joints(&Trial::of(&stretch, &with, &criteria));
                 let differs = |of: fn(&Parts) -> &Vec<f64>| {
                     [0, 1, 2].map(|joint| of(&before[joint]) != of(&after[joint]))
                 };
@@ -163,21 +166,23 @@ mod tests {
 
     #[test]
     fn what_an_effect_changes_beside_another_is_what_a_full_computation_says() {
-        let (stretch, catalogue) = (stretch(), Catalogue::standard());
+        let (stretch, catalogue, criteria) =
+            (stretch(), Catalogue::standard(), FitCriteria::default());
         let all: Vec<EffectInstance> =
             catalogue.iter().flat_map(|d| instances(d, &mut Lcg(2))).collect();
         for other in &all {
             let without = hypothesis(&[other]);
-            let before = Trial::of(&stretch, &without);
+            let before = Trial::of(&stretch, &without, &criteria);
             let parts = of_all_joints(&before);
             for effect in &all {
                 if effect.is_spring() && other.is_spring() {
                     continue;
                 }
                 let with = hypothesis(&[other, effect]);
-                let after = Trial::of(&stretch, &with);
+                let after = Trial::of(&stretch, &with, &criteria);
                 let touches = touched(effect, std::slice::from_ref(other));
-                let quick = Trial::beside(&stretch, &with, same(&parts, effect));
+                let quick =
+                    Trial::with_motor_side(&stretch, &with, &criteria, motor_side(&parts, effect));
                 for joint in 0..3 {
                     let change = parts[joint].change_to(&quick, joint, touches);
                     let (from, to) = (before.residual(joint), after.residual(joint));

@@ -4,12 +4,11 @@
 use rayon::prelude::*;
 
 use crate::fit::linearisation::{Linearisation, Which};
-use crate::fit::residual_stats::OWN_RATIO;
 use crate::logs::subject::Subject;
-use crate::rows::evidence::{Evidence, Rows};
+use crate::result::{Detectable, Untestable};
+use crate::rows::evidence::{Evidence, RowChange};
 use crate::search::candidates::{places, starts, typical};
-use crate::trial::voltage::EffectInstance;
-use crate::{Detectable, Untestable};
+use crate::trial::hypothesis::EffectInstance;
 use rig::effects::{Confused, Definition, Kind};
 
 /// What the logs would have shown of an effect on a joint.
@@ -17,13 +16,10 @@ struct Sight {
     definition: &'static Definition,
     joint: u8,
     effect: EffectInstance,
-    /// Squares of the rows that a start of the effect changes, everything open retuned.
+    /// Squares of the rows that a start of the effect changes, everything open refitted.
     squares: f64,
-    change: Rows,
+    change: RowChange,
 }
-
-/// Squared correlation from which two effects are not told apart.
-const SAME: f64 = 0.995;
 
 /// Smallest sizes, and what cannot be tested, for the model as it stands.
 pub fn detectable(
@@ -66,14 +62,15 @@ pub fn detectable(
     (seen, unseen)
 }
 
-/// Squares that lift a log's rest above what the method itself may leave.
+/// Squares that lift what is left of a log above what the method itself may leave.
 fn wanted_squares(evidence: &Evidence) -> f64 {
     let joint = evidence.joints[0];
     let mut counts: Vec<usize> =
         (0..evidence.train_stretches()).map(|s| evidence.row_count(joint, s)).collect();
     counts.sort_unstable();
     let middle = counts.get(counts.len() / 2).copied().unwrap_or(1);
-    (OWN_RATIO * OWN_RATIO - 1.0) * middle as f64
+    let own_ratio = evidence.criteria.fit.own_ratio;
+    (own_ratio * own_ratio - 1.0) * middle as f64
 }
 
 fn sight(
@@ -85,7 +82,7 @@ fn sight(
 ) -> Option<Sight> {
     let effect = starts(linear, evidence, subject, definition, joint).into_iter().next()?.effect;
     let change = linear.change_by(evidence, &effect, Which::OWN);
-    let (_, curvature) = linear.along(&Rows::default(), std::slice::from_ref(&change));
+    let (_, curvature) = linear.along(&RowChange::default(), std::slice::from_ref(&change));
     Some(Sight { definition, joint, effect, squares: curvature[(0, 0)], change })
 }
 
@@ -114,9 +111,9 @@ fn alike(linear: &Linearisation, subject: &Subject, sights: &[Sight]) -> Vec<Unt
                 |s: &&Sight| Confused::Effect(s.definition.name) == b && s.joint == first.joint;
             let Some(second) = sights.iter().find(on) else { continue };
             let both = [first.change.clone(), second.change.clone()];
-            let (_, c) = linear.along(&Rows::default(), &both);
+            let (_, c) = linear.along(&RowChange::default(), &both);
             let same = c[(0, 1)] * c[(0, 1)] / (c[(0, 0)] * c[(1, 1)]).max(1e-300);
-            if same > SAME {
+            if same > subject.criteria.verdict.alike_correlation {
                 found.push(Untestable {
                     effect: second.definition.name.into(),
                     joint: subject.outer_joint(first.joint),

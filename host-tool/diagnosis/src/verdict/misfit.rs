@@ -1,14 +1,11 @@
 //! Whether the model is that of the robot in the logs at all.
 
-use crate::Verdict;
 use crate::fit::linearisation::Linearisation;
 use crate::fit::residual_stats::ResidualStats;
+use crate::logs::intervals::at_samples;
 use crate::logs::subject::Subject;
+use crate::result::Verdict;
 use crate::rows::evidence::Evidence;
-use crate::trial::voltage::at_samples;
-
-/// Part of the command's rms that the refitted model of another robot leaves at least.
-const ANOTHER_ROBOT: f64 = 0.2;
 
 /// What must be said where a refitted model is not that of the robot in the logs.
 pub fn remark(
@@ -17,7 +14,7 @@ pub fn remark(
     refitted: &Linearisation,
     verdict: Verdict,
 ) -> Option<String> {
-    let rest = ResidualStats::of(evidence, refitted);
+    let stats = ResidualStats::of(evidence, refitted);
     if verdict == Verdict::Effect {
         return None;
     }
@@ -25,7 +22,7 @@ pub fn remark(
     let (place, part) = parts.enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?;
     let cure = "check lengths, the order and signs of joints, encoder_counts_per_rev and \
                 torque_constant_Nm_per_V, or identify the model anew";
-    if verdict == Verdict::Unknown && part > ANOTHER_ROBOT {
+    if verdict == Verdict::Unknown && part > subject.criteria.verdict.another_robot_part {
         return Some(format!(
             "the logs do not fit this model: refitted, it leaves {:.0} % of the command of joint \
              {}; {cure}",
@@ -33,7 +30,7 @@ pub fn remark(
             subject.numbers[place]
         ));
     }
-    rest.is_beyond_belief().then(|| {
+    stats.is_implausible(&subject.criteria.fit).then(|| {
         format!(
             "the logs do not fit this model: refitted, its parameters are further from the file's \
              than two or three per cent of doubt allow; {cure}"

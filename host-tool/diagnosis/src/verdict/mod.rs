@@ -1,6 +1,6 @@
 //! What the search amounts to.
 
+pub mod decision;
 pub mod detectable;
-pub mod judgement;
 pub mod misfit;
 pub mod shrinkage;

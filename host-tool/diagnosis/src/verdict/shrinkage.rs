@@ -16,11 +16,6 @@ pub struct Shrinkage {
     pub interval: [f64; 2],
 }
 
-/// Length of the pieces that are drawn again and again [s].
-const PIECE_S: f64 = 0.5;
-/// Draws.
-const DRAWS: usize = 400;
-
 /// Squares of a piece of rows without and with the cause [V^2].
 type Piece = (f64, f64);
 
@@ -28,18 +23,19 @@ impl Shrinkage {
     /// Of the residuals without and with a cause, over some joints.
     pub fn of(evidence: &Evidence, joints: &[usize], without: &Rows, with: &Rows) -> Self {
         let pieces = pieces(evidence, joints, without, with);
+        let draw_count = evidence.criteria.verdict.shrinkage_draws;
         let mut random = Pcg64Mcg::new(1);
         let Ok(any) = Uniform::new(0, pieces.len()) else {
             return Self { value: 0.0, interval: [0.0; 2] };
         };
-        let mut draws: Vec<f64> = (0..DRAWS)
+        let mut draws: Vec<f64> = (0..draw_count)
             .map(|_| {
                 let draw = |_| pieces[any.sample(&mut random)];
                 shrinkage((0..pieces.len()).map(draw))
             })
             .collect();
         draws.sort_by(f64::total_cmp);
-        let quantile = |part: f64| draws[(part * (DRAWS - 1) as f64).round() as usize];
+        let quantile = |part: f64| draws[(part * (draw_count - 1) as f64).round() as usize];
         Self {
             value: shrinkage(pieces.iter().copied()),
             interval: [quantile(0.025), quantile(0.975)],
@@ -53,6 +49,7 @@ fn shrinkage(pieces: impl Iterator<Item = Piece>) -> f64 {
 }
 
 fn pieces(evidence: &Evidence, joints: &[usize], without: &Rows, with: &Rows) -> Vec<Piece> {
+    let piece_s = evidence.criteria.verdict.shrinkage_piece_s;
     let mut pieces = Vec::new();
     for &joint in joints {
         for (s, range) in evidence.ranges(joint).into_iter().enumerate() {
@@ -60,7 +57,7 @@ fn pieces(evidence: &Evidence, joints: &[usize], without: &Rows, with: &Rows) ->
                 continue;
             }
             let unit = evidence.floor_v(joint, s).powi(2);
-            let length = (PIECE_S / evidence.filter(joint, s).row_period_s()).ceil() as usize;
+            let length = (piece_s / evidence.filter(joint, s).row_period_s()).ceil() as usize;
             let squares = |rows: &[f64]| unit * rows.iter().map(|row| row * row).sum::<f64>();
             let both = without[joint][range.clone()].chunks(length);
             pieces.extend(

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::stages::Stages;
 use crate::HeatMap;
-use diagnosis::places::Samples;
+use diagnosis::gap_by_axis::Samples;
 
 const COLUMNS: usize = 80;
 const ROWS: usize = 26;

@@ -4,43 +4,43 @@ use std::f64::consts::TAU;
 
 use super::stages::Stages;
 use crate::{Chart, Series, Stroke};
-use diagnosis::places::orders::best_carrier;
-use diagnosis::places::{Carrier, Samples};
+use diagnosis::gap_by_axis::orders::best_carrier;
+use diagnosis::gap_by_axis::{Carrier, Samples};
 use diagnosis::report::sentence::axis_words;
-use diagnosis::{Axis, Diagnosis, Place};
+use diagnosis::{Axis, Diagnosis, GapShare};
 
 pub(super) const HALF: (u32, u32) = (535, 290);
 const BINS: usize = 72;
 const LEAST_IN_BIN: usize = 8;
 const MOST_CHARTS: usize = 4;
 
-/// A chart per place that has an axis to draw over, the largest first.
+/// A chart per share that has an axis to draw over, the largest first.
 pub(super) fn charts(diagnosis: &Diagnosis, stages: &Stages) -> Vec<Chart> {
-    let drawn = diagnosis.report.places.iter().filter_map(|place| {
-        let (before, after) = stages.joints.iter().find(|(b, _)| b.joint == place.joint)?;
-        // Where nothing is named, the places are those of the refitted model.
+    let drawn = diagnosis.report.gap_shares.iter().filter_map(|share| {
+        let (before, after) = stages.joints.iter().find(|(b, _)| b.joint == share.joint)?;
+        // Where nothing is named, the shares are those of the refitted model.
         if diagnosis.report.causes.is_empty() {
-            chart(place, &[(after, stages.names.1, 1)])
+            chart(share, &[(after, stages.names.1, 1)])
         } else {
-            chart(place, &[(before, stages.names.0, 1), (after, stages.names.1, 0)])
+            chart(share, &[(before, stages.names.0, 1), (after, stages.names.1, 0)])
         }
     });
     drawn.take(MOST_CHARTS).collect()
 }
 
-fn chart(place: &Place, residuals: &[(&Samples, &str, usize)]) -> Option<Chart> {
-    let title = format!("Joint {}: {}", place.joint, place.detail);
-    let carrier = carrier(place, residuals.first()?.0);
+fn chart(share: &GapShare, residuals: &[(&Samples, &str, usize)]) -> Option<Chart> {
+    let title = format!("Joint {}: {}", share.joint, share.detail);
+    let carrier = carrier(share, residuals.first()?.0);
     let y_label = match carrier {
         Carrier::Constant => "residual [mV]",
         Carrier::Direction => "residual times direction [mV]",
         Carrier::Command => "residual times command by its rms [mV]",
     };
-    let mut chart = Chart::new(title, label(place.axis)?, y_label).sized(HALF.0, HALF.1);
+    let mut chart = Chart::new(title, label(share.axis)?, y_label).sized(HALF.0, HALF.1);
     for (samples, name, colour) in residuals {
         let carried: Vec<f64> =
             carrier.values(samples).iter().zip(&samples.residual_v).map(|(c, r)| c * r).collect();
-        let means = binned(variable(samples, place.axis)?, &carried);
+        let means = binned(variable(samples, share.axis)?, &carried);
         let pieces = means.chunk_by(|a, b| b.0 == a.0 + 1);
         for (index, piece) in pieces.enumerate() {
             let named = if index == 0 { format!("{name}: mean, spread") } else { String::new() };
@@ -66,10 +66,10 @@ fn outline(piece: &[Bin], name: String, colour: usize) -> [Series; 2] {
 type Bin = (usize, f64, f64, f64);
 
 /// What the residual is multiplied by, so that what changes sign with it does not average out.
-fn carrier(place: &Place, samples: &Samples) -> Carrier {
-    match place.axis {
+fn carrier(share: &GapShare, samples: &Samples) -> Carrier {
+    match share.axis {
         Axis::Position => best_carrier(samples),
-        Axis::Load | Axis::Time if place.detail.contains("friction") => Carrier::Direction,
+        Axis::Load | Axis::Time if share.detail.contains("friction") => Carrier::Direction,
         _ => Carrier::Constant,
     }
 }

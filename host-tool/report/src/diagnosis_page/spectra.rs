@@ -3,8 +3,8 @@
 
 use super::stages::Stages;
 use crate::{Axis, Chart, Series, Stroke};
-use diagnosis::places::orders::{best_carrier, lowest_order, orders};
-use diagnosis::places::{Carrier, Samples, spectrum};
+use diagnosis::gap_by_axis::orders::{best_carrier, lowest_order, orders};
+use diagnosis::gap_by_axis::{Carrier, Samples, spectrum};
 
 const HALF: (u32, u32) = (535, 290);
 const BEFORE: usize = 1;
@@ -52,7 +52,7 @@ fn stems(samples: &Samples, carrier: Carrier) -> Vec<(f64, f64)> {
         let x = order as f64;
         [(x, 0.0), (x, 1e3 * v), (x, 0.0)]
     };
-    amplitudes.filter(|(_, v)| v.is_finite()).flat_map(stem).collect()
+    amplitudes.filter_map(|(order, v)| Some((order, v?))).flat_map(stem).collect()
 }
 
 fn frequency_chart(before: &Samples, after: &Samples, names: (&str, &str)) -> Chart {

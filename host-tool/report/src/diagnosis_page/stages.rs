@@ -1,6 +1,6 @@
 //! The residuals that the pictures compare, before and after.
 
-use diagnosis::places::Samples;
+use diagnosis::gap_by_axis::Samples;
 use diagnosis::{Diagnosis, JointResiduals};
 
 /// Residuals of the joints that are drawn, before and after.
@@ -21,8 +21,9 @@ impl Stages {
     pub fn of(diagnosis: &Diagnosis) -> Self {
         let named = !diagnosis.report.causes.is_empty();
         let names = if named { ("refitted", "with the effects") } else { ("as given", "refitted") };
-        let before = Samples::of_joints(&diagnosis.logs, |joint| before(joint, named));
-        let after = Samples::of_joints(&diagnosis.logs, |joint| after(joint, named));
+        let (logs, criteria) = (&diagnosis.logs, &diagnosis.criteria.axes);
+        let before = Samples::of_joints(logs, criteria, |joint| before(joint, named));
+        let after = Samples::of_joints(logs, criteria, |joint| after(joint, named));
         let all: Vec<_> = before.into_iter().zip(after).filter(|(b, _)| !b.is_empty()).collect();
         let joints = joints_shown(diagnosis, named, &all);
         Self {

@@ -58,13 +58,13 @@ pub(super) fn add(page: &mut Page, diagnosis: &Diagnosis) {
 const PLACES: [&str; 4] = ["joint", "varies with", "share of the gap", "how"];
 
 fn place_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
-    let places = diagnosis.report.places.iter();
-    let row = places.map(|place| {
+    let shares = diagnosis.report.gap_shares.iter();
+    let row = shares.map(|share| {
         vec![
-            place.joint.to_string(),
-            axis_words(place.axis).into(),
-            format!("{} %", percent(place.share)),
-            place.detail.clone(),
+            share.joint.to_string(),
+            axis_words(share.axis).into(),
+            format!("{} %", percent(share.share)),
+            share.detail.clone(),
         ]
     });
     row.collect()

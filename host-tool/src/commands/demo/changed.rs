@@ -60,6 +60,7 @@ impl Arguments {
             dataset: self.out.join("gap"),
             model: self.out.join("model.toml"),
             out: self.out.join(DIAGNOSIS),
+            criteria: None,
         }
     }
 }

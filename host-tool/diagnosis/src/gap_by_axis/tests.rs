@@ -2,19 +2,20 @@
 
 use std::f64::consts::TAU;
 
-use super::places;
+use super::gap_by_axis;
+use crate::criteria::AxisCriteria;
+use crate::result::{Axis, GapShare};
 use crate::synthetic::{At, logs};
-use crate::{Axis, Place};
 
-fn first(residual_v: impl Fn(&At) -> f64) -> Place {
-    let places = places(&logs(residual_v));
+fn first(residual_v: impl Fn(&At) -> f64) -> GapShare {
+    let shares = gap_by_axis(&logs(residual_v), &AxisCriteria::default());
     let shown: Vec<_> =
-        places.iter().map(|p| (p.joint, p.axis, p.share, p.detail.clone())).collect();
+        shares.iter().map(|p| (p.joint, p.axis, p.share, p.detail.clone())).collect();
     println!("{shown:?}");
-    places.into_iter().next().expect("a place")
+    shares.into_iter().next().expect("a place")
 }
 
-fn assert_place(place: &Place, axis: Axis, least: f64, words: &str) {
+fn assert_place(place: &GapShare, axis: Axis, least: f64, words: &str) {
     assert_eq!((place.joint, place.axis), (3, axis), "{place:?}");
     assert!(place.share > least && place.detail.contains(words), "{place:?}");
 }
@@ -59,7 +60,10 @@ fn velocity_is_split_into_even_and_odd() {
 fn constants_trends_and_accelerations() {
     assert_place(&first(|_| 0.09), Axis::Offset, 0.95, "constant, ");
     let warming = |at: &At| -0.08 * (1.0 - (-at.t / 8.0).exp()) * at.qd.signum();
-    let place = places(&logs(warming)).into_iter().find(|p| p.axis == Axis::Time).unwrap();
+    let place = gap_by_axis(&logs(warming), &AxisCriteria::default())
+        .into_iter()
+        .find(|p| p.axis == Axis::Time)
+        .unwrap();
     assert!(place.share > 0.1 && place.detail.contains("dry friction falls"), "{place:?}");
     let place = first(|at| 0.02 * at.qdd * at.qdd.abs().sqrt());
     assert_place(&place, Axis::Acceleration, 0.8, "");
@@ -76,22 +80,22 @@ fn a_limit_of_the_command_is_found() {
 #[test]
 fn friction_under_load_lies_on_the_load() {
     let rubbing = |at: &At| 0.05 * at.load.abs() * at.qd.signum();
-    let found = places(&logs(rubbing));
+    let found = gap_by_axis(&logs(rubbing), &AxisCriteria::default());
     let place = found.iter().find(|p| p.axis == Axis::Load).expect("a load");
     assert!(place.share > 0.1 && place.detail.contains("friction"), "{found:?}");
 }
 
 #[test]
 fn noise_has_no_place() {
-    let found = places(&logs(|_| 0.0));
+    let found = gap_by_axis(&logs(|_| 0.0), &AxisCriteria::default());
     assert!(found.is_empty(), "{found:?}");
-    assert!(places(&[]).is_empty());
+    assert!(gap_by_axis(&[], &AxisCriteria::default()).is_empty());
 }
 
 #[test]
 fn two_places_share_the_gap() {
     let both = |at: &At| 0.05 * (8.0 * at.q).sin() + 0.05 * (TAU * 50.0 * at.t).sin();
-    let found = places(&logs(both));
+    let found = gap_by_axis(&logs(both), &AxisCriteria::default());
     assert_eq!(found.len(), 2, "{found:?}");
     assert!(found.iter().all(|place| (place.share - 0.5).abs() < 0.05), "{found:?}");
 }
@@ -100,7 +104,7 @@ fn two_places_share_the_gap() {
 fn it_takes_a_moment_only() {
     let logs = logs(|at| 0.04 * at.qd.abs() + 0.05 * (8.0 * at.q).sin());
     let started = std::time::Instant::now();
-    places(&logs);
+    gap_by_axis(&logs, &AxisCriteria::default());
     let elapsed_s = started.elapsed().as_secs_f64();
     println!("{elapsed_s} s");
     assert!(elapsed_s < 2.0, "{elapsed_s} s");

@@ -1,6 +1,6 @@
 //! The spectrum over time of one joint's values, over all logs.
 
-use super::Samples;
+use super::samples::Samples;
 use signal::spectrum::Welch;
 
 /// A one-sided spectral density.
@@ -12,17 +12,13 @@ pub struct Spectrum {
     pub density: Vec<f64>,
 }
 
-/// Segments are about this long [s].
-const SEGMENT_S: f64 = 4.0;
-const LONGEST_SEGMENT: usize = 1 << 13;
-
 /// The density of values, one per sample, averaged over all logs; `None` where no log is long
 /// enough.
 pub fn spectrum(samples: &Samples, values: &[f64]) -> Option<Spectrum> {
     let period_s = typical_period_s(samples)?;
     let longest = logs(samples).map(|(start, end)| end - start).max()?;
-    let segment_samples = (SEGMENT_S / period_s) as usize;
-    let segment_samples = segment_samples.min(longest / 2).min(LONGEST_SEGMENT);
+    let segment_samples = (samples.criteria.segment_s / period_s) as usize;
+    let segment_samples = segment_samples.min(longest / 2).min(samples.criteria.longest_segment);
     let welch = Welch {
         segment_samples: segment_samples & !1,
         most_segments: usize::MAX,

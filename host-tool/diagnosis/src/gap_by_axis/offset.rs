@@ -1,9 +1,10 @@
 //! What is constant.
 
 use super::fit::{Design, Fit};
-use super::{Found, Samples};
-use crate::Axis;
+use super::found::Found;
+use super::samples::Samples;
 use crate::quantity::volts;
+use crate::result::Axis;
 
 /// A constant over all logs, or one for each.
 pub(super) fn find(samples: &Samples) -> Option<Found> {
@@ -14,8 +15,7 @@ pub(super) fn find(samples: &Samples) -> Option<Found> {
     let fit = Fit::of(&design, &samples.residual_v, &samples.fold);
     let each: Vec<usize> = (1..=logs).collect();
     let (common_v2, each_v2) = (fit.gain(&[], &[0]), fit.gain(&[], &each));
-    const MOSTLY: f64 = 1.4;
-    if logs > 1 && each_v2 > MOSTLY * common_v2 {
+    if logs > 1 && each_v2 > samples.criteria.each_log_ratio * common_v2 {
         let levels = fit.coefficients(&each);
         let used = |log: &usize| samples.log.contains(log);
         let of_logs: Vec<f64> = (0..logs).filter(used).map(|log| levels[1 + log]).collect();

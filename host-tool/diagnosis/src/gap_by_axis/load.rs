@@ -1,10 +1,11 @@
 //! What varies with the load.
 
 use super::curve::{Curve, curve};
+use super::found::Found;
+use super::samples::Samples;
 use super::shape::{explained, spread};
-use super::{Found, Samples};
-use crate::Axis;
 use crate::quantity::{number, volts};
+use crate::result::Axis;
 
 /// A function of the load, whatever the motion, or one of its size that opposes the motion.
 pub(super) fn find(samples: &Samples) -> Option<Found> {
@@ -21,11 +22,9 @@ pub(super) fn find(samples: &Samples) -> Option<Found> {
     Some(Found { axis: Axis::Load, energy_v2, detail, fitted_v })
 }
 
-const CLEARLY: f64 = 0.8;
-
 fn pushing_words(fitted_v: &[f64], samples: &Samples) -> String {
     let (share, slope) = explained(fitted_v, |k| samples.load_nm[k]);
-    if share > CLEARLY {
+    if share > samples.criteria.clear_part {
         let sense = if slope > 0.0 { "grows" } else { "falls" };
         format!("{sense} with the load, {} mV/Nm", number(1e3 * slope))
     } else {
@@ -35,7 +34,7 @@ fn pushing_words(fitted_v: &[f64], samples: &Samples) -> String {
 
 fn rubbing_words(fitted_v: &[f64], size: &[f64], samples: &Samples) -> String {
     let (share, slope) = explained(fitted_v, |k| size[k] * samples.direction[k]);
-    if share > CLEARLY {
+    if share > samples.criteria.clear_part {
         let sense = if slope > 0.0 { "grows" } else { "falls" };
         format!("friction {sense} with |load|, {} mV/Nm", number(1e3 * slope))
     } else {

@@ -11,6 +11,7 @@ mod angle;
 mod command;
 mod curve;
 mod fit;
+mod found;
 mod frequency;
 mod load;
 mod nodes;
@@ -31,59 +32,47 @@ pub use angle::Carrier;
 pub use samples::Samples;
 pub use spectrum::{Spectrum, spectrum};
 
-use super::{Axis, LogResiduals, Place};
+use crate::criteria::AxisCriteria;
+use crate::result::{GapShare, LogResiduals};
+use found::Found;
 
-/// What a function of one axis explains on one joint.
-#[derive(Clone, Debug)]
-struct Found {
-    axis: Axis,
-    /// What it takes off the sum of squares [V^2].
-    energy_v2: f64,
-    detail: String,
-    /// The function at every sample [V].
-    fitted_v: Vec<f64>,
-}
-
-/// Shares below this are not worth a word.
-const LEAST_SHARE: f64 = 0.02;
-
-/// Where the gap of the refitted model lies, largest share first; shares under 2 % are left out.
+/// Where the gap of the refitted model lies, largest share first; small shares are left out.
 ///
 /// Empty where no joint leaves more than its noise floor.
-pub fn places(logs: &[LogResiduals]) -> Vec<Place> {
-    let samples: Vec<Samples> = Samples::of_joints(logs, |joint| &joint.refitted_v);
+pub fn gap_by_axis(logs: &[LogResiduals], criteria: &AxisCriteria) -> Vec<GapShare> {
+    let samples: Vec<Samples> = Samples::of_joints(logs, criteria, |joint| &joint.refitted_v);
     let whole_v2: f64 = samples.iter().map(Samples::excess_v2).sum();
     if whole_v2 <= 0.0 {
         return Vec::new();
     }
-    let of_joint = |samples: &Samples| -> Vec<Place> {
+    let of_joint = |samples: &Samples| -> Vec<GapShare> {
         let limit_v2 = samples.excess_v2();
-        let place = |found: Found| Place {
+        let share = |found: Found| GapShare {
             joint: samples.joint,
             axis: found.axis,
             share: (found.energy_v2.min(limit_v2) / whole_v2).clamp(0.0, 1.0),
             detail: found.detail,
         };
-        found(samples).into_iter().map(place).collect()
+        found(samples).into_iter().map(share).collect()
     };
-    let mut places: Vec<Place> = samples.par_iter().flat_map(of_joint).collect();
-    places.retain(|place| place.share >= LEAST_SHARE);
-    places.sort_by(|a, b| b.share.total_cmp(&a.share));
-    places
+    let mut shares: Vec<GapShare> = samples.par_iter().flat_map(of_joint).collect();
+    shares.retain(|share| share.share >= criteria.least_share);
+    shares.sort_by(|a, b| b.share.total_cmp(&a.share));
+    shares
 }
 
 /// What the axes explain of one joint's residual one after the other, the strongest first;
 /// frequencies come last, for they are looked for in what the other axes leave.
 fn found(samples: &Samples) -> Vec<Found> {
-    let whole_v2 = samples.excess_v2();
+    let (whole_v2, criteria) = (samples.excess_v2(), &samples.criteria);
     let mut all: Vec<Found> = Vec::new();
-    if whole_v2 <= 0.0 || samples.len() < LEAST_SAMPLES {
+    if whole_v2 <= 0.0 || samples.len() < criteria.fewest_samples {
         return all;
     }
     let mut left = samples.clone();
-    while all.len() < MOST_PASSES && left.excess_v2() > 0.0 {
-        let strongest = strongest(&left);
-        let Some(next) = strongest.filter(|f| f.energy_v2 > LEAST_SHARE * whole_v2) else { break };
+    while all.len() < criteria.most_axes && left.excess_v2() > 0.0 {
+        let least_v2 = criteria.least_share * whole_v2;
+        let Some(next) = strongest(&left).filter(|f| f.energy_v2 > least_v2) else { break };
         left.residual_v.iter_mut().zip(&next.fitted_v).for_each(|(left, f)| *left -= f);
         all.push(next);
     }
@@ -119,6 +108,3 @@ fn merged(all: Vec<Found>) -> Vec<Found> {
     }
     merged
 }
-
-const LEAST_SAMPLES: usize = 100;
-const MOST_PASSES: usize = 5;

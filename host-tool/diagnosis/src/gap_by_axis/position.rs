@@ -2,16 +2,13 @@
 
 use super::angle::{AngleSums, Carrier, Wave};
 use super::fit::{Design, Fit};
+use super::found::Found;
 use super::nodes::Nodes;
-use super::orders::{HIGHEST_ORDER, lowest_order};
+use super::orders::lowest_order;
+use super::samples::Samples;
 use super::shape::{centred, explained, spread};
-use super::{Found, Samples};
-use crate::Axis;
 use crate::quantity::volts;
-
-const MOST_WAVES: usize = 4;
-/// A wave that explains less of the excess is not named.
-const LEAST_PART: f64 = 0.02;
+use crate::result::Axis;
 
 /// A function of the angle.
 pub(super) fn find(samples: &Samples) -> Option<Found> {
@@ -23,9 +20,9 @@ pub(super) fn find(samples: &Samples) -> Option<Found> {
     if both_v2 <= 0.0 {
         return None;
     }
-    const WORTH_A_WORD: f64 = 0.25;
+    let least_v2 = samples.criteria.named_angle_part * both_v2;
     let parts = [(waves.energy_v2, waves.words()), (slow.energy_v2, slow.detail)];
-    let mut parts: Vec<_> = parts.into_iter().filter(|p| p.0 > WORTH_A_WORD * both_v2).collect();
+    let mut parts: Vec<_> = parts.into_iter().filter(|p| p.0 > least_v2).collect();
     parts.sort_by(|a, b| b.0.total_cmp(&a.0));
     let words: Vec<String> = parts.into_iter().map(|part| part.1).collect();
     let fitted_v = waves.fitted_v.iter().zip(&slow.fitted_v).map(|(a, b)| a + b).collect();
@@ -42,16 +39,16 @@ struct Waves {
 impl Waves {
     /// Waves one by one, each of which must pay on stretches left out.
     fn of(samples: &Samples) -> Self {
-        let least_v2 = LEAST_PART * samples.excess_v2();
+        let least_v2 = samples.criteria.least_order_part * samples.excess_v2();
         let mut found = Self { waves: vec![], energy_v2: 0.0, fitted_v: vec![0.0; samples.len()] };
         let base = Design::of(samples.len(), 2, |k, row| {
             row.extend([(0, 1.0), (1, samples.direction[k])]);
         });
         let level = Fit::of(&base, &samples.residual_v, &samples.fold).coefficients(&[0, 1]);
         let mut left_v = less(&samples.residual_v, &base.times(&level));
-        while found.waves.len() < MOST_WAVES {
+        while found.waves.len() < samples.criteria.most_orders {
             let sums = AngleSums::of(samples, &left_v);
-            let best = sums.best(lowest_order(samples), HIGHEST_ORDER);
+            let best = sums.best(lowest_order(samples), samples.criteria.highest_order);
             let Some(wave) = best.filter(|wave| wave.energy_v2 > least_v2) else { break };
             let waves: Vec<Wave> = found.waves.iter().copied().chain([wave]).collect();
             let design = design(samples, &waves);
@@ -132,8 +129,7 @@ fn slow(samples: &Samples, left_v: &[f64]) -> Found {
     }
     let centred_angle = centred(angle);
     let (share, slope) = explained(&fitted_v, |k| centred_angle[k]);
-    const CLEARLY: f64 = 0.8;
-    let detail = if share > CLEARLY {
+    let detail = if share > samples.criteria.clear_part {
         format!("proportional to the angle, {} per rad", volts(slope))
     } else {
         format!("slow over the angle, by {}", volts(spread(&fitted_v)))

@@ -1,16 +1,14 @@
 //! What varies with velocity.
 
 use super::fit::{Design, Fit};
+use super::found::Found;
 use super::nodes::Nodes;
+use super::samples::Samples;
 use super::shape::{centred, explained};
-use super::{Found, Samples};
-use crate::Axis;
+use crate::result::Axis;
 
 /// Nodes over speed: where it is low, friction bends most.
 const LEVELS: [f64; 9] = [0.0, 0.05, 0.12, 0.25, 0.4, 0.6, 0.8, 0.95, 1.0];
-
-/// The weaker of the two parts counts from this part of the stronger on.
-const MIXED: f64 = 0.1;
 
 /// An even and an odd function of velocity.
 pub(super) fn find(samples: &Samples) -> Option<Found> {
@@ -33,7 +31,7 @@ pub(super) fn find(samples: &Samples) -> Option<Found> {
         fit.gain(&[0], columns).max(fit.gain(&[], &moving))
     };
     let (even_v2, odd_v2) = (of(&even), fit.gain(&[0], &odd));
-    let mixed = even_v2.min(odd_v2) > MIXED * even_v2.max(odd_v2);
+    let mixed = even_v2.min(odd_v2) > samples.criteria.both_parities_part * even_v2.max(odd_v2);
     let columns = match (mixed, even_v2 > odd_v2) {
         (true, _) => &both,
         (false, true) => &even,
@@ -48,21 +46,19 @@ pub(super) fn find(samples: &Samples) -> Option<Found> {
     };
     let energy_v2 = if columns == &odd { odd_v2 } else { of(columns) };
     let detail = if even_v2 > odd_v2 {
-        even_words(&centred(&design.times(&fit.coefficients(&even))), &speed)
+        even_words(&centred(&design.times(&fit.coefficients(&even))), samples, &speed)
     } else {
         odd_words(&design.times(&fit.coefficients(&odd)), samples, &speed)
     };
     Some(Found { axis: Axis::Velocity, energy_v2, detail, fitted_v })
 }
 
-const CLEARLY: f64 = 0.8;
-
-fn even_words(fitted_v: &[f64], speed: &[f64]) -> String {
+fn even_words(fitted_v: &[f64], samples: &Samples, speed: &[f64]) -> String {
     let centred_speed = centred(speed);
     let (share, slope) = explained(fitted_v, |k| centred_speed[k]);
     let (more, less) =
         if slope > 0.0 { ("forwards", "backwards") } else { ("backwards", "forwards") };
-    let growth = if share > CLEARLY { ", grows with |velocity|" } else { "" };
+    let growth = if share > samples.criteria.clear_part { ", grows with |velocity|" } else { "" };
     format!("even in velocity: larger {more} than {less}{growth}")
 }
 
@@ -73,7 +69,7 @@ fn odd_words(fitted_v: &[f64], samples: &Samples, speed: &[f64]) -> String {
     let slow = explained(fitted_v, |k| direction[k] / (1e-3 + speed[k]).sqrt());
     let best = linear.0.max(level.0).max(slow.0);
     let sense = |size: f64| if size > 0.0 { "against the motion" } else { "with the motion" };
-    if best < CLEARLY {
+    if best < samples.criteria.clear_part {
         "odd in velocity".into()
     } else if linear.0 == best {
         format!("odd in velocity, {}: grows with |velocity|", sense(linear.1))

@@ -1,8 +1,8 @@
 //! A function of one variable that vanishes with it.
 
-use super::Samples;
 use super::fit::{Design, Fit};
 use super::nodes::Nodes;
+use super::samples::Samples;
 use super::shape::centred;
 
 /// A fitted function.
@@ -12,9 +12,6 @@ pub(super) struct Curve {
     /// Its value at every sample [V].
     pub fitted_v: Vec<f64>,
 }
-
-/// A constant beside the function must take off this much more.
-const CLEARLY_BETTER: f64 = 0.95;
 
 /// The function of `variable` that fits the residual, times `carrier`.
 ///
@@ -32,7 +29,7 @@ pub(super) fn curve(samples: &Samples, variable: &[f64], carrier: Option<&[f64]>
     let fit = Fit::of(&design, &samples.residual_v, &samples.fold);
     let all: Vec<usize> = (0..=nodes.len()).collect();
     let (alone_v2, beside_v2) = (fit.gain(&[], &all[1..]), fit.gain(&[0], &all));
-    if alone_v2 > CLEARLY_BETTER * beside_v2 {
+    if alone_v2 > samples.criteria.without_constant_part * beside_v2 {
         let fitted_v = design.times(&fit.coefficients(&all[1..]));
         return Curve { energy_v2: alone_v2, fitted_v };
     }

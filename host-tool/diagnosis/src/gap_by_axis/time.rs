@@ -1,10 +1,11 @@
 //! What changes slowly since the log began.
 
 use super::fit::{Design, Fit};
+use super::found::Found;
+use super::samples::Samples;
 use super::samples::root_mean_square;
-use super::{Found, Samples};
-use crate::Axis;
 use crate::quantity::volts;
+use crate::result::Axis;
 
 /// Degrees of the polynomials in time.
 const DEGREES: usize = 3;

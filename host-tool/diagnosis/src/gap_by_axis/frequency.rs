@@ -1,9 +1,11 @@
 //! What lies at certain frequencies, lines and bands, and is no function of anything else.
 
+use super::found::Found;
+use super::samples::Samples;
 use super::spectrum::{Spectrum, spectrum};
-use super::{Found, Samples};
-use crate::Axis;
+use crate::criteria::AxisCriteria;
 use crate::quantity::number;
+use crate::result::Axis;
 
 /// A line or a band of frequencies.
 struct Part {
@@ -22,11 +24,12 @@ pub(super) fn find(samples: &Samples, others: f64) -> Option<Found> {
     // Some of a segment's values weigh more than others: the sum of squares sets the scale.
     let scale = samples.len() as f64 * left.step_hz();
     let floor = samples.floor_v2 / (scale * left.density.len() as f64);
-    let mut parts = take_lines(&mut left, &motion, scale);
-    parts.extend(band(&left, &motion, floor, others).map(|band| band.scaled(scale)));
+    let criteria = &samples.criteria;
+    let mut parts = take_lines(&mut left, &motion, scale, criteria);
+    parts.extend(band(&left, &motion, floor, others, criteria).map(|band| band.scaled(scale)));
     parts.sort_by(|a, b| b.energy_v2.total_cmp(&a.energy_v2));
     let energy_v2: f64 = parts.iter().map(|part| part.energy_v2).sum();
-    parts.retain(|part| part.energy_v2 > 0.15 * energy_v2);
+    parts.retain(|part| part.energy_v2 > criteria.least_line_part * energy_v2);
     let words: Vec<String> = parts.into_iter().map(|part| part.words).collect();
     let fitted_v = vec![0.0; samples.len()];
     let detail = words.join("; ");
@@ -42,28 +45,31 @@ impl Part {
 /// A window smears a line over this many frequencies to either side.
 const SMEAR: usize = 3;
 const NEIGHBOURS: usize = 16;
-/// Below this part of the velocity's power lies the band of the motion.
-const MOTION_PART: f64 = 0.99;
 
 /// Takes the lines out of a spectrum, the strongest first.
-fn take_lines(left: &mut Spectrum, motion: &Spectrum, scale: f64) -> Vec<Part> {
-    const MOST_LINES: usize = 4;
-    const STANDS_OUT: f64 = 10.0;
-    const SHARPER: f64 = 5.0;
-    let motion_hz = motion.frequency_of_part(MOTION_PART);
+fn take_lines(
+    left: &mut Spectrum,
+    motion: &Spectrum,
+    scale: f64,
+    criteria: &AxisCriteria,
+) -> Vec<Part> {
+    let motion_hz = motion.frequency_of_part(criteria.motion_part);
     let mut lines = Vec::new();
     let inside = SMEAR + 1..left.density.len().saturating_sub(SMEAR + 1);
     let mut asked: Vec<usize> = inside.collect();
     asked.sort_by(|&a, &b| left.density[b].total_cmp(&left.density[a]));
     for bin in asked {
-        if lines.len() == MOST_LINES {
+        if lines.len() == criteria.most_lines {
             break;
         }
-        let about = background(&left.density, bin);
+        let Some(about) = background(&left.density, bin) else { continue };
         let height = left.density[bin] / about;
-        let own = left.frequency_hz[bin] > motion_hz
-            || height > SHARPER * motion.density[bin] / background(&motion.density, bin);
-        if height > STANDS_OUT && own {
+        let of_motion = background(&motion.density, bin);
+        let sharper = of_motion.is_none_or(|of_motion| {
+            height > criteria.line_over_motion * motion.density[bin] / of_motion
+        });
+        let own = left.frequency_hz[bin] > motion_hz || sharper;
+        if height > criteria.line_ratio && own {
             lines.push(take_line(left, bin, about, scale));
         }
     }
@@ -79,22 +85,25 @@ fn take_line(left: &mut Spectrum, bin: usize, about: f64, scale: f64) -> Part {
     Part { energy_v2: power * scale, words: format!("a line at {:.1} Hz", moment / power) }
 }
 
-/// The median density about a frequency, but for its own line.
-fn background(density: &[f64], bin: usize) -> f64 {
+/// The median density about a frequency, but for its own line; none where the spectrum
+/// is too short.
+fn background(density: &[f64], bin: usize) -> Option<f64> {
     let range = bin.saturating_sub(NEIGHBOURS)..(bin + NEIGHBOURS + 1).min(density.len());
     let mut about: Vec<f64> =
         range.filter(|k| k.abs_diff(bin) > SMEAR).map(|k| density[k]).collect();
-    if about.is_empty() {
-        return f64::INFINITY;
-    }
     let middle = about.len() / 2;
-    about.select_nth_unstable_by(middle, f64::total_cmp).1.max(f64::MIN_POSITIVE)
+    let median = |about: &mut Vec<f64>| *about.select_nth_unstable_by(middle, f64::total_cmp).1;
+    (!about.is_empty()).then(|| median(&mut about).max(f64::MIN_POSITIVE))
 }
 
 /// The band in which the density stands out from the floor, in units of the density.
-fn band(left: &Spectrum, motion: &Spectrum, floor: f64, others: f64) -> Option<Part> {
-    const NARROW: f64 = 0.7;
-    const EXPLAINED_ENOUGH: f64 = 0.3;
+fn band(
+    left: &Spectrum,
+    motion: &Spectrum,
+    floor: f64,
+    others: f64,
+    criteria: &AxisCriteria,
+) -> Option<Part> {
     let excess: Vec<f64> = left.density.iter().map(|density| density - floor).collect();
     let whole: f64 = excess.iter().sum();
     if whole <= 0.0 {
@@ -104,9 +113,9 @@ fn band(left: &Spectrum, motion: &Spectrum, floor: f64, others: f64) -> Option<P
     let (from, to) = heaviest_run(&excess, level);
     let energy: f64 = excess[from..to].iter().sum();
     let (low_hz, high_hz) = (left.frequency_hz[from], left.frequency_hz[to - 1]);
-    let of_motion = low_hz < motion.frequency_of_part(MOTION_PART);
-    let wide = high_hz - low_hz > NARROW * left.highest_hz() && of_motion;
-    if wide || energy < 0.5 * whole || (of_motion && others > EXPLAINED_ENOUGH) {
+    let of_motion = low_hz < motion.frequency_of_part(criteria.motion_part);
+    let wide = high_hz - low_hz > criteria.widest_band_part * left.highest_hz() && of_motion;
+    if wide || energy < 0.5 * whole || (of_motion && others > criteria.explained_elsewhere) {
         return None;
     }
     let above: f64 = excess[to..].iter().map(|e| e.max(0.0)).sum();

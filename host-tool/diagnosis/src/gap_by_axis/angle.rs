@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::Samples;
+use super::samples::Samples;
 use super::samples::root_mean_square;
 
 /// What a wave over the angle is multiplied by.

@@ -1,18 +1,18 @@
 //! What varies with acceleration.
 
 use super::curve::curve;
+use super::found::Found;
+use super::samples::Samples;
 use super::shape::{explained, spread};
-use super::{Found, Samples};
-use crate::Axis;
 use crate::quantity::{number, volts};
+use crate::result::Axis;
 
 /// A function of acceleration.
 pub(super) fn find(samples: &Samples) -> Option<Found> {
     let acceleration = &samples.acceleration_rad_per_s2;
     let found = curve(samples, acceleration, None);
     let (share, slope) = explained(&found.fitted_v, |k| acceleration[k]);
-    const CLEARLY: f64 = 0.8;
-    let detail = if share > CLEARLY {
+    let detail = if share > samples.criteria.clear_part {
         format!("proportional to acceleration, {} mV s^2/rad", number(1e3 * slope))
     } else {
         format!("varies with acceleration by {}", volts(spread(&found.fitted_v)))

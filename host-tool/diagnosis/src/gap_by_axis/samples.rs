@@ -1,6 +1,7 @@
 //! One joint's residuals over all logs, as one list of samples.
 
-use crate::{JointResiduals, LogResiduals};
+use crate::criteria::AxisCriteria;
+use crate::result::{JointResiduals, LogResiduals};
 
 /// Samples of one joint, log after log.
 #[derive(Clone, Debug, Default)]
@@ -27,41 +28,36 @@ pub struct Samples {
     pub residual_v: Vec<f64>,
     /// Direction of motion, -1 to 1, continuous through standstill.
     pub direction: Vec<f64>,
+    /// The thresholds by which they are judged.
+    pub criteria: AxisCriteria,
     /// Sum of squares that noise alone leaves [V^2].
     pub floor_v2: f64,
 }
-
-/// Folds of the cross-validation.
-pub(super) const FOLDS: usize = 5;
-/// Stretches that are left out together are no longer than this [s].
-const LONGEST_STRETCH_S: f64 = 2.5;
-const LEAST_STRETCHES: f64 = 15.0;
-/// A floor is known no better than to this part of its square.
-const CHANCE: f64 = 0.05;
-/// Below this part of the rms velocity a joint counts as turning around.
-const STANDSTILL: f64 = 0.02;
 
 impl Samples {
     /// The samples of every joint in the logs, by number, with the residual that `pick` names.
     pub fn of_joints(
         logs: &[LogResiduals],
+        criteria: &AxisCriteria,
         pick: impl Fn(&JointResiduals) -> &Vec<f64>,
     ) -> Vec<Self> {
         let mut joints: Vec<u8> =
             logs.iter().flat_map(|log| log.joints.iter().map(|joint| joint.joint)).collect();
         joints.sort_unstable();
         joints.dedup();
-        joints.into_iter().map(|joint| Self::of_joint(logs, joint, &pick)).collect()
+        joints.into_iter().map(|joint| Self::of_joint(logs, joint, criteria, &pick)).collect()
     }
 
     fn of_joint(
         logs: &[LogResiduals],
         joint: u8,
+        criteria: &AxisCriteria,
         pick: &impl Fn(&JointResiduals) -> &Vec<f64>,
     ) -> Self {
-        let mut samples = Self { joint, ..Self::default() };
+        let mut samples = Self { joint, criteria: criteria.clone(), ..Self::default() };
         let spans = logs.iter().map(|log| span_s(&log.time_s));
-        let stretch_s = (spans.sum::<f64>() / LEAST_STRETCHES).clamp(1e-3, LONGEST_STRETCH_S);
+        let longest_s = criteria.longest_piece_s;
+        let stretch_s = (spans.sum::<f64>() / criteria.fewest_pieces).clamp(1e-3, longest_s);
         let mut stretches = 0;
         for (number, log) in logs.iter().enumerate() {
             if let Some(columns) = log.joints.iter().find(|columns| columns.joint == joint) {
@@ -69,7 +65,7 @@ impl Samples {
             }
             stretches += (span_s(&log.time_s) / stretch_s).ceil() as usize + 1;
         }
-        samples.direction = direction(&samples.velocity_rad_per_s);
+        samples.direction = direction(&samples.velocity_rad_per_s, criteria.standstill_part);
         samples
     }
 
@@ -95,7 +91,7 @@ impl Samples {
                 continue;
             }
             self.log.push(number);
-            self.fold.push((stretches + (row[0] / stretch_s) as usize) % FOLDS);
+            self.fold.push((stretches + (row[0] / stretch_s) as usize) % self.criteria.folds);
             let lists = [
                 &mut self.time_s,
                 &mut self.position_rad,
@@ -123,7 +119,7 @@ impl Samples {
     /// Sum of squares above that of noise alone [V^2]; 0 where it may be chance.
     pub fn excess_v2(&self) -> f64 {
         let excess_v2 = self.residual_v.iter().map(|r| r * r).sum::<f64>() - self.floor_v2;
-        if excess_v2 > CHANCE * self.floor_v2 { excess_v2 } else { 0.0 }
+        if excess_v2 > self.criteria.floor_uncertainty * self.floor_v2 { excess_v2 } else { 0.0 }
     }
 }
 
@@ -131,9 +127,9 @@ fn span_s(time_s: &[f64]) -> f64 {
     time_s.last().zip(time_s.first()).map_or(0.0, |(last, first)| last - first)
 }
 
-fn direction(velocity_rad_per_s: &[f64]) -> Vec<f64> {
+fn direction(velocity_rad_per_s: &[f64], standstill_part: f64) -> Vec<f64> {
     let rms = root_mean_square(velocity_rad_per_s);
-    let slow = (STANDSTILL * rms).max(f64::MIN_POSITIVE);
+    let slow = (standstill_part * rms).max(f64::MIN_POSITIVE);
     velocity_rad_per_s.iter().map(|v| (v / slow).clamp(-1.0, 1.0)).collect()
 }
 

@@ -1,18 +1,14 @@
-//! Retuning a model to the train logs, Gauss-Newton with what is known beforehand.
+//! Fits of a model to the train logs: Gauss-Newton steps with a prior.
 
 use super::linearisation::{Linearisation, objective};
 use super::unknowns::{Expected, Unknown, expected, kept_physical};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
-use crate::trial::voltage::{EffectInstance, Hypothesis};
+use crate::trial::hypothesis::{EffectInstance, Hypothesis};
+use crate::trial::residual_rows::residual_rows;
 use rig::effects::Kind;
 
-/// Most steps of a fit.
-pub const MOST_STEPS: usize = 6;
-/// A step that takes less than this off the objective ends a fit.
-const SMALL_STEP: f64 = 2e-4;
-
-/// Retunes a model with everything open in it; `None` where the numbers do not work out.
+/// Fits a model with everything open in it; `None` where the numbers do not work out.
 pub fn fit(
     evidence: &Evidence,
     subject: &Subject,
@@ -25,18 +21,15 @@ pub fn fit(
         let Some((next, objective)) = improved(evidence, subject, &best, &open) else { break };
         let gain = best.objective - objective;
         best = Linearisation::of(evidence, next, open.clone())?;
-        if gain < SMALL_STEP * best.objective {
+        if gain < subject.criteria.fit.converged_part * best.objective {
             break;
         }
     }
     Some(best)
 }
 
-/// Deviations from what is known that a model's own doubt covers.
-const DOUBT: f64 = 3.0;
-
 /// The fit with base parameters, Coulomb and viscous friction and lags no further than
-/// three deviations from what is known of them.
+/// a few deviations from what is known of them.
 pub fn fit_held(
     evidence: &Evidence,
     subject: &Subject,
@@ -44,30 +37,28 @@ pub fn fit_held(
 ) -> Option<Linearisation> {
     let mut open = open_in(evidence, subject, &start.effects);
     let mut hypothesis = start;
-    for _ in 0..HELD_ROUNDS {
-        hold(&mut open, &mut hypothesis);
+    let within = subject.criteria.fit.within_deviations;
+    for _ in 0..subject.criteria.fit.bound_rounds {
+        hold(&mut open, &mut hypothesis, within);
         let linear = Linearisation::of(evidence, hypothesis.clone(), open.clone())?;
         let better = improved(evidence, subject, &linear, &open);
         hypothesis = better.map_or(linear.hypothesis, |(hypothesis, _)| hypothesis);
     }
-    hold(&mut open, &mut hypothesis);
+    hold(&mut open, &mut hypothesis, within);
     Linearisation::of(evidence, hypothesis, open)
 }
 
-/// Rounds in which parameters at their bounds are fixed there and the others retuned.
-const HELD_ROUNDS: usize = 3;
-
-/// Fixes at its bound what lies beyond.
-fn hold(open: &mut [Expected], hypothesis: &mut Hypothesis) {
+/// Fixes what lies more than `within` deviations off there.
+fn hold(open: &mut [Expected], hypothesis: &mut Hypothesis, within: f64) {
     const FIXED: f64 = 1e-3;
     for expected in open {
-        let miss = (expected.unknown.get(hypothesis) - expected.mean) / expected.deviation;
+        let deviations = (expected.unknown.get(hypothesis) - expected.mean) / expected.deviation;
         let may_be_held = !matches!(
             expected.unknown,
             Unknown::Effect { .. } | Unknown::Friction { parameter: 1 | 2 | 4 | 5, .. }
         );
-        if may_be_held && miss.abs() > DOUBT {
-            expected.mean += DOUBT * expected.deviation * miss.signum();
+        if may_be_held && deviations.abs() > within {
+            expected.mean += within * expected.deviation * deviations.signum();
             expected.deviation *= FIXED;
             expected.unknown.set(hypothesis, expected.mean);
         }
@@ -84,7 +75,7 @@ fn improved(
     let step = best.step();
     [1.0, 0.5, 0.2, 0.05].into_iter().find_map(|part| {
         let mut hypothesis = best.moved(&step, part);
-        kept_physical(&mut hypothesis, &subject.robot.friction);
+        kept_physical(&mut hypothesis, subject);
         for effect in &mut hypothesis.effects {
             effect.normalise();
         }
@@ -94,7 +85,7 @@ fn improved(
 }
 
 fn objective_of(evidence: &Evidence, hypothesis: &Hypothesis, open: &[Expected]) -> f64 {
-    let residual = evidence.residual(hypothesis, &evidence.joints);
+    let residual = residual_rows(evidence, hypothesis);
     let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
     objective(&residual, &train, hypothesis, open)
 }

@@ -1,0 +1,65 @@
+//! Thresholds of the prior and of fits.
+
+use super::table::criteria;
+
+criteria! {
+    /// What is known of the model beforehand: standard deviations of the true parameters about
+    /// those of the model as given, and bounds.
+    PriorCriteria {
+        /// Deviation of a parameter in parts of it: identification leaves two to three per cent.
+        relative: f64 = 0.025,
+        /// Added for base parameters, in parts of the largest of their kind.
+        of_largest: f64 = 0.004,
+        /// Added for friction parameters, in parts of themselves.
+        friction: f64 = 0.005,
+        /// Added for the Stribeck level, in parts of Coulomb friction.
+        stribeck_level: f64 = 0.02,
+        /// Least added for viscous friction, in parts of Coulomb friction per rad/s: identification
+        /// gives zero where it is small.
+        viscous: f64 = 0.002,
+        /// Least added for the bristles' damping, in parts of their stiffness.
+        damping: f64 = 1e-5,
+        /// The same where the model does not tell the bristles.
+        unknown_damping: f64 = 0.02,
+        /// Deviation of the instants of commands, in sample periods.
+        lag_periods: f64 = 0.05,
+        /// Least Coulomb friction of a fit, in parts of that given.
+        least_coulomb: f64 = 0.02,
+        /// Most by which Stribeck friction may be below Coulomb friction, in parts of the latter.
+        most_stribeck_drop: f64 = 0.95,
+        /// Least Stribeck velocity of a fit, in parts of that given.
+        least_stribeck_velocity: f64 = 0.2,
+        /// Least stiffness of bristles of a fit, in parts of that given.
+        least_bristle_stiffness: f64 = 0.1,
+    }
+}
+
+criteria! {
+    /// Fits, and how they are judged.
+    FitCriteria {
+        /// Most Gauss-Newton steps of the first fit, which only serves to see the noise.
+        first_steps: usize = 2,
+        /// Most steps of the refit of the model as given.
+        refit_steps: usize = 6,
+        /// A step that takes a smaller part off the objective ends a fit.
+        converged_part: f64 = 2e-4,
+        /// A refit that is reported stays within so many prior deviations of the model as given.
+        within_deviations: f64 = 3.0,
+        /// Rounds in which parameters at these bounds are fixed and the others refitted.
+        bound_rounds: usize = 3,
+        /// Rms up to so many times the noise is the method's own: friction around reversals, where
+        /// velocity is hardest to know, reaches it on one joint of one log of a robot without effect.
+        own_ratio: f64 = 1.5,
+        /// Prior penalty, in squared deviations, from which parameters ask for a cause: some thirty
+        /// parameters that are known to their deviation make thirty.
+        unexplained_prior_penalty: f64 = 60.0,
+        /// Prior penalty beyond which a model is no longer the one given: parameters some ten
+        /// deviations off, a quarter of their values.
+        implausible_prior_penalty: f64 = 240.0,
+        /// Torque on a link behind backlash that no model tells, in parts of the noise of the
+        /// measured torque. More lets fewer errors of a bounce grow, but hides more of whatever slow
+        /// torque a model lacks: about 1 - 1/sqrt(1 + part^2) of it, up to a quarter behind a
+        /// very stiff spring.
+        unknown_link_torque: f64 = 0.5,
+    }
+}

@@ -1,0 +1,36 @@
+//! Thresholds of rows and noise.
+
+use super::table::criteria;
+
+criteria! {
+    /// Rows and the noise in them.
+    RowCriteria {
+        /// Rows per second of motion without broadband commands.
+        calm_rows_per_s: f64 = 200.0,
+        /// Rows per second under broadband commands.
+        broadband_rows_per_s: f64 = 500.0,
+        /// Cut-off of the rows' low-pass in parts of their rate.
+        cutoff_part: f64 = 0.3,
+        /// What the ends of a stretch lose [s].
+        margin_s: f64 = 0.25,
+        /// Lowest corner of the filter that makes rows white [Hz].
+        lowest_corner_hz: f64 = 2.0,
+        /// Highest, in parts of the sampling rate.
+        highest_corner_part: f64 = 0.4,
+        /// Part of a command too fast for the sampling that is not accounted for, per second between
+        /// samples: how the joint moves meanwhile is not known, nor what its friction does.
+        between_samples_per_s: f64 = 10.0,
+        /// Length of the pieces in which noise is looked for [s].
+        noise_piece_s: f64 = 0.4,
+        /// Fewest such pieces.
+        fewest_noise_pieces: usize = 8,
+        /// Lowest frequency at which noise is looked for [Hz].
+        lowest_noise_hz: f64 = 7.0,
+        /// Highest, in parts of the sampling rate.
+        highest_noise_part: f64 = 0.2,
+        /// A frequency with so many times the power of noise carries a hum.
+        hum_ratio: f64 = 3.0,
+        /// Sample periods that differ by a smaller part are one rate.
+        same_rate_part: f64 = 0.05,
+    }
+}

@@ -1,0 +1,40 @@
+//! Thresholds and efforts of the search for candidates.
+
+use super::table::criteria;
+
+criteria! {
+    /// How candidates are found.
+    SearchCriteria {
+        /// Highest harmonic per turn that is tried.
+        highest_harmonic: usize = 100,
+        /// Harmonics that are followed up, of those that gain most.
+        harmonics: usize = 3,
+        /// Starts of one effect on one joint that are searched from.
+        starts: usize = 2,
+        /// Starts that promise less than this part of the best one's gain are not searched.
+        least_of_best_gain: f64 = 0.08,
+        /// Nor are those that promise less than this part of the squares that are left.
+        least_gain: f64 = 0.001,
+        /// Most Levenberg-Marquardt steps of a search.
+        steps: usize = 8,
+        /// The same for springs, whose values are far from linear.
+        spring_steps: usize = 14,
+        /// A step that gains a smaller part of the squares ends a search.
+        converged_part: f64 = 1e-3,
+        /// Backlash must leave less than this part of the squares: a link that the measured torque
+        /// corrects hides up to two fifths of whatever the model lacks.
+        left_by_backlash: f64 = 0.6,
+        /// Most effects that are searched although others promised more, once those are refused.
+        overlooked: usize = 10,
+        /// Steps of their search.
+        overlooked_steps: usize = 3,
+        /// How often a search for backlash restarts from near where it ended.
+        restarts: usize = 3,
+        /// Steps of such a search.
+        restart_steps: usize = 8,
+        /// A restart must gain this part of the squares.
+        least_restart_gain: f64 = 0.05,
+        /// Nothing is restarted where no log is left with more than so many times the noise.
+        good_ratio: f64 = 3.0,
+    }
+}

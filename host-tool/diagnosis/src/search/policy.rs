@@ -1,0 +1,88 @@
+//! When an effect is added to the model, and when the search ends: conditions on what models
+//! leave, and nothing that is computed.
+
+use super::fitted_model::FittedModel;
+use crate::criteria::Criteria;
+use crate::fit::residual_stats::ResidualStats;
+use crate::logs::subject::Subject;
+use crate::rows::evidence::Evidence;
+use crate::trial::hypothesis::EffectInstance;
+
+/// Whether nothing is left that asks for another effect: nothing at all, or so little of the
+/// gap that it may be the method's own, for effects that are not linear are not removed to the
+/// last.
+pub fn is_done(gap: &ResidualStats, left: &ResidualStats, criteria: &Criteria) -> bool {
+    let (fit, policy) = (&criteria.fit, &criteria.selection);
+    let nearly = left.worst() < policy.done_ratio
+        && left.excess < policy.done_part * gap.excess
+        && left.prior_penalty < fit.unexplained_prior_penalty;
+    left.is_clean(fit) || nearly
+}
+
+/// Whether the last effect of a model is accepted. A spring rings, and that shows in the rows;
+/// where those are noise alone, it could only smooth what a coarse encoder reads.
+pub fn is_accepted(before: &ResidualStats, after: &FittedModel, criteria: &Criteria) -> bool {
+    (before.excess > 0.0 || !after.ends_with_spring()) && improves(before, &after.stats, criteria)
+}
+
+/// Whether a model with an effect more explains the logs better, and neither by implausible
+/// parameters nor by taking noise for motion.
+pub fn improves(before: &ResidualStats, after: &ResidualStats, criteria: &Criteria) -> bool {
+    !makes_implausible(before, after, criteria)
+        && !takes_noise_for_motion(before, after, criteria)
+        && (reduces_excess(before, after, criteria) || restores_prior(before, after, criteria))
+}
+
+/// An effect that takes away every command, a wide dead zone say, "explains" any motion once the
+/// refit takes away all masses.
+fn makes_implausible(before: &ResidualStats, after: &ResidualStats, criteria: &Criteria) -> bool {
+    let growth = criteria.selection.most_prior_penalty_growth;
+    after.is_implausible(&criteria.fit) && after.prior_penalty > growth * before.prior_penalty
+}
+
+/// A soft spring smooths what encoder steps add.
+fn takes_noise_for_motion(
+    before: &ResidualStats,
+    after: &ResidualStats,
+    criteria: &Criteria,
+) -> bool {
+    let policy = &criteria.selection;
+    after.over_encoder_noise < policy.least_of_encoder_noise
+        && before.over_encoder_noise < policy.near_encoder_noise
+}
+
+fn reduces_excess(before: &ResidualStats, after: &ResidualStats, criteria: &Criteria) -> bool {
+    let policy = &criteria.selection;
+    let squares_left = 1.0 - policy.least_of_squares;
+    before.excess > 0.0
+        && after.excess < (1.0 - policy.least_of_excess) * before.excess
+        && after.squares < squares_left * before.squares
+        && after.held_out_squares < squares_left * before.held_out_squares
+}
+
+/// Whether the effect brings parameters back to what is known of them. That may cost squares:
+/// the refit had absorbed part of the effect, and noise with it.
+fn restores_prior(before: &ResidualStats, after: &ResidualStats, criteria: &Criteria) -> bool {
+    let policy = &criteria.selection;
+    let least = (policy.least_of_prior_penalty * before.prior_penalty)
+        .max(criteria.fit.unexplained_prior_penalty);
+    before.prior_penalty - after.prior_penalty > least
+        && after.squares < policy.most_squares_for_prior * before.squares
+        && after.held_out_squares < policy.most_held_out_for_prior * before.held_out_squares
+}
+
+/// Whether a spring leaves its motor some inertia, without which it would only smooth what the
+/// encoder reads, and whether its backlash, if it has some, is more than the spring's deflection.
+pub fn is_physical(effect: &EffectInstance, subject: &Subject, evidence: &Evidence) -> bool {
+    let policy = &evidence.criteria.selection;
+    let Some((joint, spring)) = effect.build().and_then(|effect| effect.transmission()) else {
+        return true;
+    };
+    let command_v = evidence.stretches.iter().flat_map(|stretch| &stretch.command_v[joint]);
+    let largest_v = command_v.fold(0.0, |largest, u| f64::max(largest, u.abs()));
+    let largest_nm = subject.robot.torque_constant_nm_per_v[joint] * largest_v;
+    let least_inertia_kg_m2 = policy.least_motor_inertia * subject.inertia_kg_m2(joint);
+    let has_motor = spring.motor_inertia_kg_m2 > least_inertia_kg_m2;
+    let is_free = spring.gap_rad * spring.stiffness_nm_per_rad > policy.least_gap * largest_nm;
+    has_motor && (is_free || !effect.has_backlash())
+}

@@ -1,0 +1,238 @@
+//! What the motor gave less what the motion needed: the one equation of the diagnosis.
+//!
+//! For each joint, eq. (5) in volts: drive less friction less what the rigid body needs. The
+//! motion is the measured one, but for links behind a spring: they move as the spring drives
+//! them.
+
+use std::borrow::Cow;
+use std::cell::OnceCell;
+
+use model::{FrictionState, Posture, Robot};
+
+use super::active_effects::ActiveEffects;
+use super::hypothesis::Hypothesis;
+use super::joint_dynamics::JointDynamics;
+use super::link_motion::{self, JointMotion, MeasuredTorque};
+use crate::criteria::FitCriteria;
+use crate::logs::intervals::at_samples;
+use crate::logs::stretch::{Kinematics, Stretch};
+use rig::effects::Transmission;
+use signal::derivative;
+
+/// A hypothesis on one stretch. What costs time is computed once it is asked for.
+pub struct Trial<'a> {
+    stretch: &'a Stretch,
+    hypothesis: &'a Hypothesis,
+    criteria: &'a FitCriteria,
+    effects: ActiveEffects<'a>,
+    /// Joints (0 to 2) with a spring between motor and link.
+    springs: Vec<(usize, Transmission)>,
+    /// What moves with the links: the robot without the motors of elastic joints.
+    links: Robot<f64>,
+    /// The motors' side of the springs, where another trial has computed it.
+    motor_side: Option<MotorSide<'a>>,
+    /// Motion of the links, where some are behind springs.
+    link: OnceCell<Kinematics>,
+    /// Sines and cosines of the links' angles, where those move otherwise than measured.
+    postures: OnceCell<Vec<Posture<f64>>>,
+    /// What drives the joints in the intervals [V].
+    drive_v: OnceCell<[Vec<f64>; 3]>,
+    /// What the rigid body needs at the samples [V].
+    needed_v: OnceCell<[Vec<f64>; 3]>,
+}
+
+/// The motors' side of springs, by joint: how motors move and what drives them. It is measured,
+/// and thus the same for all hypotheses that differ in a spring alone: a search that varies a
+/// spring computes it once.
+#[derive(Clone, Copy, Debug)]
+pub struct MotorSide<'a> {
+    /// Dynamics of each joint as if it were stiff, by samples.
+    pub dynamics: [&'a [JointDynamics]; 3],
+    /// What drives each joint less friction, by intervals [V].
+    pub net_v: [&'a [f64]; 3],
+}
+
+impl<'a> Trial<'a> {
+    /// Prepares a hypothesis for a stretch.
+    pub fn of(stretch: &'a Stretch, hypothesis: &'a Hypothesis, criteria: &'a FitCriteria) -> Self {
+        Self::with_motor_side(stretch, hypothesis, criteria, None)
+    }
+
+    /// The same where the motors' side of the springs may be known from another hypothesis.
+    pub fn with_motor_side(
+        stretch: &'a Stretch,
+        hypothesis: &'a Hypothesis,
+        criteria: &'a FitCriteria,
+        motor_side: Option<MotorSide<'a>>,
+    ) -> Self {
+        let effects = ActiveEffects::of(stretch, hypothesis);
+        let springs = effects.springs();
+        let links = springs
+            .iter()
+            .fold(effects.robot, |links, (joint, spring)| spring.without_motor(*joint, &links));
+        Self {
+            stretch,
+            hypothesis,
+            criteria,
+            effects,
+            springs,
+            links,
+            motor_side,
+            link: OnceCell::new(),
+            postures: OnceCell::new(),
+            drive_v: OnceCell::new(),
+            needed_v: OnceCell::new(),
+        }
+    }
+
+    /// What the motor of a joint (0 to 2) gave less what was needed, at the samples [V].
+    pub fn residual(&self, joint: usize) -> Vec<f64> {
+        self.residual_of_net(joint, &self.net(joint))
+    }
+
+    /// The same, by what drives the joint less friction [V].
+    pub fn residual_of_net(&self, joint: usize, net_v: &[f64]) -> Vec<f64> {
+        let given = at_samples(net_v);
+        let needed = self.needed(joint);
+        let lag_s = self.hypothesis.lag_s[joint];
+        let slope = self.command_slope(joint);
+        (0..given.len()).map(|k| given[k] - needed[k] - lag_s * slope[k]).collect()
+    }
+
+    /// Voltage left for the rigid body in the interval after each sample: what drives the
+    /// joint less friction [V].
+    pub fn net(&self, joint: usize) -> Vec<f64> {
+        let mut net = self.drive(joint);
+        let friction = self.friction(joint, self.robot());
+        net.iter_mut().zip(&friction).for_each(|(drive, friction)| *drive -= friction);
+        net
+    }
+
+    /// What drives a joint in the interval after each sample: the command as it reaches the
+    /// motor, with the voltages and torques that effects add [V].
+    pub fn drive(&self, joint: usize) -> Vec<f64> {
+        match self.hypothesis.effects.is_empty() {
+            true => self.stretch.command_v[joint].clone(),
+            false => self.drive_v.get_or_init(|| self.effects.drive_v())[joint].clone(),
+        }
+    }
+
+    /// Friction of a robot's joint in the interval after each sample [V].
+    pub fn friction(&self, joint: usize, robot: &Robot<f64>) -> Vec<f64> {
+        self.effects.friction_v(joint, robot)
+    }
+
+    /// Voltage that the rigid body needs at the samples, eq. (5).
+    pub fn needed(&self, joint: usize) -> &[f64] {
+        &self.needed_v.get_or_init(|| self.needed_by_all())[joint]
+    }
+
+    fn needed_by_all(&self) -> [Vec<f64>; 3] {
+        let k_t = &self.robot().torque_constant_nm_per_v;
+        let mut needed_v = [0, 1, 2].map(|_| Vec::with_capacity(self.stretch.len()));
+        let (link, postures) = (self.link(), self.postures());
+        for (k, posture) in postures.iter().enumerate() {
+            let (_, qd, qdd) = link.state(k);
+            let mut torque_nm =
+                posture.inverse_dynamics(&self.links.base, &self.links.geometry, &qd, &qdd);
+            for (joint, spring) in &self.springs {
+                let qdd = self.motor().qdd_rad_per_s2[*joint][k];
+                torque_nm[*joint] += spring.motor_inertia_kg_m2 * qdd;
+            }
+            (0..3).for_each(|joint| needed_v[joint].push(torque_nm[joint] / k_t[joint]));
+        }
+        needed_v
+    }
+
+    /// A row of the regressor at the samples, in volts per unit of the base parameter.
+    pub fn regressor_row(&self, joint: usize) -> Vec<[f64; model::base::COUNT]> {
+        let k_t = self.robot().torque_constant_nm_per_v[joint];
+        let (link, postures) = (self.link(), self.postures());
+        let at = |k: usize| {
+            let (_, qd, qdd) = link.state(k);
+            let geometry = &self.links.geometry;
+            model::regressor::regressor(&postures[k], geometry, &qd, &qdd)[joint].map(|r| r / k_t)
+        };
+        (0..self.stretch.len()).map(at).collect()
+    }
+
+    /// Change of the command per second, at the samples [V/s].
+    pub fn command_slope(&self, joint: usize) -> Vec<f64> {
+        derivative::first(&at_samples(&self.stretch.command_v[joint]), self.stretch.period_s)
+    }
+
+    /// The robot with what effects change in it.
+    pub fn robot(&self) -> &Robot<f64> {
+        &self.effects.robot
+    }
+
+    /// Motion of the motors.
+    pub fn motor(&self) -> &Kinematics {
+        &self.effects.motor
+    }
+
+    /// How far the bristles of each joint are bent at every sample.
+    pub fn bristles(&self) -> Vec<[FrictionState<f64>; 3]> {
+        self.effects.bristles()
+    }
+
+    /// Load c + h on a joint at the samples [Nm].
+    pub fn load_nm(&self, joint: usize) -> Vec<f64> {
+        self.effects.load_nm(joint)
+    }
+
+    /// Whether the links move as the encoders tell.
+    pub fn moves_as_measured(&self) -> bool {
+        self.springs.is_empty() && matches!(self.effects.motor, Cow::Borrowed(_))
+    }
+
+    /// Dynamics of a joint as if it were stiff, at the samples.
+    pub fn dynamics(&self, joint: usize) -> Vec<JointDynamics> {
+        JointDynamics::along(joint, self.motor(), self.robot())
+    }
+
+    /// Motion of the links.
+    fn link(&self) -> &Kinematics {
+        if self.springs.is_empty() {
+            return self.motor();
+        }
+        self.link.get_or_init(|| {
+            let mut link = self.motor().clone();
+            for (joint, spring) in &self.springs {
+                link.take_joint(*joint, self.behind(*joint, spring));
+            }
+            link
+        })
+    }
+
+    /// Sines and cosines of the links' angles.
+    fn postures(&self) -> &[Posture<f64>] {
+        match self.moves_as_measured() {
+            true => &self.stretch.postures,
+            false => self.postures.get_or_init(|| self.link().postures()),
+        }
+    }
+
+    /// Motion of a joint's link behind a spring.
+    fn behind(&self, joint: usize, spring: &Transmission) -> JointMotion {
+        let dynamics = match self.motor_side {
+            Some(known) => Cow::Borrowed(known.dynamics[joint]),
+            None => Cow::Owned(self.dynamics(joint)),
+        };
+        let push_nm = (spring.gap_rad > 0.0).then(|| match self.motor_side {
+            Some(known) => self.push_nm(joint, known.net_v[joint]),
+            None => self.push_nm(joint, &self.net(joint)),
+        });
+        let measured = push_nm.as_deref().map(|push_nm| MeasuredTorque {
+            push_nm,
+            unknown_torque: self.criteria.unknown_link_torque,
+        });
+        let period_s = self.stretch.period_s;
+        link_motion::behind(spring, joint, self.motor(), &dynamics, measured, period_s)
+    }
+
+    /// Torque that pushes a joint in the interval after each sample [Nm].
+    fn push_nm(&self, joint: usize, net_v: &[f64]) -> Vec<f64> {
+        net_v.iter().map(|net_v| self.robot().torque_constant_nm_per_v[joint] * net_v).collect()
+    }
+}

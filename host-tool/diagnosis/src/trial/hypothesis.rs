@@ -1,0 +1,78 @@
+//! A model with effects, as it is tried on the logs.
+
+use std::f64::consts::{PI, TAU};
+
+use model::Robot;
+use rig::effects::{Definition, Effect, Kind};
+
+/// An effect with its parameters, on a joint.
+#[derive(Clone, Debug)]
+pub struct EffectInstance {
+    /// What it is.
+    pub definition: &'static Definition,
+    /// Joint, 1 to 3; 0 for the whole robot.
+    pub joint: u8,
+    /// Its parameters, in the order of the definition.
+    pub values: Vec<f64>,
+}
+
+impl EffectInstance {
+    /// The effect, its values kept within their bounds; `None` if it acts on no such joint.
+    pub fn build(&self) -> Option<Box<dyn Effect>> {
+        self.definition.with(self.joint, &self.bounded()).ok()
+    }
+
+    /// Whether it leaves a gap between a motor and its link.
+    pub fn has_backlash(&self) -> bool {
+        self.definition.parameters.iter().any(|parameter| parameter.kind == Kind::Gap)
+    }
+
+    /// Whether it is a spring between a motor and its link.
+    pub fn is_spring(&self) -> bool {
+        self.build().is_some_and(|effect| effect.transmission().is_some())
+    }
+
+    /// Turns a negative amplitude into half a turn of phase, and keeps values in bounds.
+    pub fn normalise(&mut self) {
+        let place = |kind| self.definition.parameters.iter().position(|p| p.kind == kind);
+        if let (Some(amplitude), Some(phase)) = (place(Kind::Amplitude), place(Kind::Phase)) {
+            if self.values[amplitude] < 0.0 {
+                self.values[amplitude] = -self.values[amplitude];
+                self.values[phase] += PI;
+            }
+            self.values[phase] -= TAU * (self.values[phase] / TAU).round();
+        }
+        self.values = self.bounded();
+    }
+
+    /// The values within their bounds.
+    pub fn bounded(&self) -> Vec<f64> {
+        let bounds = self.definition.parameters.iter();
+        bounds.zip(&self.values).map(|(p, v)| v.clamp(p.lowest, p.highest)).collect()
+    }
+}
+
+/// A model with effects: one explanation of the logs.
+#[derive(Clone, Debug)]
+pub struct Hypothesis {
+    /// Rigid body and friction.
+    pub robot: Robot<f64>,
+    /// By how much each command comes later than the log says [s].
+    pub lag_s: [f64; 3],
+    /// Effects, in order.
+    pub effects: Vec<EffectInstance>,
+}
+
+impl Hypothesis {
+    /// Its effects, ready to act.
+    pub fn built_effects(&self) -> Vec<Box<dyn Effect>> {
+        self.effects.iter().filter_map(EffectInstance::build).collect()
+    }
+
+    /// The same with one more effect.
+    pub fn with(&self, effect: EffectInstance) -> Self {
+        let mut hypothesis = self.clone();
+        hypothesis.effects.push(effect);
+        hypothesis
+    }
+}

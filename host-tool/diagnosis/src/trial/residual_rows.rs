@@ -1,0 +1,23 @@
+//! What a hypothesis leaves of all logs, as rows.
+
+use rayon::prelude::*;
+
+use super::equation::Trial;
+use super::hypothesis::Hypothesis;
+use crate::rows::evidence::{Evidence, Rows};
+
+/// Rows of a hypothesis on the joints of the rig.
+pub fn residual_rows(evidence: &Evidence, hypothesis: &Hypothesis) -> Rows {
+    let pieces: Vec<Rows> = (0..evidence.stretches.len())
+        .into_par_iter()
+        .map(|s| {
+            let trial = Trial::of(&evidence.stretches[s], hypothesis, &evidence.criteria.fit);
+            let mut rows = Rows::default();
+            for &joint in &evidence.joints {
+                rows[joint] = evidence.weighted(s, joint, &trial.residual(joint));
+            }
+            rows
+        })
+        .collect();
+    [0, 1, 2].map(|joint| pieces.iter().flat_map(|piece| &piece[joint]).copied().collect())
+}

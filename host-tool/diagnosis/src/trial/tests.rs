@@ -1,0 +1,103 @@
+//! Links behind springs, followed through driven noise.
+
+use std::f64::consts::TAU;
+
+use model::reference_robot::reference_robot;
+use rand_distr::{Distribution, StandardNormal};
+use rand_pcg::Pcg64Mcg;
+
+use super::equation::Trial;
+use super::hypothesis::{EffectInstance, Hypothesis};
+use crate::criteria::FitCriteria;
+use crate::logs::stretch::{Kinematics, Stretch};
+use files::Role;
+use rig::effects::Catalogue;
+use signal::{LowPass, derivative, rms};
+use simulation::robot::{Settings, SimulatedRobot};
+
+const PERIOD_S: f64 = 1e-3;
+const COUNT_RAD: f64 = TAU / 655_360.0;
+
+fn backlash(values: [f64; 4]) -> EffectInstance {
+    let definition = Catalogue::standard().by_name("backlash").unwrap();
+    EffectInstance { definition, joint: 3, values: values.to_vec() }
+}
+
+/// Ten seconds of driven noise on joint 3 of a robot with an effect, as encoders see them.
+fn driven(effect: Option<&EffectInstance>) -> Stretch {
+    let effects = effect.and_then(EffectInstance::build).into_iter().collect();
+    let start = [0.0, -1.5, 0.3];
+    let settings = Settings::default();
+    let mut robot = SimulatedRobot::with_effects(reference_robot(), effects, start, &settings);
+    let mut random = Pcg64Mcg::new(3);
+    let mut noise = || -> f64 { StandardNormal.sample(&mut random) };
+    let mut command_v: [Vec<f64>; 3] = Default::default();
+    let mut angles: [Vec<f64>; 3] = Default::default();
+    for k in 0..10_000 {
+        let q = robot.q_rad().map(|q| (q / COUNT_RAD).round() * COUNT_RAD);
+        let swing = (TAU * 0.7e-3 * f64::from(k)).sin();
+        let push = 1.2 * noise() + 1.5 * swing - 4.0 * (q[2] - start[2]);
+        let command = [0.0, 0.0, push];
+        (0..3).for_each(|i| angles[i].push(q[i]));
+        (0..3).for_each(|i| command_v[i].push(command[i]));
+        robot.advance(&command);
+    }
+    let motion = motion(angles);
+    let (role, settled) = (Role::Train, [0; 3]);
+    let (log, start_s, period_s, broadband) = (0, 0.0, PERIOD_S, true);
+    let postures = motion.postures();
+    Stretch { log, role, start_s, period_s, motion, postures, command_v, broadband, settled }
+}
+
+fn motion(angles: [Vec<f64>; 3]) -> Kinematics {
+    let smooth = |q: &Vec<f64>| LowPass::new(200.0, PERIOD_S).zero_phase(q);
+    let q_rad = [0, 1, 2].map(|i| smooth(&angles[i]));
+    let first = |q: &Vec<f64>| derivative::first(q, PERIOD_S);
+    let second = |q: &Vec<f64>| -> Vec<f64> {
+        let at = |k: usize| {
+            let k = k.clamp(1, q.len() - 2);
+            (q[k + 1] + q[k - 1] - 2.0 * q[k]) / (PERIOD_S * PERIOD_S)
+        };
+        (0..q.len()).map(at).collect()
+    };
+    Kinematics {
+        qd_rad_per_s: [0, 1, 2].map(|i| first(&q_rad[i])),
+        qdd_rad_per_s2: [0, 1, 2].map(|i| second(&angles[i])),
+        q_rad,
+        raw_rad: angles,
+    }
+}
+
+/// What a model leaves of joint 3 below 40 Hz, rms [V].
+fn left_v(stretch: &Stretch, effect: Option<EffectInstance>) -> f64 {
+    let effects = effect.into_iter().collect();
+    let hypothesis = Hypothesis { robot: reference_robot(), lag_s: [0.0; 3], effects };
+    let left = Trial::of(stretch, &hypothesis, &FitCriteria::default()).residual(2);
+    rms(&LowPass::new(40.0, PERIOD_S).zero_phase(&left)[500..9500])
+}
+
+const BACKLASH: [f64; 4] = [2e-3, 3000.0, 1.5, 0.01];
+
+#[test]
+fn a_link_that_bounces_in_its_backlash_is_followed_through_driven_noise() {
+    let floor_v = left_v(&driven(None), None);
+    let stretch = driven(Some(&backlash(BACKLASH)));
+    let (with_v, without_v) = (left_v(&stretch, Some(backlash(BACKLASH))), left_v(&stretch, None));
+    assert!(with_v < 5.0 * floor_v, "{with_v} V, floor {floor_v} V");
+    assert!(without_v > 15.0 * with_v, "{without_v} V, floor {floor_v} V");
+}
+
+#[test]
+fn backlash_that_is_not_there_explains_nothing_away() {
+    let delay = Catalogue::standard().by_name("delay").unwrap();
+    let delay = EffectInstance { definition: delay, joint: 3, values: vec![4e-3] };
+    let stretch = driven(Some(&delay));
+    let null_v = left_v(&stretch, None);
+    for gap_rad in [1e-6, 1e-4, 1e-3] {
+        for stiffness in [500.0, 5e3, 5e4, 1e6] {
+            let guess = backlash([gap_rad, stiffness, 1e-2 * stiffness.sqrt(), 0.01]);
+            let left_v = left_v(&stretch, Some(guess));
+            assert!(left_v > 0.75 * null_v, "{left_v} V, without {null_v} V, {stiffness} Nm/rad");
+        }
+    }
+}
