@@ -95,10 +95,9 @@ pub fn identify_all(
     };
     let mut informed = prior.clone();
     for (joint, found) in pass(prior) {
+        // A joint that was found has a number from 1 to 3.
         if let Ok(found) = found {
-            if let Some(bristles) = informed.bristles.get_mut(usize::from(joint).wrapping_sub(1)) {
-                *bristles = Some(found.bristles());
-            }
+            informed.bristles[usize::from(joint) - 1] = Some(found.bristles());
         }
     }
     pass(&informed)
