@@ -162,3 +162,26 @@ fn bare_case(
 fn nothing(case: u32, tries: u32, what: &str) -> TrialError {
     TrialError::NothingDetectable { case, tries, what: what.into() }
 }
+
+#[cfg(test)]
+mod tests {
+    use model::reference_robot::reference_robot;
+
+    use super::*;
+
+    #[test]
+    fn every_effect_gets_values_within_its_bounds() {
+        let robot = reference_robot();
+        let mut rng = Rng::new(1, 1);
+        for definition in Catalogue::standard().iter() {
+            for _ in 0..50 {
+                let joint = if definition.whole_robot { 0 } else { rng.joint() };
+                let index = usize::from(joint.max(1)) - 1;
+                let peak_command_v = [2.0, 5.0, 3.0];
+                let context = DrawContext { robot: &robot, peak_command_v, joint: index };
+                let values = (definition.draw)(&context, &mut rng);
+                definition.with(joint, &values).unwrap();
+            }
+        }
+    }
+}
