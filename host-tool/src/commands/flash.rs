@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::options::block::BlockOptions;
 use crate::options::slot::SlotName;
 use files::Problem;
-use link::flash_image::{FlashError, FlashImage};
+use link::flash_image::FlashImage;
 
 /// Arguments of `rrr flash`.
 #[derive(Debug, Args)]
@@ -74,7 +74,7 @@ fn write(
 
 #[cfg(not(feature = "probe"))]
 fn write(_: &Arguments, _: FlashImage, _: Option<ParameterBlock>) -> Result<(), Failure> {
-    Err(FlashError::NoProbeSupport.into())
+    Err(link::flash_image::FlashError::NoProbeSupport.into())
 }
 
 impl Arguments {
