@@ -28,7 +28,7 @@ fn running(key: Option<[u8; 32]>) -> Bench {
 }
 
 #[test]
-fn stop_and_disarm_are_obeyed_under_any_number() {
+fn stop_and_disarm_are_executed_under_any_number() {
     for (command, state) in [(Command::Stop, State::Armed), (Command::Disarm, State::Disarmed)] {
         let mut bench = running(Some(KEY));
         // Somebody without the key has used up the numbers.

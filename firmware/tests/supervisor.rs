@@ -57,19 +57,19 @@ fn play(
 ) -> Option<Found> {
     let mut found: Option<Found> = None;
     for (number, (counts, health)) in (1..).zip(ticks) {
-        let told = supervisor.tick(&counts, health);
+        let output = supervisor.tick(&counts, health);
         match (&found, supervisor.fault()) {
             (None, Some(record)) => {
-                assert_eq!((told.codes, told.state), (ZERO, State::Faulted), "at once");
-                assert_eq!(told.fault, Some((record.fault, record.joint)));
-                assert_eq!(record.tick, told.tick);
+                assert_eq!((output.codes, output.state), (ZERO, State::Faulted), "at once");
+                assert_eq!(output.fault, Some((record.fault, record.joint)));
+                assert_eq!(record.tick, output.tick);
                 found = Some(Found { tick: number, record });
             }
             (Some(first), now) => {
-                assert_eq!(told.codes, ZERO);
+                assert_eq!(output.codes, ZERO);
                 assert_eq!(now, Some(first.record), "the first cause stays");
             }
-            (None, None) => assert_eq!(told.fault, None),
+            (None, None) => assert_eq!(output.fault, None),
         }
     }
     let found = found?;
@@ -352,8 +352,8 @@ fn an_implausible_estimate_is_not_armed() {
     // So slow a filter does not follow within a window.
     let mut slow = block();
     slow.velocity_bandwidth_rad_per_s[1] = 5.0;
-    let shaken = |k: i32| (3e3 * (0.02 * f64::from(k)).sin()) as i32;
-    assert_eq!(refusal(slow, shaken, 480), Implausible::Disagrees);
+    let shaking = |k: i32| (3e3 * (0.02 * f64::from(k)).sin()) as i32;
+    assert_eq!(refusal(slow, shaking, 480), Implausible::Disagrees);
     // At rest again, it is armed.
     let mut supervisor = disarmed(block());
     play(&mut supervisor, quiet(|k| [0, 10 * k.min(100), 0], 500));

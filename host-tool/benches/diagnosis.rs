@@ -98,9 +98,9 @@ fn diagnosis(criterion: &mut Criterion) {
     group.warm_up_time(std::time::Duration::from_millis(1));
     for length_s in LENGTHS_S {
         let campaign = campaign(length_s);
-        let mut told = false;
+        let mut printed = false;
         group.bench_function(BenchmarkId::from_parameter(format!("{length_s} s")), |bench| {
-            if !std::mem::replace(&mut told, true) {
+            if !std::mem::replace(&mut printed, true) {
                 tell(&campaign, length_s);
             }
             bench.iter(|| run(&campaign));

@@ -90,8 +90,8 @@ fn the_seal_is_told_before_and_fits_after() {
     seal.write_hash(directory.path()).unwrap();
     assert!(!directory.path().join("truth.json").exists());
     seal.reveal(directory.path()).unwrap();
-    let told = std::fs::read_to_string(directory.path().join("seal.txt")).unwrap();
-    assert!(told.starts_with(seal.hash()));
+    let hash_file = std::fs::read_to_string(directory.path().join("seal.txt")).unwrap();
+    assert!(hash_file.starts_with(seal.hash()));
     assert!(directory.path().join("truth.json").exists());
 }
 
@@ -148,8 +148,8 @@ fn cases_can_be_drawn_without_a_diagnosis() {
     let directory = tempfile::tempdir().unwrap();
     let assert = rrr(directory.path(), &["--cases", "1", "--only", "cogging", "--draw-only"]);
     let said = String::from_utf8(assert.success().get_output().stdout.clone()).unwrap();
-    let told = std::fs::read_to_string(directory.path().join("seal.txt")).unwrap();
-    assert!(said.contains(told.split_whitespace().next().unwrap()), "{said}");
+    let hash_file = std::fs::read_to_string(directory.path().join("seal.txt")).unwrap();
+    assert!(said.contains(hash_file.split_whitespace().next().unwrap()), "{said}");
     let truth = std::fs::read_to_string(directory.path().join("case-001/truth.json")).unwrap();
     let truth: serde_json::Value = serde_json::from_str(&truth).unwrap();
     assert_eq!(truth["verdict"], "effect");

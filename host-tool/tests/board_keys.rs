@@ -161,10 +161,10 @@ fn refusal_after_the_key(board: &SimulatedBoard) -> String {
         pass_unless(is_mute.clone(), board.try_clone().unwrap(), host.try_clone().unwrap());
         let (mut reader, mut bytes, mut lost) = (FrameReader::new(), [0; 256], false);
         while let Ok(length @ 1..) = host.read(&mut bytes) {
-            let told = bytes[..length].iter().any(|&byte| is_set_key(&mut reader, byte));
-            is_mute.store(told && !lost, Ordering::Relaxed);
+            let is_seen = bytes[..length].iter().any(|&byte| is_set_key(&mut reader, byte));
+            is_mute.store(is_seen && !lost, Ordering::Relaxed);
             board.write_all(&bytes[..length]).unwrap();
-            if told && !lost {
+            if is_seen && !lost {
                 std::thread::sleep(Duration::from_millis(100));
                 board.write_all(&hello()).unwrap();
                 std::thread::sleep(Duration::from_millis(100));

@@ -35,6 +35,17 @@ fn rows(text: &str) -> impl Iterator<Item = Vec<&str>> {
     lines.map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
 }
 
+/// Whether a page has the heading that a link names, in lower case with dashes for spaces.
+fn has_heading(page: &Path, link: &str) -> bool {
+    let text = std::fs::read_to_string(page).unwrap();
+    let mut headings = text.lines().filter(|line| line.starts_with('#'));
+    headings.any(|heading| {
+        let words = heading.trim_start_matches('#').trim().to_lowercase();
+        let kept = words.chars().filter(|c| c.is_alphanumeric() || " -".contains(*c));
+        kept.map(|c| if c == ' ' { '-' } else { c }).collect::<String>() == link
+    })
+}
+
 #[test]
 fn links_lead_somewhere() {
     for page in pages() {
@@ -42,8 +53,10 @@ fn links_lead_somewhere() {
         let text = text(&page);
         let links = text.split("](").skip(1).filter_map(|rest| rest.split_once(')'));
         for (link, _) in links.filter(|(link, _)| !link.contains("://")) {
-            let file = link.split('#').next().unwrap();
-            assert!(folder.join(file).exists(), "{page}: {link} leads nowhere");
+            let (file, heading) = link.split_once('#').unwrap_or((link, ""));
+            let target = if file.is_empty() { root().join(&page) } else { folder.join(file) };
+            assert!(target.exists(), "{page}: {link} leads nowhere");
+            assert!(heading.is_empty() || has_heading(&target, heading), "{page}: {link}");
         }
     }
 }
@@ -77,8 +90,8 @@ fn the_architecture_page_names_the_dependencies_of_every_crate() {
         let found = manifest.get("dependencies").and_then(toml::Value::as_table);
         let found = found.into_iter().flat_map(toml::Table::keys).map(String::as_str);
         let found: BTreeSet<&str> = found.filter(|name| own(name)).collect();
-        let told: BTreeSet<&str> = code(row[2]).collect();
-        assert_eq!(found, told, "{folder}");
+        let listed: BTreeSet<&str> = code(row[2]).collect();
+        assert_eq!(found, listed, "{folder}");
     }
 }
 
@@ -88,8 +101,11 @@ fn every_crate_has_its_row_in_the_architecture_page() {
     let workspace: toml::Table = text("Cargo.toml").parse().unwrap();
     for (name, dependency) in workspace["workspace"]["dependencies"].as_table().unwrap() {
         let Some(path) = dependency.get("path").and_then(toml::Value::as_str) else { continue };
-        let is_told = rows(&page).any(|row| row[0].trim_matches(['`', '/']) == path);
-        assert!(is_told || path.starts_with("tests"), "{name} has no row in docs/architecture.md");
+        let is_listed = rows(&page).any(|row| row[0].trim_matches(['`', '/']) == path);
+        assert!(
+            is_listed || path.starts_with("tests"),
+            "{name} has no row in docs/architecture.md"
+        );
     }
 }
 

@@ -48,17 +48,17 @@ pub struct FailingFlash {
     /// After so many bytes the power fails.
     pub fails_after: usize,
     pub torn: Torn,
-    pub dice: Dice,
+    pub rng: Rng,
     powered: bool,
     unreadable: BTreeSet<usize>,
     spent: BTreeSet<usize>,
 }
 
-/// Repeatable dice (xorshift).
+/// Repeatable rng (xorshift).
 #[derive(Clone, Debug)]
-pub struct Dice(pub u64);
+pub struct Rng(pub u64);
 
-impl Dice {
+impl Rng {
     pub fn throw(&mut self) -> u64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
@@ -74,7 +74,7 @@ impl FailingFlash {
             work: 0,
             fails_after: usize::MAX,
             torn: Torn::UpToThere,
-            dice: Dice(1),
+            rng: Rng(1),
             powered: true,
             unreadable: BTreeSet::new(),
             spent: BTreeSet::new(),
@@ -84,7 +84,7 @@ impl FailingFlash {
     /// The same, powered, until so many bytes are written or erased.
     pub fn powered(mut self, fails_after: usize, torn: Torn) -> Self {
         (self.work, self.fails_after, self.torn, self.powered) = (0, fails_after, torn, true);
-        self.dice = Dice(0x9E37_79B9 ^ (fails_after as u64) << 8 | 1);
+        self.rng = Rng(0x9E37_79B9 ^ (fails_after as u64) << 8 | 1);
         self
     }
 
@@ -135,11 +135,11 @@ impl FailingFlash {
         }
         if torn == Torn::Unreadable {
             let words = offset / WORD..(offset + new.len()) / WORD;
-            let dice = &mut self.dice;
-            self.unreadable.extend(words.filter(|_| new.len() == WORD || dice.throw() & 1 == 0));
+            let rng = &mut self.rng;
+            self.unreadable.extend(words.filter(|_| new.len() == WORD || rng.throw() & 1 == 0));
         }
         for (at, &new) in new.iter().enumerate() {
-            let dice = self.dice.throw() as u8;
+            let rng = self.rng.throw() as u8;
             let byte = &mut self.ram.bytes_mut()[offset + at];
             *byte = match torn {
                 Torn::UpToThere | Torn::Unreadable => {
@@ -149,8 +149,8 @@ impl FailingFlash {
                         *byte
                     }
                 }
-                Torn::SomeBits => (*byte & dice) | (new & !dice),
-                Torn::AnyBits => dice,
+                Torn::SomeBits => (*byte & rng) | (new & !rng),
+                Torn::AnyBits => rng,
                 Torn::AsBefore => *byte,
                 Torn::AsAfter => new,
             };

@@ -145,8 +145,8 @@ mod tests {
         assert!(appended_to(&inline).unwrap_err().contains("are not [[log]] tables"));
         let other = "format = 1\nencoder_counts_per_rev = 4096\n[[log]]\nfile = \"a.csv\"\n\
             experiment = \"task\"\nrole = \"train\"\n";
-        let told = appended_to(other).unwrap_err();
-        assert!(told.contains("line 2: encoder_counts_per_rev is 4096"), "{told}");
+        let message = appended_to(other).unwrap_err();
+        assert!(message.contains("line 2: encoder_counts_per_rev is 4096"), "{message}");
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! What a controller makes up for, of the effects that a model carries.
+//! What a controller compensates for, of the effects that a model carries.
 //!
 //! The mathematics is in [`model::effects`], the tick's part in [`firmware::compensation`].
 //! A payload is a change of the base parameters, made here when a block is built.
@@ -19,7 +19,7 @@ pub struct Compensations {
     pub load: ArmLoad,
 }
 
-/// An effect that the controller does not make up for, and why.
+/// An effect that the controller does not compensate for, and why.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{effect}{place} is not compensated: {why}", place = place(*joint))]
 pub struct LeftOut {

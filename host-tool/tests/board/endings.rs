@@ -16,7 +16,7 @@ use simulation::simulated_board::SimulatedBoard;
 
 use crate::files::TOO_FAST;
 use crate::line::{Deed, Line, at_query};
-use crate::recording::{assert_all_ticks_are_told, board_messages};
+use crate::recording::{assert_all_ticks_are_accounted_for, board_messages};
 use crate::{assert_tells, board, refused, rrr, spawned, stdout, with_model};
 
 fn press_ctrl_c(child: &Child) {
@@ -52,12 +52,12 @@ fn after_ctrl_c_the_board_is_disarmed_the_log_kept_and_the_exit_status_130() {
     let output = interrupted(at, &board, 1, "run hold --duration 600 --out logs");
     assert_eq!(output.status.code(), Some(130), "`&&` goes no further");
     assert_tells(&words(&output.stderr), &["interrupted: the run was stopped in tick ", "0 V"]);
-    let told = words(&output.stdout);
-    assert!(told.find("ended ").unwrap() < told.find("log  ").unwrap(), "{told}");
+    let printed = words(&output.stdout);
+    assert!(printed.find("ended ").unwrap() < printed.find("log  ").unwrap(), "{printed}");
     assert_tells(&stdout(rrr(at, &board, "connect").success()), &["state       disarmed"]);
     let log = Dataset::read(at.join("logs")).unwrap().recordings().unwrap().remove(0).log;
     assert!(log.len() > 500, "{}", log.len());
-    assert_all_ticks_are_told(&words(&output.stdout), &log);
+    assert_all_ticks_are_accounted_for(&words(&output.stdout), &log);
     let last = board_messages(&at.join("logs/hold.mcap")).pop().unwrap();
     assert_eq!((&last["state"], &last["fault"]), (&"armed".into(), &"none".into()));
 }
@@ -100,7 +100,7 @@ fn after_ctrl_c_on_the_way_to_the_beginning_its_log_is_kept_but_not_listed() {
     assert_tells(&words(&output.stderr), &["the approach was stopped"]);
     let log = Log::read(at.join("logs/task-approach.csv.gz")).unwrap();
     assert!(log.len() > 500, "{}", log.len());
-    assert_all_ticks_are_told(&words(&output.stdout), &log);
+    assert_all_ticks_are_accounted_for(&words(&output.stdout), &log);
     assert!(at.join("logs/task-approach.mcap").exists());
     assert!(!at.join("logs/dataset.toml").exists());
 }
@@ -170,7 +170,7 @@ fn fault_is_kept(line: &str) {
     let at = directory.path();
     rrr(at, &board, "upload model.toml").success();
     let assert = rrr(at, &board, line);
-    let told = words(&assert.get_output().stdout);
+    let printed = words(&assert.get_output().stdout);
     let text = refused(assert);
     assert_tells(&text, &["the board ended the run: ", " at joint ", "rrr clear-fault"]);
     assert_tells(&stdout(rrr(at, &board, "connect").success()), &["state       faulted", "fault "]);
@@ -180,7 +180,7 @@ fn fault_is_kept(line: &str) {
     let dataset = Dataset::read(at.join("logs")).unwrap();
     assert_eq!(dataset.entries.len(), 1);
     let log = dataset.recordings().unwrap().remove(0).log;
-    let [_, ticks, _] = assert_all_ticks_are_told(&told, &log);
+    let [_, ticks, _] = assert_all_ticks_are_accounted_for(&printed, &log);
     assert!((100..20_000).contains(&ticks), "{ticks}");
     let commands_v = log.joints.iter().map(|joint| *joint.command_v.last().unwrap());
     assert!(commands_v.map(f64::abs).sum::<f64>() > 0.0, "the rows are of the running arm");
@@ -204,11 +204,11 @@ fn a_fault_on_the_way_to_the_beginning_keeps_that_log_unlisted() {
     rrr(at, &board, "upload model.toml").success();
     let line = "run task --out logs --approach-speed 3 --speed-limit 1.5";
     let assert = rrr(at, &board, line);
-    let told = words(&assert.get_output().stdout);
+    let printed = words(&assert.get_output().stdout);
     let text = refused(assert);
     assert_tells(&text, &["the board ended the approach: speed", "rrr clear-fault"]);
     let log = Log::read(at.join("logs/task-approach.csv.gz")).unwrap();
-    assert_all_ticks_are_told(&told, &log);
+    assert_all_ticks_are_accounted_for(&printed, &log);
     let last = board_messages(&at.join("logs/task-approach.mcap")).pop().unwrap();
     assert_eq!(last["state"], "faulted");
     assert!(text.contains(last["fault"].as_str().unwrap()), "{text}");

@@ -74,14 +74,15 @@ struct Carrier<W> {
 impl<W: FnMut(&Command<'_>) -> Deed> Carrier<W> {
     /// Carries what has come; false once an end is closed.
     fn carry(&mut self) -> bool {
-        let (mut asked, mut told) = ([0; 4096], [0; 4096]);
-        let (Some(asked), Some(told)) =
-            (come(&mut self.host, &mut asked), come(&mut self.board, &mut told))
+        let (mut asked, mut answered) = ([0; 4096], [0; 4096]);
+        let (Some(asked), Some(answered)) =
+            (come(&mut self.host, &mut asked), come(&mut self.board, &mut answered))
         else {
             return false;
         };
         asked.iter().for_each(|&byte| self.look_at(byte));
-        self.silent || (self.board.write_all(asked).is_ok() && self.host.write_all(told).is_ok())
+        self.silent
+            || (self.board.write_all(asked).is_ok() && self.host.write_all(answered).is_ok())
     }
 
     fn look_at(&mut self, byte: u8) {

@@ -8,19 +8,23 @@ use files::Dataset;
 use simulation::simulated_board::SimulatedBoard;
 
 use crate::line::{Deed, Line, at_query};
-use crate::recording::assert_all_ticks_are_told;
+use crate::recording::assert_all_ticks_are_accounted_for;
 use crate::{assert_tells, board, refused, rrr, rrr_at, with_model};
 
 const LINE: &str = "run hold --duration 600 --out logs";
 
 /// What a run tells on stderr whose link does this at the 5th sign of life; its log is kept.
-fn told(at: &Path, board: &SimulatedBoard, deed: impl FnMut() -> Deed + Send + 'static) -> String {
+fn printed(
+    at: &Path,
+    board: &SimulatedBoard,
+    deed: impl FnMut() -> Deed + Send + 'static,
+) -> String {
     let line = Line::to(board, at_query(1, 5, deed));
     let assert = rrr_at(at, &line.port, LINE);
     let figures = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
     let log = Dataset::read(at.join("logs")).unwrap().recordings().unwrap().remove(0).log;
     assert!(log.len() > 500, "{}", log.len());
-    assert_all_ticks_are_told(&figures, &log);
+    assert_all_ticks_are_accounted_for(&figures, &log);
     refused(assert)
 }
 
@@ -54,7 +58,7 @@ fn a_board_that_falls_silent_costs_two_seconds_and_the_log_is_on_disk() {
     let at = directory.path();
     rrr(at, &board, "upload model.toml").success();
     let (sender, silent) = mpsc::channel();
-    let text = told(at, &board, move || {
+    let text = printed(at, &board, move || {
         sender.send(SystemTime::now()).unwrap();
         Deed::Silence
     });
@@ -70,7 +74,7 @@ fn a_board_that_is_reset_is_told_as_such_and_the_log_is_kept() {
     let at = directory.path();
     rrr(at, &first, "upload model.toml").success();
     let port = second.port();
-    let text = told(at, &first, move || Deed::LeadTo(port.clone()));
+    let text = printed(at, &first, move || Deed::LeadTo(port.clone()));
     assert_tells(&text, &["the board was reset in tick ", "encoders count from zero"]);
     assert!(!text.contains("cable"), "{text}");
 }

@@ -16,8 +16,8 @@ pub fn figures<const N: usize>(text: &str, line: &str) -> [usize; N] {
     numbers.try_into().expect(line)
 }
 
-/// Rows, ticks and missing records as told, of a log of that many rows.
-pub fn assert_all_ticks_are_told(text: &str, log: &Log) -> [usize; 3] {
+/// Rows, ticks and missing records as messages, of a log of that many rows.
+pub fn assert_all_ticks_are_accounted_for(text: &str, log: &Log) -> [usize; 3] {
     let [rows, ticks, missing, dropped] = figures(text, "samples");
     assert_eq!(rows, log.len(), "{text}");
     assert_eq!(rows + missing, ticks, "{text}");
@@ -55,10 +55,14 @@ fn a_run_is_recorded_as_a_data_set_that_grows() {
     for (csv, mcap) in recordings[0].log.joints.iter().zip(&mcap.joints) {
         assert_eq!(csv.position, mcap.position);
     }
-    let told = board_messages(&at.join("logs/task.mcap"));
-    assert_eq!(told.len(), mcap.len(), "the board's own channel");
-    assert!(told.iter().all(|told| told["state"] == "running" && told["fault"] == "none"));
-    assert_all_ticks_are_told(&text, &mcap);
+    let messages = board_messages(&at.join("logs/task.mcap"));
+    assert_eq!(messages.len(), mcap.len(), "the board's own channel");
+    assert!(
+        messages
+            .iter()
+            .all(|messages| messages["state"] == "running" && messages["fault"] == "none")
+    );
+    assert_all_ticks_are_accounted_for(&text, &mcap);
     assert!(recordings[0].log.len() > 5900, "{}", recordings[0].log.len());
     // The arm followed: 0.01 rad is far more than the model leaves, far less than none.
     let joint = recordings[0].log.joint(1).unwrap();
@@ -100,7 +104,7 @@ fn a_noisy_line_costs_time_and_records_each_counted_and_nothing_else() {
     let log = Log::read(at.join("logs/hold.csv.gz")).unwrap();
     // 67 bytes a record: some 6 in 100 are broken.
     assert!((4000..5000).contains(&log.len()), "{}", log.len());
-    let [rows, ticks, missing] = assert_all_ticks_are_told(&text, &log);
+    let [rows, ticks, missing] = assert_all_ticks_are_accounted_for(&text, &log);
     assert_eq!((ticks, missing), (5000, 5000 - rows));
     let [broken, _asked_again] = figures(&text, "line");
     assert!(broken > 100, "{text}");

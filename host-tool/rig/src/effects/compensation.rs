@@ -1,12 +1,12 @@
-//! Whether and how the board makes up for an effect.
+//! Whether and how the board compensates for an effect.
 
 use firmware::Angle;
 use firmware::compensation::{AngularHarmonic, Feedforward, InputInverse};
 use model::effects::Tilt;
 use model::vector::Vector3;
 
-/// Whether and how the board makes up for an effect; the functions take its values, which are
-/// within their bounds, or say why the board cannot make up for these.
+/// Whether and how the board compensates for an effect; the functions take its values, which are
+/// within their bounds, or say why the board cannot compensate for these.
 #[derive(Clone, Copy, Debug)]
 pub enum Compensation {
     /// Feedforward adds what the effect takes away.

@@ -34,7 +34,7 @@ pub struct Definition {
     pub draw: fn(&DrawContext, &mut dyn Random) -> Vec<f64>,
     /// What it is confused with; each pair stands in one of its two effects.
     pub confused_with: &'static [Confusion],
-    /// Whether and how the board makes up for it.
+    /// Whether and how the board compensates for it.
     pub compensation: Compensation,
     /// The experiment that shows it best.
     pub experiment: &'static str,

@@ -20,12 +20,12 @@ which they are given.
 ";
 
 const SHOWN: &str = "
-## What shows them, and what the board makes up for
+## What shows them, and what the board compensates for
 
 An effect changes what drives the joint, its friction or what the rigid body needs, in the equation
-of the [diagnosis](diagnosis.md). The board makes up for it by feedforward, by sending the command
+of the [diagnosis](diagnosis.md). The board compensates for it by feedforward, by sending the command
 through the inverse of the effect, or in the model that it computes with
-([firmware.md](firmware.md#what-is-made-up-for-beyond-the-model)).
+([firmware.md](firmware.md#compensation-of-effects-that-the-model-lacks)).
 ";
 
 const CONFUSED: &str = "

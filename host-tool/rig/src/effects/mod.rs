@@ -2,7 +2,7 @@
 //!
 //! Each has a file in `catalogue/`, which says what the effect is, in words and as an equation,
 //! which parameters it has, what it does to the simulated robot, how it is searched for and how
-//! the board makes up for it. Adding one is adding a file and its line in `catalogue/mod.rs`.
+//! the board compensates for it. Adding one is adding a file and its line in `catalogue/mod.rs`.
 //!
 //! u is the command, q the joint as its encoder sees it, n a harmonic per turn.
 //!
@@ -11,7 +11,7 @@
 //! | `definition` | all that is known of an effect: [`Definition`] |
 //! | `parameter` | its parameters as typed kinds: [`Parameter`], [`Kind`] |
 //! | `search`, `sizes` | where a search begins, and what a blind trial draws |
-//! | `confusion`, `compensation` | what it is taken for, and what the board makes up for |
+//! | `confusion`, `compensation` | what it is taken for, and what the board compensates for |
 //! | `effect` | what it does: [`Effect`] |
 //! | `catalogue` | the effects: [`Catalogue`] |
 //! | `parse` | effects from tables of a model file and from the command line |
