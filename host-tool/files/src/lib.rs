@@ -4,13 +4,13 @@
 //! wrong, and through [`FileError::hint`] what to do about it. Writers leave either
 //! the whole new file or what was there before.
 //!
-//! A log is written whole or not at all, and reads back as it was:
+//! A log is written whole or not at all; a CSV log holds rounded decimals:
 //!
 //! ```
 //! use files::{JointLog, Log, Position};
 //!
 //! let path = std::env::temp_dir().join("one-joint-at-rest.csv.gz");
-//! let time_s: Vec<f64> = (0..100).map(|k| 1e-3 * f64::from(k)).collect();
+//! let time_s: Vec<f64> = (0..100).map(|k| f64::from(k) / 1000.0).collect();
 //! let joint = JointLog {
 //!     joint: 3,
 //!     position: Position::Count(vec![0; 100]),
