@@ -53,10 +53,8 @@ fn hold(open: &mut [Expected], hypothesis: &mut Hypothesis, within: f64) {
     const FIXED: f64 = 1e-3;
     for expected in open {
         let deviations = (expected.unknown.get(hypothesis) - expected.mean) / expected.deviation;
-        let may_be_held = !matches!(
-            expected.unknown,
-            Unknown::Effect { .. } | Unknown::Friction { parameter: 1 | 2 | 4 | 5, .. }
-        );
+        let is_effect = matches!(expected.unknown, Unknown::Effect { .. });
+        let may_be_held = !is_effect && !expected.unknown.shapes_friction();
         if may_be_held && deviations.abs() > within {
             expected.mean += within * expected.deviation * deviations.signum();
             expected.deviation *= FIXED;

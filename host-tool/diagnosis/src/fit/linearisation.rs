@@ -24,27 +24,11 @@ pub struct Linearisation {
     pub objective: f64,
     /// What the model's equation consists of, stretch by stretch, joint by joint.
     parts: Vec<[Parts; 3]>,
-    joints: Vec<JointSlopes>,
+    pub(super) joints: Vec<JointSlopes>,
     /// Half the gradient of the objective.
-    gradient: DVector<f64>,
+    pub(super) gradient: DVector<f64>,
     normal: Cholesky<f64, Dyn>,
-    train: [usize; 3],
-}
-
-/// How well a change of the rows fits, everything open refitted.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Score {
-    /// Squares of train rows and of prior penalty.
-    pub train: f64,
-    /// Squares of the rows held out.
-    pub holdout: f64,
-}
-
-impl Score {
-    /// Both together.
-    pub fn total(&self) -> f64 {
-        self.train + self.holdout
-    }
+    pub(super) train: [usize; 3],
 }
 
 impl Linearisation {
@@ -90,52 +74,34 @@ impl Linearisation {
         hypothesis
     }
 
-    /// The score of the model as it stands, refitted by the slopes.
-    pub fn score(&self) -> Score {
-        self.score_of(&RowChange::default())
+    /// Squares of train rows and of the prior penalty, everything open refitted by the slopes.
+    pub fn refitted_objective(&self) -> f64 {
+        self.objective_with(&RowChange::default())
     }
 
-    /// The score once all rows change so.
-    pub fn score_of(&self, change: &RowChange) -> Score {
-        let (step, train) = self.refitted(change);
-        Score { train, holdout: self.left_held_out(change, &step) }
-    }
-
-    /// Squares of train rows and of the prior penalty once train rows change so.
-    pub fn train_score_of(&self, change: &RowChange) -> f64 {
-        self.refitted(change).1
-    }
-
-    /// The step of what is open that fits best once train rows change so, and the train score
-    /// after it.
-    fn refitted(&self, change: &RowChange) -> (DVector<f64>, f64) {
+    /// Squares of train rows and of the prior penalty once train rows change so,
+    /// everything open refitted by the slopes.
+    pub fn objective_with(&self, change: &RowChange) -> f64 {
         let gradient = &self.gradient + self.against(change);
         let step = -self.normal.solve(&gradient);
-        let mut train = self.objective + gradient.dot(&step);
+        let mut objective = self.objective + gradient.dot(&step);
         for joint in [0, 1, 2] {
             let both = column(change, joint).iter().zip(&self.residual[joint]);
-            train += both.take(self.train[joint]).map(|(c, r)| c * (c + 2.0 * r)).sum::<f64>();
+            objective += both.take(self.train[joint]).map(|(c, r)| c * (c + 2.0 * r)).sum::<f64>();
         }
-        (step, train)
+        objective
     }
 
-    /// Squares of the rows held out after a change of rows and a step.
-    fn left_held_out(&self, change: &RowChange, step: &DVector<f64>) -> f64 {
-        let of_joint = |slopes: &JointSlopes| {
-            let (joint, first) = (slopes.joint, self.train[slopes.joint]);
-            let held = slopes.matrix.rows_range(first..);
-            let own = DVector::from_iterator(
-                slopes.places.len(),
-                slopes.places.iter().map(|&place| step[place]),
-            );
-            let mut left = held * own;
-            for (k, value) in left.iter_mut().enumerate() {
-                *value += self.residual[joint][first + k];
-                *value += change[joint].as_ref().map_or(0.0, |column| column[first + k]);
-            }
-            left.norm_squared()
-        };
-        self.joints.iter().map(of_joint).sum()
+    /// Squares of the prior penalty: deviations of what is open from what is known of it.
+    pub fn prior_penalty(&self) -> f64 {
+        let squared = |e: &Expected| ((e.unknown.get(&self.hypothesis) - e.mean) / e.deviation).powi(2);
+        self.expected.iter().map(squared).sum()
+    }
+
+    /// The matrix whose Cholesky factors solve for a step.
+    pub(super) fn normal(&self) -> DMatrix<f64> {
+        let factor = self.normal.l();
+        &factor * factor.transpose()
     }
 
     /// Slopes' products with a change of the train rows.
@@ -206,20 +172,6 @@ impl Linearisation {
     /// Rows of a joint that belong to train logs.
     pub fn train_rows(&self, joint: usize) -> usize {
         self.train[joint]
-    }
-
-    /// Squares that a joint's rows in `range` are expected to have beyond noise, because what
-    /// is open is known no better than the train logs tell: the trace of J P J'.
-    pub fn spread(&self, joint: usize, range: Range<usize>) -> f64 {
-        let Some(slopes) = self.joints.iter().find(|slopes| slopes.joint == joint) else {
-            return 0.0;
-        };
-        let rows = slopes.matrix.rows_range(range);
-        let products = rows.tr_mul(&rows);
-        let mut unit = DMatrix::zeros(self.expected.len(), slopes.places.len());
-        slopes.places.iter().enumerate().for_each(|(k, &place)| unit[(place, k)] = 1.0);
-        let covariance = unit.tr_mul(&self.normal.solve(&unit));
-        covariance.component_mul(&products).sum()
     }
 
     /// Standard deviation of an open parameter, for residuals that are noise alone.

@@ -143,7 +143,10 @@ fn own_slopes(
     let mut columns = Vec::new();
     for (place, e) in expected.iter().enumerate() {
         match e.unknown {
-            Unknown::Base(k) => columns.extend(base[k].clone().map(|column| (place, column))),
+            Unknown::Base(k) => columns.extend(base[k].clone().map(|mut column| {
+                evidence.weigh(s, joint, &mut column);
+                (place, column)
+            })),
             Unknown::Friction { joint: of, parameter } if of == joint => {
                 let (moved, step) = friction_moved(hypothesis, joint, parameter);
                 let slope: Vec<f64> = trial
@@ -158,18 +161,30 @@ fn own_slopes(
                 let slope: Vec<f64> = trial.command_slope(joint).iter().map(|u| -u).collect();
                 columns.push((place, rows(&slope)));
             }
+            Unknown::FrictionLead(of) if of == joint => {
+                let slope: Vec<f64> = trial
+                    .friction_ahead(joint, hypothesis.friction_lead_s[joint] + LEAD_STEP_S)
+                    .iter()
+                    .zip(&parts.friction)
+                    .map(|(after, before)| (before - after) / LEAD_STEP_S)
+                    .collect();
+                columns.push((place, rows(&at_samples(&slope))));
+            }
             _ => {}
         }
     }
     columns
 }
 
-/// Rows of the regressor, what is needed counted as negative.
+/// Step for a difference along the lead of friction [s].
+const LEAD_STEP_S: f64 = 2e-4;
+
+/// Rows of the regressor without weights, what is needed counted as negative.
 fn base_columns(evidence: &Evidence, s: usize, joint: usize, trial: &Trial) -> Columns {
     let regressor = trial.regressor_row(joint);
     let column = |k: usize| {
         let raw = || -> Vec<f64> { regressor.iter().map(|r| -r[k]).collect() };
-        base_counts(joint, k).then(|| evidence.weighted(s, joint, &raw()))
+        base_counts(joint, k).then(|| evidence.filter(joint, s).rows(&raw()))
     };
     (0..COUNT).map(column).collect()
 }

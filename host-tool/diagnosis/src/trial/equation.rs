@@ -122,6 +122,11 @@ impl<'a> Trial<'a> {
         self.effects.friction_v(joint, robot)
     }
 
+    /// Friction of a joint, were it ahead of the velocity by `lead_s` [V].
+    pub fn friction_ahead(&self, joint: usize, lead_s: f64) -> Vec<f64> {
+        self.effects.friction_ahead_v(joint, self.robot(), lead_s)
+    }
+
     /// Voltage that the rigid body needs at the samples, eq. (5).
     pub fn needed(&self, joint: usize) -> &[f64] {
         &self.needed_v.get_or_init(|| self.needed_by_all())[joint]

@@ -59,6 +59,9 @@ pub struct Hypothesis {
     pub robot: Robot<f64>,
     /// By how much each command comes later than the log says [s].
     pub lag_s: [f64; 3],
+    /// By how much each joint's friction runs ahead of its velocity: memory where it is negative;
+    /// soft constraints of simulators lead [s].
+    pub friction_lead_s: [f64; 3],
     /// Effects, in order.
     pub effects: Vec<EffectInstance>,
 }

@@ -121,7 +121,7 @@ mod tests {
 
     fn hypothesis(effects: &[&EffectInstance]) -> Hypothesis {
         let effects = effects.iter().copied().cloned().collect();
-        Hypothesis { robot: reference_robot(), lag_s: [0.0; 3], effects }
+        Hypothesis { robot: reference_robot(), lag_s: [0.0; 3], friction_lead_s: [0.0; 3], effects }
     }
 
     /// An effect of random size on every joint that it can act on.
