@@ -67,7 +67,12 @@ pub fn as_given(subject: &Subject) -> Hypothesis {
         joint: *joint,
         values: values.clone(),
     });
-    Hypothesis { robot: subject.robot, lag_s: [0.0; 3], effects: effects.collect() }
+    Hypothesis {
+        robot: subject.robot,
+        lag_s: [0.0; 3],
+        effects: effects.collect(),
+        tables: subject.known_tables.clone(),
+    }
 }
 
 /// Noise of each joint in what a model leaves of logs without driven noise, or of all logs

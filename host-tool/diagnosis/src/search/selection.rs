@@ -165,7 +165,7 @@ fn with_given_parameters(
     subject: &Subject,
     refitted: &Linearisation,
 ) -> Option<Linearisation> {
-    let effects = refitted.hypothesis.effects.clone();
-    let hypothesis = Hypothesis { effects, ..as_given(subject) };
+    let Hypothesis { effects, tables, .. } = refitted.hypothesis.clone();
+    let hypothesis = Hypothesis { effects, tables, ..as_given(subject) };
     Linearisation::of(evidence, hypothesis, refitted.expected.clone())
 }
