@@ -34,7 +34,7 @@ pub fn changed(
     joints: &[usize],
     change: &mut RowChange,
 ) {
-    let touches = touched(effect, others);
+    let touches = touched(effect, others, &hypothesis.tables);
     let trial = Trial::with_motor_side(
         &evidence.stretches[s],
         hypothesis,

@@ -27,6 +27,7 @@ use crate::verdict::shrinkage::{Shrinkage, held_out_floor_v, held_out_rms_v, noi
 use crate::verdict::{detectable, misfit};
 use files::{EffectTable, RobotFile};
 use recordings::Trace;
+use rig::effects::Table;
 
 /// All that the report is made of.
 pub struct Assembly<'a> {
@@ -256,7 +257,7 @@ impl Assembly<'_> {
         (0..self.evidence.stretches.len()).map(of_stretch).collect()
     }
 
-    /// The model file with refitted parameters and the effects.
+    /// The model file with refitted parameters, the effects and the tables.
     fn amended(&self, file: &RobotFile, hypothesis: &Hypothesis) -> RobotFile {
         let mut amended = self.subject.refitted_file(file, &hypothesis.robot);
         amended.effects = hypothesis
@@ -271,6 +272,10 @@ impl Assembly<'_> {
                     .collect(),
                 ..EffectTable::default()
             })
+            .chain(hypothesis.tables.iter().map(|table| {
+                let joint = self.subject.outer_joint(table.joint);
+                Table { joint, ..table.clone() }.to_effect_table()
+            }))
             .collect();
         amended
     }

@@ -197,7 +197,8 @@ fn finished(subject: &Subject, model: FittedModel) -> FittedModel {
 /// standstill stays as it was refitted, for there nothing hides.
 fn with_given_parameters(subject: &Subject, refitted: &FittedModel) -> Option<Linearisation> {
     let Linearisation { hypothesis, expected, .. } = &refitted.linear;
-    let mut start = Hypothesis { effects: hypothesis.effects.clone(), ..as_given(subject) };
+    let (effects, tables) = (hypothesis.effects.clone(), hypothesis.tables.clone());
+    let mut start = Hypothesis { effects, tables, ..as_given(subject) };
     for expected in expected.iter().filter(|expected| expected.unknown.shapes_friction()) {
         expected.unknown.set(&mut start, expected.unknown.get(hypothesis));
     }

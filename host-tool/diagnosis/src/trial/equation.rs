@@ -111,7 +111,7 @@ impl<'a> Trial<'a> {
     /// What drives a joint in the interval after each sample: the command as it reaches the
     /// motor, with the voltages and torques that effects add [V].
     pub fn drive(&self, joint: usize) -> Vec<f64> {
-        match self.hypothesis.effects.is_empty() {
+        match self.hypothesis.is_bare() {
             true => self.stretch.command_v[joint].clone(),
             false => self.drive_v.get_or_init(|| self.effects.drive_v())[joint].clone(),
         }

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use model::Robot;
-use rig::effects::{Definition, Effect, Kind};
+use rig::effects::{Definition, Effect, Kind, Table};
 
 /// An effect with its parameters, on a joint.
 #[derive(Clone, Debug)]
@@ -64,12 +64,20 @@ pub struct Hypothesis {
     pub friction_lead_s: [f64; 3],
     /// Effects, in order.
     pub effects: Vec<EffectInstance>,
+    /// Curves that act after the effects; no causes.
+    pub tables: Vec<Table>,
 }
 
 impl Hypothesis {
-    /// Its effects, ready to act.
+    /// Its effects and then its tables, ready to act.
     pub fn built_effects(&self) -> Vec<Box<dyn Effect>> {
-        self.effects.iter().filter_map(EffectInstance::build).collect()
+        let tables = self.tables.iter().map(|table| Box::new(table.clone()) as Box<dyn Effect>);
+        self.effects.iter().filter_map(EffectInstance::build).chain(tables).collect()
+    }
+
+    /// Whether it is a model alone, without effects and tables.
+    pub fn is_bare(&self) -> bool {
+        self.effects.is_empty() && self.tables.is_empty()
     }
 
     /// The same with one more effect.
