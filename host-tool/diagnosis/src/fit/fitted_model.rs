@@ -1,6 +1,6 @@
 //! A model that is fitted to the logs, and what it leaves of them.
 
-use super::gauss_newton::fit;
+use super::gauss_newton::{fit, fit_with_slopes, open_in};
 use super::linearisation::Linearisation;
 use super::residual_stats::ResidualStats;
 use crate::logs::subject::Subject;
@@ -41,11 +41,30 @@ impl FittedModel {
         most_steps: usize,
     ) -> Option<Self> {
         let first = fit(evidence, subject, start, most_steps)?;
+        Self::reweighted(evidence, subject, first)
+    }
+
+    /// The same in haste: with the slopes of where the fit begins.
+    pub fn fitted_with_slopes(
+        evidence: &Evidence,
+        subject: &Subject,
+        start: Hypothesis,
+        most_steps: usize,
+    ) -> Option<Self> {
+        let open = open_in(evidence, subject, &start.effects);
+        let start = Linearisation::of(evidence, start, open)?;
+        let first = fit_with_slopes(evidence, subject, start, most_steps);
+        Self::reweighted(evidence, subject, first)
+    }
+
+    /// A model fitted further to rows that are weighted by what it leaves of them itself.
+    fn reweighted(evidence: &Evidence, subject: &Subject, first: Linearisation) -> Option<Self> {
         let misfit = Misfit::of(evidence, &evidence.volts(&first.residual));
-        let evidence = evidence.reweighted(&misfit);
+        let own = evidence.reweighted(&misfit);
+        let first = first.reweighted(evidence, &own)?;
         let steps = subject.criteria.fit.reweighted_steps;
-        let linear = fit(&evidence, subject, first.hypothesis, steps)?;
-        Some(Self::of(evidence, linear))
+        let linear = fit_with_slopes(&own, subject, first, steps);
+        Some(Self::of(own, linear))
     }
 
     /// The size and the correlation of what it leaves.

@@ -1,7 +1,7 @@
 //! All rows of a model linearised in what is open, and how well a change of them fits once
 //! everything open is refitted.
 
-use std::ops::Range;
+use std::sync::Arc;
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
@@ -23,8 +23,8 @@ pub struct Linearisation {
     /// Squares of train rows and of the prior penalty.
     pub objective: f64,
     /// What the model's equation consists of, stretch by stretch, joint by joint.
-    parts: Vec<[Parts; 3]>,
-    pub(super) joints: Vec<JointSlopes>,
+    parts: Arc<[[Parts; 3]]>,
+    pub(super) joints: Arc<[JointSlopes]>,
     /// Half the gradient of the objective.
     pub(super) gradient: DVector<f64>,
     normal: Cholesky<f64, Dyn>,
@@ -42,21 +42,48 @@ impl Linearisation {
         let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
         let (parts, residual, joints) = slopes(evidence, &hypothesis, &expected);
         let objective = objective(&residual, &train, &hypothesis, &expected);
-        let (normal, gradient) =
-            normal_equations(&joints, &residual, &train, &hypothesis, &expected);
-        let normal = Cholesky::new(normal)?;
+        let normal = Cholesky::new(normal(&joints, &train, &expected))?;
+        let gradient = gradient(&joints, &residual, &train, &hypothesis, &expected);
         objective.is_finite().then_some(())?;
         Some(Self {
             hypothesis,
             expected,
             residual,
             objective,
-            parts,
-            joints,
+            parts: parts.into(),
+            joints: joints.into(),
             gradient,
             normal,
             train,
         })
+    }
+
+    /// The same slopes about a model near by, with what it leaves.
+    pub fn moved_to(&self, hypothesis: Hypothesis, residual: Rows, objective: f64) -> Self {
+        let gradient = gradient(&self.joints, &residual, &self.train, &hypothesis, &self.expected);
+        Self { hypothesis, residual, objective, gradient, ..self.clone() }
+    }
+
+    /// The same model and slopes on rows with other weights; `None` where the numbers do not work
+    /// out.
+    pub fn reweighted(&self, from: &Evidence, to: &Evidence) -> Option<Self> {
+        let ratio = |joint: usize| -> Vec<f64> {
+            let both = from.weights(joint).zip(to.weights(joint));
+            both.map(|(from, to)| if from > 0.0 { to / from } else { 0.0 }).collect()
+        };
+        let ratios = [0, 1, 2].map(ratio);
+        let mut residual = self.residual.clone();
+        for (rows, ratios) in residual.iter_mut().zip(&ratios) {
+            rows.iter_mut().zip(ratios).for_each(|(row, ratio)| *row *= ratio);
+        }
+        let joints: Vec<JointSlopes> =
+            self.joints.iter().map(|slopes| slopes.scaled(&ratios[slopes.joint])).collect();
+        let objective = objective(&residual, &self.train, &self.hypothesis, &self.expected);
+        let normal = normal(&joints, &self.train, &self.expected);
+        let gradient =
+            gradient(&joints, &residual, &self.train, &self.hypothesis, &self.expected);
+        let normal = Cholesky::new(normal)?;
+        Some(Self { residual, objective, normal, gradient, joints: joints.into(), ..self.clone() })
     }
 
     /// The change of what is open that fits best, by the slopes.
@@ -107,7 +134,7 @@ impl Linearisation {
     /// Slopes' products with a change of the train rows.
     fn against(&self, change: &RowChange) -> DVector<f64> {
         let mut sum = DVector::zeros(self.expected.len());
-        for slopes in &self.joints {
+        for slopes in self.joints.iter() {
             let Some(column) = &change[slopes.joint] else { continue };
             let rows = self.train[slopes.joint];
             let products = slopes
@@ -218,33 +245,41 @@ pub fn objective(
     rows + prior_penalty
 }
 
-fn normal_equations(
-    joints: &[JointSlopes],
-    residual: &Rows,
-    train: &[usize; 3],
-    hypothesis: &Hypothesis,
-    expected: &[Expected],
-) -> (DMatrix<f64>, DVector<f64>) {
-    let count = expected.len();
-    let mut normal = DMatrix::zeros(count, count);
-    let mut gradient = DVector::zeros(count);
-    for (place, e) in expected.iter().enumerate() {
-        let weight = e.deviation.powi(-2);
-        normal[(place, place)] += weight;
-        gradient[place] += weight * (e.unknown.get(hypothesis) - e.mean);
-    }
+/// Half the curvature of the objective.
+fn normal(joints: &[JointSlopes], train: &[usize; 3], expected: &[Expected]) -> DMatrix<f64> {
+    let weights = expected.iter().map(|e| e.deviation.powi(-2));
+    let mut normal =
+        DMatrix::from_diagonal(&DVector::from_iterator(expected.len(), weights));
     for slopes in joints {
-        let rows = train[slopes.joint];
-        let matrix = slopes.matrix.rows_range(..rows);
+        let matrix = slopes.matrix.rows_range(..train[slopes.joint]);
         let products = matrix.tr_mul(&matrix);
-        let right = nalgebra::DVectorView::from_slice(&residual[slopes.joint][..rows], rows);
-        let own = matrix.tr_mul(&right);
         for (a, &place_a) in slopes.places.iter().enumerate() {
-            gradient[place_a] += own[a];
             for (b, &place_b) in slopes.places.iter().enumerate() {
                 normal[(place_a, place_b)] += products[(a, b)];
             }
         }
     }
-    (normal, gradient)
+    normal
+}
+
+/// Half the gradient of the objective.
+fn gradient(
+    joints: &[JointSlopes],
+    residual: &Rows,
+    train: &[usize; 3],
+    hypothesis: &Hypothesis,
+    expected: &[Expected],
+) -> DVector<f64> {
+    let of_prior =
+        |e: &Expected| (e.unknown.get(hypothesis) - e.mean) / (e.deviation * e.deviation);
+    let mut gradient = DVector::from_iterator(expected.len(), expected.iter().map(of_prior));
+    for slopes in joints {
+        let rows = train[slopes.joint];
+        let right = nalgebra::DVectorView::from_slice(&residual[slopes.joint][..rows], rows);
+        let own = slopes.matrix.rows_range(..rows).tr_mul(&right);
+        for (&place, value) in slopes.places.iter().zip(own.iter()) {
+            gradient[place] += value;
+        }
+    }
+    gradient
 }

@@ -53,10 +53,15 @@ fn with_noise(
     Ok(Evidence::new(stretches, subject.joints.clone(), &noise, &subject.criteria))
 }
 
-/// Noise in what the last model of a search leaves: a gap that is always there passes for
-/// noise until its cause is found.
-pub fn noise_left(subject: &Subject, evidence: &Evidence, last: &Hypothesis) -> NoiseByRate {
-    noise(subject, &evidence.stretches, last)
+/// Noise of every joint's rows in each stretch, rms [V], seen in what the last model of a search
+/// leaves: a gap that is always there passes for noise until its cause is found.
+pub fn noise_left_v(subject: &Subject, evidence: &Evidence, last: &FittedModel) -> [Vec<f64>; 3] {
+    let noise = noise(subject, &evidence.stretches, &last.linear.hypothesis);
+    let of_stretch = |joint: usize, s: usize| {
+        let (filter, period_s) = (evidence.filter(joint, s), evidence.stretches[s].period_s);
+        noise.of(joint, period_s).behind(|f| filter.gain(f), period_s)
+    };
+    [0, 1, 2].map(|joint| (0..evidence.stretches.len()).map(|s| of_stretch(joint, s)).collect())
 }
 
 /// The model as given.

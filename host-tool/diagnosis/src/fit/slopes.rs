@@ -95,6 +95,15 @@ fn append(columns: &mut Vec<Column>, of_stretch: Vec<Column>) {
 }
 
 impl JointSlopes {
+    /// The same with every row scaled.
+    pub fn scaled(&self, ratios: &[f64]) -> Self {
+        let mut scaled = self.clone();
+        for mut column in scaled.matrix.column_iter_mut() {
+            column.iter_mut().zip(ratios).for_each(|(slope, ratio)| *slope *= ratio);
+        }
+        scaled
+    }
+
     fn of(joint: usize, columns: &[Column], count: usize) -> Self {
         let flat = columns.iter().flat_map(|(_, rows)| rows.iter().copied());
         let matrix = DMatrix::from_iterator(count, columns.len(), flat);

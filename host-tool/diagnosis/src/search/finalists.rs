@@ -103,7 +103,7 @@ fn refitted(
 /// A model whose last effect is new, refitted; none where that is not physical.
 fn finalist(subject: &Subject, before: &FittedModel, start: Hypothesis) -> Option<Finalist> {
     let steps = subject.criteria.selection.finalist_steps;
-    let model = FittedModel::fitted(&before.evidence, subject, start, steps)?;
+    let model = FittedModel::fitted_with_slopes(&before.evidence, subject, start, steps)?;
     let effect = model.linear.hypothesis.effects.last()?.clone();
     let gain = gain(before, &model);
     is_physical(&effect, subject, &model.evidence).then_some(Finalist { effect, model, gain })

@@ -125,7 +125,7 @@ impl Search<'_> {
 
     fn fitted(&self, hypothesis: Hypothesis) -> Option<FittedModel> {
         let steps = self.subject.criteria.selection.accepted_steps;
-        FittedModel::fitted(&self.last.evidence, self.subject, hypothesis, steps)
+        FittedModel::fitted_with_slopes(&self.last.evidence, self.subject, hypothesis, steps)
     }
 
     /// What each effect gains, and what its rivals would in its place; a rival that does better
