@@ -151,7 +151,9 @@ impl Answer {
     /// The first cause's name, or "none", "unknown" or "failed".
     pub fn label(&self) -> &str {
         match self.report().map(|report| report.verdict) {
-            Some(Verdict::Effect | Verdict::Partial) => self.named().first().map_or("unknown", |cause| &cause.effect),
+            Some(Verdict::Effect | Verdict::Partial) => {
+                self.named().first().map_or("unknown", |cause| &cause.effect)
+            }
             Some(Verdict::None) => "none",
             Some(Verdict::Unknown) => "unknown",
             None => "failed",

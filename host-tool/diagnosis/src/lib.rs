@@ -26,6 +26,7 @@ pub mod rows;
 pub mod search;
 #[cfg(any(test, feature = "synthetic"))]
 pub mod synthetic;
+pub mod tables;
 pub mod trial;
 pub mod verdict;
 
@@ -43,6 +44,8 @@ use recordings::{Campaign, StepError};
 use report::assembly::Assembly;
 use rig::effects::Catalogue;
 use search::selection;
+use tables::remaining::with_remaining_tables;
+use verdict::confirmed::Held;
 use verdict::judgement::Judgement;
 
 /// Why there is no diagnosis.
@@ -91,7 +94,15 @@ pub fn diagnose(
     progress("confirming on logs that chose nothing");
     let noise_v = preparation::noise_left_v(&subject, &evidence, &selection.last);
     let judgement = Judgement::of(&subject, selection, &noise_v);
-    let (traces, judgement) = (&campaign.traces[..], &judgement);
-    let assembly = Assembly { subject: &subject, evidence: &evidence, judgement, traces, noise_v };
+    progress("fitting tables to what remains");
+    let tables = Held::of(&subject, &with_remaining_tables(&subject, &judgement.last));
+    let assembly = Assembly {
+        subject: &subject,
+        evidence: &evidence,
+        judgement: &judgement,
+        tables,
+        traces: &campaign.traces,
+        noise_v,
+    };
     Ok(assembly.diagnosis(&campaign.robot_file, usable.remarks))
 }

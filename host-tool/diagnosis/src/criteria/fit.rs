@@ -31,6 +31,8 @@ criteria! {
         friction_shape: f64 = 3.0,
         /// The same for the Stribeck level, in parts of Coulomb friction.
         friction_shape_level: f64 = 1.0,
+        /// Deviation of a table's values: so wide that it only keeps what the logs do not tell [V].
+        table_v: f64 = 0.3,
         /// Least Coulomb friction of a fit, in parts of that given.
         least_coulomb: f64 = 0.02,
         /// Most by which Stribeck friction may be below Coulomb friction, in parts of the latter.

@@ -13,8 +13,9 @@ criteria! {
         starts: usize = 2,
         /// Starts that promise less than this part of the best one's gain are not searched.
         least_of_best_gain: f64 = 0.08,
-        /// Nor are those that promise less than this part of the squares that are left.
-        least_gain: f64 = 0.001,
+        /// Nor are those that promise to take away fewer weighted squares: an effect is accepted for
+        /// 15 units of log-likelihood, which is half of 30, and a search finds more than its start.
+        least_promise: f64 = 12.0,
         /// Most Levenberg-Marquardt steps of a search.
         steps: usize = 8,
         /// The same for springs, whose values are far from linear.

@@ -45,6 +45,17 @@ criteria! {
         /// and this part of the refitted model's excess: effects that are not linear are not removed
         /// to the last.
         done_part: f64 = 5e-4,
+        /// An effect that takes away less than this part of what a table over some axis of its joint
+        /// does is not the cause,
+        least_of_ceiling: f64 = 0.9,
+        /// unless beside that table it still takes this part of what is left.
+        least_beside_table: f64 = 0.15,
+        /// Most steps of a fit with a table.
+        table_steps: usize = 2,
+        /// Most tables of a joint in the amended model.
+        tables_of_joint: usize = 2,
+        /// Part of what is left above the noise of its joint that a table must take away.
+        least_of_table: f64 = 0.1,
         /// Rivals of a cause that are tried in its place once all causes are found.
         rivals: usize = 3,
         /// A spring leaves its motor this part of the joint's inertia, or it only smooths what the

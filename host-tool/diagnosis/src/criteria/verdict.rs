@@ -22,12 +22,16 @@ criteria! {
         highest_probability: f64 = 0.98,
         /// Least probability of a cause that is named.
         least_probability: f64 = 0.5,
-        /// Least share of a cause that is named.
-        least_share: f64 = 0.03,
+        /// Part of what is left above the noise without it that a cause must take away to be named.
+        least_part_of_left: f64 = 0.15,
         /// Least probability of an alternative that is listed.
         least_alternative: f64 = 0.02,
         /// A refitted model that leaves a larger part of a command is that of another robot.
         another_robot_part: f64 = 0.2,
+        /// A parameter that the refit moved is listed from this share of the squares on,
+        least_parameter_share: f64 = 0.02,
+        /// and from so many half widths of its interval.
+        sure_half_widths: f64 = 1.5,
         /// Squared correlation from which two effects are not told apart.
         alike_correlation: f64 = 0.995,
         /// Most steps of the fit without one of several causes.

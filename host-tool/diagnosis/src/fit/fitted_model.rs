@@ -51,7 +51,7 @@ impl FittedModel {
         start: Hypothesis,
         most_steps: usize,
     ) -> Option<Self> {
-        let open = open_in(evidence, subject, &start.effects);
+        let open = open_in(evidence, subject, &start);
         let start = Linearisation::of(evidence, start, open)?;
         let first = fit_with_slopes(evidence, subject, start, most_steps);
         Self::reweighted(evidence, subject, first)

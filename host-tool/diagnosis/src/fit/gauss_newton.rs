@@ -4,7 +4,7 @@ use super::linearisation::{Linearisation, objective};
 use super::unknowns::{Expected, Unknown, expected, kept_physical};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::{Evidence, Rows};
-use crate::trial::hypothesis::{EffectInstance, Hypothesis};
+use crate::trial::hypothesis::Hypothesis;
 use crate::trial::residual_rows::residual_rows;
 use rig::effects::Kind;
 
@@ -15,7 +15,7 @@ pub fn fit(
     start: Hypothesis,
     most_steps: usize,
 ) -> Option<Linearisation> {
-    let open = open_in(evidence, subject, &start.effects);
+    let open = open_in(evidence, subject, &start);
     let mut best = Linearisation::of(evidence, start, open.clone())?;
     for _ in 0..most_steps {
         let Some((next, _, objective)) = improved(evidence, subject, &best, &open) else { break };
@@ -56,7 +56,7 @@ pub fn fit_held(
     subject: &Subject,
     start: Hypothesis,
 ) -> Option<Linearisation> {
-    let mut open = open_in(evidence, subject, &start.effects);
+    let mut open = open_in(evidence, subject, &start);
     let mut hypothesis = start;
     let within = subject.criteria.fit.within_deviations;
     for _ in 0..subject.criteria.fit.bound_rounds {
@@ -74,7 +74,7 @@ fn hold(open: &mut [Expected], hypothesis: &mut Hypothesis, within: f64) {
     const FIXED: f64 = 1e-3;
     for expected in open {
         let deviations = (expected.unknown.get(hypothesis) - expected.mean) / expected.deviation;
-        let is_effect = matches!(expected.unknown, Unknown::Effect { .. });
+        let is_effect = matches!(expected.unknown, Unknown::Effect { .. } | Unknown::Table { .. });
         let may_be_held = !is_effect && !expected.unknown.shapes_friction();
         if may_be_held && deviations.abs() > within {
             expected.mean += within * expected.deviation * deviations.signum();
@@ -105,15 +105,13 @@ fn improved(
     })
 }
 
-/// Everything open in a model with these effects.
-pub fn open_in(
-    evidence: &Evidence,
-    subject: &Subject,
-    effects: &[EffectInstance],
-) -> Vec<Expected> {
+/// Everything open in a model with these effects and tables; those that the model as given holds
+/// already are not.
+pub fn open_in(evidence: &Evidence, subject: &Subject, hypothesis: &Hypothesis) -> Vec<Expected> {
     let period_s = evidence.stretches[0].period_s;
     let mut open = expected(subject, period_s);
-    for (index, effect) in effects.iter().enumerate().skip(subject.known_effects.len()) {
+    let effects = hypothesis.effects.iter().enumerate().skip(subject.known_effects.len());
+    for (index, effect) in effects {
         for (value, parameter) in effect.definition.parameters.iter().enumerate() {
             if parameter.kind == Kind::Harmonic {
                 continue;
@@ -123,6 +121,15 @@ pub fn open_in(
             let deviation = 0.5 * (parameter.highest - parameter.lowest);
             open.push(Expected { unknown, mean: effect.values[value], deviation });
         }
+    }
+    let tables = hypothesis.tables.iter().enumerate().skip(subject.known_tables.len());
+    for (index, table) in tables {
+        let deviation = subject.criteria.prior.table_v;
+        open.extend((0..table.knots.len()).map(|knot| Expected {
+            unknown: Unknown::Table { index, knot },
+            mean: 0.0,
+            deviation,
+        }));
     }
     open
 }

@@ -24,11 +24,11 @@ pub struct Linearisation {
     pub objective: f64,
     /// What the model's equation consists of, stretch by stretch, joint by joint.
     parts: Arc<[[Parts; 3]]>,
-    pub(super) joints: Arc<[JointSlopes]>,
+    pub(crate) joints: Arc<[JointSlopes]>,
     /// Half the gradient of the objective.
     pub(super) gradient: DVector<f64>,
     normal: Cholesky<f64, Dyn>,
-    pub(super) train: [usize; 3],
+    pub(crate) train: [usize; 3],
 }
 
 impl Linearisation {
@@ -80,8 +80,7 @@ impl Linearisation {
             self.joints.iter().map(|slopes| slopes.scaled(&ratios[slopes.joint])).collect();
         let objective = objective(&residual, &self.train, &self.hypothesis, &self.expected);
         let normal = normal(&joints, &self.train, &self.expected);
-        let gradient =
-            gradient(&joints, &residual, &self.train, &self.hypothesis, &self.expected);
+        let gradient = gradient(&joints, &residual, &self.train, &self.hypothesis, &self.expected);
         let normal = Cholesky::new(normal)?;
         Some(Self { residual, objective, normal, gradient, joints: joints.into(), ..self.clone() })
     }
@@ -121,7 +120,8 @@ impl Linearisation {
 
     /// Squares of the prior penalty: deviations of what is open from what is known of it.
     pub fn prior_penalty(&self) -> f64 {
-        let squared = |e: &Expected| ((e.unknown.get(&self.hypothesis) - e.mean) / e.deviation).powi(2);
+        let squared =
+            |e: &Expected| ((e.unknown.get(&self.hypothesis) - e.mean) / e.deviation).powi(2);
         self.expected.iter().map(squared).sum()
     }
 
@@ -248,8 +248,7 @@ pub fn objective(
 /// Half the curvature of the objective.
 fn normal(joints: &[JointSlopes], train: &[usize; 3], expected: &[Expected]) -> DMatrix<f64> {
     let weights = expected.iter().map(|e| e.deviation.powi(-2));
-    let mut normal =
-        DMatrix::from_diagonal(&DVector::from_iterator(expected.len(), weights));
+    let mut normal = DMatrix::from_diagonal(&DVector::from_iterator(expected.len(), weights));
     for slopes in joints {
         let matrix = slopes.matrix.rows_range(..train[slopes.joint]);
         let products = matrix.tr_mul(&matrix);

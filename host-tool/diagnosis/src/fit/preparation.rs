@@ -73,7 +73,8 @@ pub fn as_given(subject: &Subject) -> Hypothesis {
     });
     Hypothesis {
         robot: subject.robot,
-        lag_s: [0.0; 3], friction_lead_s: [0.0; 3],
+        lag_s: [0.0; 3],
+        friction_lead_s: [0.0; 3],
         effects: effects.collect(),
         tables: subject.known_tables.clone(),
     }

@@ -79,7 +79,8 @@ fn of_joint(evidence: &Evidence, joint: usize, residual_v: &Rows) -> OfJoint {
 /// Squared deviations of those parameters that logs like these determine.
 fn prior_penalty(linear: &Linearisation) -> f64 {
     let counts = |unknown: Unknown| {
-        !unknown.shapes_friction() && !matches!(unknown, Unknown::Effect { .. })
+        !unknown.shapes_friction()
+            && !matches!(unknown, Unknown::Effect { .. } | Unknown::Table { .. })
     };
     linear
         .expected

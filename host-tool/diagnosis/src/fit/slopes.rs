@@ -10,7 +10,7 @@ use crate::rows::evidence::{Columns, Evidence, RowChange, Rows};
 use crate::trial::equation::Trial;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use crate::trial::parts::{Parts, motor_side, touched};
-use rig::effects::Kind;
+use rig::effects::{Kind, Table};
 
 /// Slopes of one joint's rows.
 #[derive(Clone)]
@@ -170,6 +170,9 @@ fn own_slopes(
                 let slope: Vec<f64> = trial.command_slope(joint).iter().map(|u| -u).collect();
                 columns.push((place, rows(&slope)));
             }
+            Unknown::Table { index, knot } if of_joint(hypothesis, index, joint) => {
+                columns.push((place, rows(&hat(trial, &hypothesis.tables[index], joint, knot))));
+            }
             Unknown::FrictionLead(of) if of == joint => {
                 let slope: Vec<f64> = trial
                     .friction_ahead(joint, hypothesis.friction_lead_s[joint] + LEAD_STEP_S)
@@ -183,6 +186,19 @@ fn own_slopes(
         }
     }
     columns
+}
+
+/// Whether a table lies on a joint (0 to 2).
+fn of_joint(hypothesis: &Hypothesis, table: usize, joint: usize) -> bool {
+    usize::from(hypothesis.tables[table].joint) == joint + 1
+}
+
+/// What a table of one volt at a knot and none at the others adds to a joint, at the samples.
+fn hat(trial: &Trial, table: &Table, joint: usize, knot: usize) -> Vec<f64> {
+    let mut unit = Table { values_v: vec![0.0; table.knots.len()], ..table.clone() };
+    unit.values_v[knot] = 1.0;
+    let abscissa = trial.abscissa(joint, table.axis);
+    at_samples(&abscissa.into_iter().map(|x| unit.value_v(x)).collect::<Vec<f64>>())
 }
 
 /// Step for a difference along the lead of friction [s].

@@ -32,6 +32,13 @@ pub enum Unknown {
     Lag(usize),
     /// By how much a joint's friction runs ahead of its velocity.
     FrictionLead(usize),
+    /// The value of a table at one of its knots.
+    Table {
+        /// Which table.
+        index: usize,
+        /// Which of its knots.
+        knot: usize,
+    },
     /// A parameter of an effect.
     Effect {
         /// Which effect.
@@ -154,6 +161,7 @@ impl Unknown {
             }
             Self::Lag(joint) => hypothesis.lag_s[joint],
             Self::FrictionLead(joint) => hypothesis.friction_lead_s[joint],
+            Self::Table { index, knot } => hypothesis.tables[index].values_v[knot],
             Self::Effect { index, value } => hypothesis.effects[index].values[value],
         }
     }
@@ -174,6 +182,7 @@ impl Unknown {
             }
             Self::Lag(joint) => hypothesis.lag_s[joint] = to,
             Self::FrictionLead(joint) => hypothesis.friction_lead_s[joint] = to,
+            Self::Table { index, knot } => hypothesis.tables[index].values_v[knot] = to,
             Self::Effect { index, value } => hypothesis.effects[index].values[value] = to,
         }
     }

@@ -40,7 +40,11 @@ use found::Found;
 ///
 /// Empty where no joint leaves more than its noise floor.
 pub fn gap_by_axis(logs: &[LogResiduals], criteria: &AxisCriteria) -> Vec<GapShare> {
-    let samples: Vec<Samples> = Samples::of_joints(logs, criteria, |joint| &joint.refitted_v);
+    gap_by_axis_of(&Samples::of_joints(logs, criteria, |joint| &joint.refitted_v), criteria)
+}
+
+/// The same of any residuals, joint by joint.
+pub fn gap_by_axis_of(samples: &[Samples], criteria: &AxisCriteria) -> Vec<GapShare> {
     let whole_v2: f64 = samples.iter().map(Samples::excess_v2).sum();
     if whole_v2 <= 0.0 {
         return Vec::new();

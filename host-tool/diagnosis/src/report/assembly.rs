@@ -4,6 +4,8 @@ use super::amended::amended;
 use super::causes::{causes, rivals};
 use super::log_residuals::{Stages, log_residuals};
 use super::motion_gap::drift_rms_rad;
+use super::parameters_changed::parameters_changed;
+use super::remainder::remainder;
 use super::sentence::{effect_words, joint_words};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::preparation::as_given;
@@ -28,6 +30,8 @@ pub struct Assembly<'a> {
     pub evidence: &'a Evidence,
     /// What the search amounts to.
     pub judgement: &'a Judgement<'a>,
+    /// The model with tables for what remains.
+    pub tables: Held,
     /// The logs.
     pub traces: &'a [Trace],
     /// Noise of a joint's rows in every stretch, rms [V], by joint.
@@ -40,8 +44,7 @@ impl Assembly<'_> {
         let (subject, judgement) = (self.subject, self.judgement);
         let criteria = &subject.criteria;
         let Judgement { refitted, last, confirmation, .. } = judgement;
-        let given_v =
-            self.evidence.volts(&residual_rows(self.evidence, &as_given(subject)));
+        let given_v = self.evidence.volts(&residual_rows(self.evidence, &as_given(subject)));
         let stages = Stages {
             given_v: &given_v,
             refitted_v: &confirmation.refitted.residual_v,
@@ -53,16 +56,22 @@ impl Assembly<'_> {
         let (detectable, untestable) =
             detectable::detectable(&refitted.linear, &refitted.evidence, subject);
         let (causes, alternatives) = causes(subject, judgement);
-        let verdict =
-            verdict(refitted, last, causes.len(), confirmation, &criteria.verdict);
+        let verdict = verdict(
+            refitted,
+            last,
+            &self.tables.residual_v,
+            causes.len(),
+            confirmation,
+            &criteria.verdict,
+        );
         remarks.extend(misfit::remark(subject, refitted, verdict));
         let report = Report {
             format: 2,
             verdict,
             causes,
             alternatives,
-            parameters_changed: Vec::new(),
-            remainder: Vec::new(),
+            parameters_changed: parameters_changed(subject, &confirmation.refitted.linear),
+            remainder: remainder(subject, judgement, &logs),
             gap_shares: gap_by_axis(&logs, &criteria.axes),
             gap: self.gap(&given_v),
             data: self.data(),
@@ -75,7 +84,7 @@ impl Assembly<'_> {
             logs,
             waterfall: self.waterfall(&given_v),
             rivals: rivals(subject, judgement),
-            model: amended(subject, file, &confirmation.full.linear.hypothesis),
+            model: amended(subject, file, &self.tables.linear.hypothesis),
             catalogue: subject.catalogue.clone(),
             criteria: criteria.clone(),
         }
@@ -89,7 +98,7 @@ impl Assembly<'_> {
             as_given_v: rms(given_v),
             refitted_v: rms(&confirmation.refitted.residual_v),
             with_effects_v: rms(&confirmation.full.residual_v),
-            with_tables_v: rms(&confirmation.full.residual_v),
+            with_tables_v: rms(&self.tables.residual_v),
             noise_floor_v: self.noise_rms_v(),
             refitted_rad: drift(&confirmation.refitted),
             with_effects_rad: drift(&confirmation.full),
@@ -107,8 +116,10 @@ impl Assembly<'_> {
 
     /// The gap step by step, one cause more each.
     fn waterfall(&self, given_v: &Rows) -> Vec<Level> {
-        let level =
-            |name: String, rows: &Rows| Level { name, rms_v: confirming_rms_v(self.evidence, rows) };
+        let level = |name: String, rows: &Rows| Level {
+            name,
+            rms_v: confirming_rms_v(self.evidence, rows),
+        };
         let confirmation = &self.judgement.confirmation;
         let mut levels = vec![
             level("as given".into(), given_v),
@@ -135,7 +146,8 @@ impl Assembly<'_> {
         }
         hypothesis.effects.truncate(count);
         let steps = self.subject.criteria.verdict.without_cause_steps;
-        let model = FittedModel::fitted_with_slopes(&last.evidence, self.subject, hypothesis, steps)?;
+        let model =
+            FittedModel::fitted_with_slopes(&last.evidence, self.subject, hypothesis, steps)?;
         Some(Held::of(self.subject, &model))
     }
 

@@ -5,4 +5,6 @@ pub mod assembly;
 pub mod causes;
 pub mod log_residuals;
 pub mod motion_gap;
+pub mod parameters_changed;
+pub mod remainder;
 pub mod sentence;

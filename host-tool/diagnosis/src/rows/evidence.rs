@@ -2,8 +2,8 @@
 
 use std::sync::{Arc, OnceLock};
 
-use super::noise::{Noise, NoiseByRate};
 use super::misfit::Misfit;
+use super::noise::{Noise, NoiseByRate};
 use super::row_filter::RowFilter;
 use crate::criteria::Criteria;
 use crate::logs::stretch::Stretch;
@@ -84,8 +84,17 @@ impl Evidence {
         let criteria = criteria.clone();
         let stretches = stretches.into();
         let weights = Default::default();
-        let mut evidence =
-            Self { stretches, joints, filters, floors_v, steps_v, train, criteria, regressors, weights };
+        let mut evidence = Self {
+            stretches,
+            joints,
+            filters,
+            floors_v,
+            steps_v,
+            train,
+            criteria,
+            regressors,
+            weights,
+        };
         evidence.weights = [0, 1, 2].map(|joint| evidence.weights_of_noise(joint));
         evidence
     }
@@ -94,7 +103,10 @@ impl Evidence {
     fn weights_of_noise(&self, joint: usize) -> Vec<Vec<f64>> {
         let of_stretch = |s: usize| {
             let floor_v = self.floors_v[joint][s];
-            self.settled(joint, s).into_iter().map(|yes| if yes { 1.0 / floor_v } else { 0.0 }).collect()
+            self.settled(joint, s)
+                .into_iter()
+                .map(|yes| if yes { 1.0 / floor_v } else { 0.0 })
+                .collect()
         };
         (0..self.stretches.len()).map(of_stretch).collect()
     }

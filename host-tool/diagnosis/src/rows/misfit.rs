@@ -49,9 +49,8 @@ impl Misfit {
     /// Weights of a joint's rows in a train stretch [1/V].
     pub fn weights(&self, joint: usize, s: usize) -> impl Iterator<Item = f64> {
         let piece = &self.pieces[joint][s];
-        let of_class = |class: &u8| {
-            1.0 / (piece.square_v2[usize::from(*class)] * piece.correlation).sqrt()
-        };
+        let of_class =
+            |class: &u8| 1.0 / (piece.square_v2[usize::from(*class)] * piece.correlation).sqrt();
         piece.class.iter().map(of_class)
     }
 
@@ -80,9 +79,8 @@ impl Piece {
         let (sums, count) = piece.sums(residual_v, edges.len() + 1);
         let whole: f64 = sums.iter().sum::<f64>() / count.iter().sum::<f64>().max(1.0);
         let pooled = criteria.pooled_rows;
-        let square = |(sum, count): (&f64, &f64)| {
-            ((sum + pooled * whole) / (count + pooled)).max(floor_v2)
-        };
+        let square =
+            |(sum, count): (&f64, &f64)| ((sum + pooled * whole) / (count + pooled)).max(floor_v2);
         piece.square_v2 = sums.iter().zip(&count).map(square).collect();
         piece.count = count;
         piece.correlation = correlation(&piece.whitened(residual_v), criteria);

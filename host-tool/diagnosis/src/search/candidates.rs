@@ -24,8 +24,7 @@ pub fn candidates(
         .collect();
     let promised = starts.iter().flatten().map(|start| start.gain).fold(0.0, f64::max);
     let effort = &evidence.criteria.search;
-    let least =
-        (effort.least_of_best_gain * promised).max(effort.least_gain * linear.refitted_objective());
+    let least = (effort.least_of_best_gain * promised).max(effort.least_promise);
     let mut found: Vec<Candidate> = starts
         .into_par_iter()
         .filter_map(|starts| searched(linear, evidence, starts, least))
@@ -70,6 +69,18 @@ pub(crate) fn places_open(
     places
 }
 
+/// The first of an effect's starts.
+pub(crate) fn first_start(
+    linear: &Linearisation,
+    evidence: &Evidence,
+    subject: &Subject,
+    definition: &'static Definition,
+    joint: u8,
+) -> Option<EffectInstance> {
+    let values = start_values(linear, evidence, subject, definition, joint).into_iter().next()?;
+    Some(EffectInstance { definition, joint, values })
+}
+
 /// The most promising starts of an effect, the best first.
 pub(crate) fn starts(
     linear: &Linearisation,
@@ -78,16 +89,7 @@ pub(crate) fn starts(
     definition: &'static Definition,
     joint: u8,
 ) -> Vec<Start> {
-    let values = match definition.search {
-        Search::From(starts) => starts(&typical(linear, evidence, subject, joint)),
-        Search::Harmonics(carrier) => {
-            let joint = usize::from(joint) - 1;
-            harmonics::best(linear, evidence, joint, carrier)
-                .into_iter()
-                .map(|h| vec![h.amplitude, h.order as f64, h.phase_rad])
-                .collect()
-        }
-    };
+    let values = start_values(linear, evidence, subject, definition, joint);
     let mut starts: Vec<Start> = values
         .into_iter()
         .map(|values| EffectInstance { definition, joint, values })
@@ -96,6 +98,26 @@ pub(crate) fn starts(
     starts.sort_by(|a, b| b.gain.total_cmp(&a.gain));
     starts.truncate(evidence.criteria.search.starts);
     starts
+}
+
+/// Values of an effect's parameters from which a search may begin.
+fn start_values(
+    linear: &Linearisation,
+    evidence: &Evidence,
+    subject: &Subject,
+    definition: &'static Definition,
+    joint: u8,
+) -> Vec<Vec<f64>> {
+    match definition.search {
+        Search::From(starts) => starts(&typical(linear, evidence, subject, joint)),
+        Search::Harmonics(carrier) => {
+            let joint = usize::from(joint) - 1;
+            harmonics::best(linear, evidence, joint, carrier)
+                .into_iter()
+                .map(|h| vec![h.amplitude, h.order as f64, h.phase_rad])
+                .collect()
+        }
+    }
 }
 
 /// What the change of rows by an effect would gain if it were scaled as suits best.
@@ -135,6 +157,8 @@ pub(crate) fn typical(
     subject: &Subject,
     joint: u8,
 ) -> Typical {
+    /// The load changes slowly: every so many samples tell its rms.
+    const SAMPLES: usize = 20;
     let joint = usize::from(joint.max(1)) - 1;
     let robot = &linear.hypothesis.robot;
     let all = |signal: fn(&crate::logs::stretch::Stretch, usize) -> &[f64]| {
@@ -146,7 +170,8 @@ pub(crate) fn typical(
         .stretches
         .iter()
         .flat_map(|stretch| {
-            Trial::of(stretch, &linear.hypothesis, &evidence.criteria.fit).load_nm(joint)
+            let trial = Trial::of(stretch, &linear.hypothesis, &evidence.criteria.fit);
+            trial.load_at_every_nm(joint, SAMPLES)
         })
         .collect();
     Typical {

@@ -68,6 +68,7 @@ fn overlooked(
     let places: Vec<(&'static Definition, u8)> =
         places_open(subject, &now.hypothesis.effects).into_iter().filter(is_new).collect();
     let mut promising: Vec<Start> = places.into_par_iter().filter_map(first).collect();
+    promising.retain(|start| start.gain > effort.least_promise);
     promising.sort_by(|a, b| b.gain.total_cmp(&a.gain));
     promising.truncate(effort.overlooked);
     let searched = |start: Start| {

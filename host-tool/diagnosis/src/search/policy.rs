@@ -60,7 +60,8 @@ fn takes_noise_for_motion(
 /// Whether a good part of what is left goes, on some joint.
 fn reduces_excess(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
     let least = criteria.selection.least_of_excess;
-    let of_joints = |model: &FittedModel| excess_v2(&model.evidence, &model.left_out_v, Role::Train);
+    let of_joints =
+        |model: &FittedModel| excess_v2(&model.evidence, &model.left_out_v, Role::Train);
     let (from, to) = (of_joints(before), of_joints(after));
     from.iter().zip(&to).any(|(from, to)| *from > 0.0 && *to < (1.0 - least) * from)
 }

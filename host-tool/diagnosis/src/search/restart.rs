@@ -27,7 +27,7 @@ pub fn restarted(subject: &Subject, step: &FittedModel) -> Option<FittedModel> {
     }
     let mut hypothesis = step.linear.hypothesis.clone();
     hypothesis.effects.pop();
-    let open = open_in(evidence, subject, &hypothesis.effects);
+    let open = open_in(evidence, subject, &hypothesis);
     let without = Linearisation::of(evidence, hypothesis, open)?;
     let here = Candidate::of(&without, evidence, backlash.clone()).0;
     let from = |factors: &[f64; 4]| {

@@ -29,6 +29,8 @@ pub struct Selection {
 pub struct Added {
     /// Log-likelihood that the last model loses without it.
     pub gain: f64,
+    /// The last model without it.
+    pub without: FittedModel,
     /// What else was tried in its place, the best first.
     pub rivals: Vec<Rival>,
 }
@@ -143,9 +145,8 @@ impl Search<'_> {
                 let last = &self.last;
                 rivals.iter_mut().for_each(|rival| rival.gain = gain(last, &rival.model));
             }
-            let without = self.without(known + index);
-            let gain = without.map_or(0.0, |without| gain(&without, &self.last));
-            added.push(Added { gain, rivals });
+            let without = self.without(known + index).unwrap_or_else(|| self.last.clone());
+            added.push(Added { gain: gain(&without, &self.last), without, rivals });
         }
         added
     }
@@ -160,13 +161,28 @@ impl Search<'_> {
             let model = self.fitted(hypothesis)?;
             let effect = model.linear.hypothesis.effects[known + index].clone();
             let gain = gain(&self.last, &model);
-            is_physical(&effect, self.subject, &model.evidence)
-                .then_some(Rival { effect, gain, model })
+            is_physical(&effect, self.subject, &model.evidence).then_some(Rival {
+                effect,
+                gain,
+                model,
+            })
         };
         let tried: Vec<&Finalist> = tried.collect();
         let mut rivals: Vec<Rival> = tried.into_par_iter().filter_map(in_place).collect();
         rivals.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         rivals
+    }
+}
+
+/// Brings up to date what each effect gains, in a model that holds just these.
+pub fn update_gains(subject: &Subject, last: &FittedModel, added: &mut [Added]) {
+    let known = subject.known_effects.len();
+    let search = Search { subject, last: last.clone(), rivals: Vec::new() };
+    for (index, added) in added.iter_mut().enumerate() {
+        if let Some(without) = search.without(known + index) {
+            added.gain = gain(&without, last);
+            added.without = without;
+        }
     }
 }
 
@@ -182,7 +198,8 @@ fn finished(subject: &Subject, model: FittedModel) -> FittedModel {
     let spring = model.ends_with_spring();
     let steps = if spring { policy.accepted_spring_steps } else { policy.accepted_steps };
     let hypothesis = model.linear.hypothesis.clone();
-    let mut best = FittedModel::fitted(&model.evidence, subject, hypothesis, steps).unwrap_or(model);
+    let mut best =
+        FittedModel::fitted(&model.evidence, subject, hypothesis, steps).unwrap_or(model);
     for _ in 0..subject.criteria.search.restarts {
         match restarted(subject, &best) {
             Some(better) => best = better,

@@ -12,7 +12,7 @@ use model::{FrictionState, Posture, Robot};
 use super::hypothesis::Hypothesis;
 use super::reading;
 use crate::logs::stretch::{Kinematics, Stretch};
-use rig::effects::{Effect, JointState, Transmission};
+use rig::effects::{Effect, JointState, Table, TableAxis, Transmission};
 use signal::derivative;
 
 /// The effects of a hypothesis on a stretch.
@@ -111,6 +111,19 @@ impl<'a> ActiveEffects<'a> {
         (0..self.stretch.len()).map(&mut at).collect()
     }
 
+    /// Where on an axis a joint is in the interval after each sample, in the axis' unit.
+    pub fn abscissa(&self, joint: usize, axis: TableAxis) -> Vec<f64> {
+        let table = Table { joint: joint as u8 + 1, axis, knots: vec![], values_v: vec![] };
+        let at = |k: usize| {
+            let mut state = self.joint_state(k);
+            if axis == TableAxis::Load {
+                state.load_nm = load_nm(&self.robot, &state.q_rad, &state.qd_rad_per_s);
+            }
+            table.abscissa(&state, self.stretch.command_v[joint][k])
+        };
+        (0..self.stretch.len()).map(at).collect()
+    }
+
     /// By how much effects scale each joint's friction in an interval.
     fn friction_scale(&self, k: usize) -> [FrictionScale<f64>; 3] {
         let mut scale = [FrictionScale::unchanged(); 3];
@@ -142,11 +155,16 @@ impl<'a> ActiveEffects<'a> {
 
     /// Load c + h on a joint at the samples [Nm].
     pub fn load_nm(&self, joint: usize) -> Vec<f64> {
+        self.load_at_every_nm(joint, 1)
+    }
+
+    /// The same at every so many samples [Nm].
+    pub fn load_at_every_nm(&self, joint: usize, samples: usize) -> Vec<f64> {
         let at = |k: usize| {
             let (q, qd, _) = self.motor.state(k);
             load_nm(&self.robot, &q, &qd)[joint]
         };
-        (0..self.stretch.len()).map(at).collect()
+        (0..self.stretch.len()).step_by(samples).map(at).collect()
     }
 }
 

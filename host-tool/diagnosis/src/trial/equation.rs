@@ -16,7 +16,7 @@ use super::link_motion::{self, JointMotion, MeasuredTorque};
 use crate::criteria::FitCriteria;
 use crate::logs::intervals::at_samples;
 use crate::logs::stretch::{Kinematics, Stretch};
-use rig::effects::Transmission;
+use rig::effects::{TableAxis, Transmission};
 use signal::derivative;
 
 /// A hypothesis on one stretch. What costs time is computed once it is asked for.
@@ -166,6 +166,11 @@ impl<'a> Trial<'a> {
         derivative::first(&at_samples(&self.stretch.command_v[joint]), self.stretch.period_s)
     }
 
+    /// Where on an axis a joint is in the interval after each sample, in the axis' unit.
+    pub fn abscissa(&self, joint: usize, axis: TableAxis) -> Vec<f64> {
+        self.effects.abscissa(joint, axis)
+    }
+
     /// The robot with what effects change in it.
     pub fn robot(&self) -> &Robot<f64> {
         &self.effects.robot
@@ -184,6 +189,11 @@ impl<'a> Trial<'a> {
     /// Load c + h on a joint at the samples [Nm].
     pub fn load_nm(&self, joint: usize) -> Vec<f64> {
         self.effects.load_nm(joint)
+    }
+
+    /// The same at every so many samples [Nm].
+    pub fn load_at_every_nm(&self, joint: usize, samples: usize) -> Vec<f64> {
+        self.effects.load_at_every_nm(joint, samples)
     }
 
     /// Whether the links move as the encoders tell.

@@ -122,7 +122,13 @@ mod tests {
 
     fn hypothesis(effects: &[&EffectInstance]) -> Hypothesis {
         let effects = effects.iter().copied().cloned().collect();
-        Hypothesis { robot: reference_robot(), lag_s: [0.0; 3], friction_lead_s: [0.0; 3], effects, tables: vec![] }
+        Hypothesis {
+            robot: reference_robot(),
+            lag_s: [0.0; 3],
+            friction_lead_s: [0.0; 3],
+            effects,
+            tables: vec![],
+        }
     }
 
     /// An effect of random size on every joint that it can act on.

@@ -6,7 +6,8 @@ use crate::fit::gauss_newton::fit_held;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Rows;
-use crate::trial::hypothesis::{EffectInstance, Hypothesis};
+use crate::search::selection::Added;
+use crate::trial::hypothesis::EffectInstance;
 
 /// Models that are compared on the confirming logs, their parameters no further from the model as
 /// given than the doubt about it allows.
@@ -38,6 +39,8 @@ pub struct Worth {
     pub share: f64,
     /// Its interval.
     pub share_interval: [f64; 2],
+    /// Part of what is left above the noise without it.
+    pub part_of_left: f64,
     /// 1 - rms with it / rms without it.
     pub shrinkage: f64,
     /// Its interval.
@@ -45,22 +48,20 @@ pub struct Worth {
 }
 
 impl<'a> Confirmation<'a> {
-    /// Of a refitted model and one with causes; `noise_v` by joint and stretch.
+    /// Of a refitted model and one with causes added; `noise_v` by joint and stretch.
     pub fn of(
         subject: &'a Subject,
         refitted: &FittedModel,
         last: &FittedModel,
+        added: &[Added],
         noise_v: [Vec<f64>; 3],
     ) -> Self {
-        let known = subject.known_effects.len();
         let held = |model: &FittedModel| Held::of(subject, model);
         let (refitted, full) = (held(refitted), held(last));
-        let count = last.linear.hypothesis.effects.len() - known;
-        let without = |index: usize| match count {
-            1 => refitted.clone(),
-            _ => without(subject, last, known + index).map_or_else(|| full.clone(), |m| held(&m)),
+        let without = match added {
+            [_] => vec![refitted.clone()],
+            several => several.iter().map(|added| held(&added.without)).collect(),
         };
-        let without = (0..count).map(without).collect();
         Self { subject, refitted, full, without, noise_v }
     }
 
@@ -98,9 +99,23 @@ impl<'a> Confirmation<'a> {
             [without, with, ..] if *without > 0.0 => 1.0 - (with / without).sqrt(),
             _ => 0.0,
         };
+        let part = |sums: &[f64]| match sums {
+            [without, with, _, noise] if without > noise => (without - with) / (without - noise),
+            _ => 0.0,
+        };
+        let (part_of_left, _) = blocks.figure(1, part);
         let (share, share_interval) = blocks.figure(draws, share);
         let (shrinkage, shrinkage_interval) = blocks.figure(draws, shrinkage);
-        Worth { share, share_interval, shrinkage, shrinkage_interval }
+        Worth { share, share_interval, part_of_left, shrinkage, shrinkage_interval }
+    }
+
+    /// Whether a model with tables leaves little of the gap: what remains is at the noise or drawn.
+    pub fn is_drawn(&self, last: &FittedModel, with_tables_v: &Rows) -> bool {
+        let models = [&self.refitted.residual_v, with_tables_v];
+        let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
+        let blocks = Blocks::of(&last.evidence, &self.subject.joints, &models, noise_v);
+        let explained = |sums: &[f64]| (sums[0] - sums[1]) / (sums[0] - sums[2]).max(1e-300);
+        blocks.figure(1, explained).0 >= self.subject.criteria.verdict.explained
     }
 
     /// Part of the gap's squares above the noise that all causes take together, all joints.
@@ -121,18 +136,8 @@ impl Held {
             .then(|| fit_held(&model.evidence, subject, model.linear.hypothesis.clone()))
             .flatten();
         match held {
-            Some(linear) => {
-                Self { residual_v: model.evidence.volts(&linear.residual), linear }
-            }
+            Some(linear) => Self { residual_v: model.evidence.volts(&linear.residual), linear },
             None => Self { linear: model.linear.clone(), residual_v: model.residual_v.clone() },
         }
     }
-}
-
-/// A model without one of its effects, refitted.
-fn without(subject: &Subject, last: &FittedModel, index: usize) -> Option<FittedModel> {
-    let mut hypothesis: Hypothesis = last.linear.hypothesis.clone();
-    hypothesis.effects.remove(index);
-    let steps = subject.criteria.verdict.without_cause_steps;
-    FittedModel::fitted_with_slopes(&last.evidence, subject, hypothesis, steps)
 }

@@ -4,6 +4,7 @@ use super::confirmed::{Confirmation, Worth};
 use crate::criteria::VerdictCriteria;
 use crate::fit::fitted_model::FittedModel;
 use crate::result::Verdict;
+use crate::rows::evidence::Rows;
 use crate::search::selection::Added;
 
 /// Probability that an added effect is a cause: against each of its rivals by the log-likelihood
@@ -26,7 +27,7 @@ fn confirmed(worth: &Worth, criteria: &VerdictCriteria) -> f64 {
 /// Whether a cause is named.
 pub fn is_named(probability: f64, worth: &Worth, criteria: &VerdictCriteria) -> bool {
     probability >= criteria.least_probability
-        && worth.share >= criteria.least_share
+        && worth.part_of_left >= criteria.least_part_of_left
         && worth.share_interval[0] > 0.0
 }
 
@@ -34,6 +35,7 @@ pub fn is_named(probability: f64, worth: &Worth, criteria: &VerdictCriteria) -> 
 pub fn verdict(
     refitted: &FittedModel,
     last: &FittedModel,
+    with_tables_v: &Rows,
     named: usize,
     confirmation: &Confirmation,
     criteria: &VerdictCriteria,
@@ -43,7 +45,11 @@ pub fn verdict(
     match named {
         0 if no_gap => Verdict::None,
         0 => Verdict::Unknown,
-        _ if confirmation.explained(last) >= criteria.explained => Verdict::Effect,
+        _ if confirmation.explained(last) >= criteria.explained
+            && confirmation.is_drawn(last, with_tables_v) =>
+        {
+            Verdict::Effect
+        }
         _ => Verdict::Partial,
     }
 }

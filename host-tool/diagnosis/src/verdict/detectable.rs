@@ -7,7 +7,7 @@ use crate::fit::linearisation::{Linearisation, Which};
 use crate::logs::subject::Subject;
 use crate::result::{Detectable, Untestable};
 use crate::rows::evidence::{Evidence, RowChange};
-use crate::search::candidates::{places, starts, typical};
+use crate::search::candidates::{first_start, places, typical};
 use crate::trial::hypothesis::EffectInstance;
 use rig::effects::{Confused, Definition, Kind};
 
@@ -80,7 +80,7 @@ fn sight(
     definition: &'static Definition,
     joint: u8,
 ) -> Option<Sight> {
-    let effect = starts(linear, evidence, subject, definition, joint).into_iter().next()?.effect;
+    let effect = first_start(linear, evidence, subject, definition, joint)?;
     let change = linear.change_by(evidence, &effect, Which::OWN);
     let (_, curvature) = linear.along(&RowChange::default(), std::slice::from_ref(&change));
     Some(Sight { definition, joint, effect, squares: curvature[(0, 0)], change })

@@ -4,7 +4,8 @@ use super::confirmed::{Confirmation, Worth};
 use super::decision::{is_named, probability};
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
-use crate::search::selection::{Added, Rival, Selection};
+use crate::search::selection::{Added, Rival, Selection, update_gains};
+use crate::tables::ceiling::reaches_ceiling;
 use crate::trial::hypothesis::EffectInstance;
 
 /// What the search amounts to.
@@ -40,13 +41,14 @@ impl<'a> Judgement<'a> {
         let known = subject.known_effects.len();
         let mut unconfirmed = Vec::new();
         loop {
-            let confirmation = Confirmation::of(subject, &refitted, &last, noise_v.clone());
+            let confirmation = Confirmation::of(subject, &refitted, &last, &added, noise_v.clone());
             let judged: Vec<(Worth, f64)> = (0..added.len())
                 .map(|index| judged(subject, &confirmation, &last, &added[index], index))
                 .collect();
             let fails = |index: &usize| {
                 let (worth, probability) = &judged[*index];
                 !is_named(*probability, worth, &subject.criteria.verdict)
+                    || !reaches_ceiling(subject, &added[*index].without, &last, known + *index)
             };
             let least = |a: &usize, b: &usize| judged[*a].0.share.total_cmp(&judged[*b].0.share);
             let worst = (0..added.len()).filter(fails).min_by(least);
@@ -69,6 +71,7 @@ impl<'a> Judgement<'a> {
             unconfirmed.push((effect, worth, probability));
             added.remove(index);
             last = model;
+            update_gains(subject, &last, &mut added);
         }
     }
 }

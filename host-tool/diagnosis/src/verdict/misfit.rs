@@ -6,11 +6,7 @@ use crate::logs::subject::Subject;
 use crate::result::Verdict;
 
 /// What must be said where a refitted model is not that of the robot in the logs.
-pub fn remark(
-    subject: &Subject,
-    refitted: &FittedModel,
-    verdict: Verdict,
-) -> Option<String> {
+pub fn remark(subject: &Subject, refitted: &FittedModel, verdict: Verdict) -> Option<String> {
     if verdict == Verdict::Effect {
         return None;
     }

@@ -1,0 +1,79 @@
+//! What the refit alone moved: which parameters of the model, by how much, with which share.
+
+use nalgebra::DVector;
+
+use crate::fit::linearisation::Linearisation;
+use crate::fit::unknowns::Unknown;
+use crate::logs::subject::Subject;
+use crate::result::ParameterChange;
+
+/// Parameters that the refit moved by more than chance and that take a part of the squares between
+/// the model as given and refitted, largest share first.
+///
+/// The squares that go from given to refitted are a sum over the parameters, by the slopes of the
+/// refitted model: for r the refitted residual and d = -J (found - given) what setting back adds,
+/// they are d (2 r + d), and each column of J has its term of d in it.
+pub fn parameters_changed(subject: &Subject, refitted: &Linearisation) -> Vec<ParameterChange> {
+    let criteria = &subject.criteria.verdict;
+    let taken = refitted.squares_by_parameter();
+    let whole: f64 = taken.iter().sum();
+    let change = |place: usize| {
+        let expected = &refitted.expected[place];
+        let found = expected.unknown.get(&refitted.hypothesis);
+        let half = 1.96 * refitted.deviation(place);
+        let share = taken[place] / whole.max(f64::MIN_POSITIVE);
+        let is_sure = (found - expected.mean).abs() > criteria.sure_half_widths * half;
+        let parameter = name(subject, expected.unknown)?;
+        (is_sure && share >= criteria.least_parameter_share).then(|| ParameterChange {
+            parameter,
+            given: expected.mean,
+            found,
+            interval: [found - half, found + half],
+            share,
+        })
+    };
+    let mut all: Vec<ParameterChange> = (0..taken.len()).filter_map(change).collect();
+    all.sort_by(|a, b| b.share.total_cmp(&a.share));
+    all
+}
+
+/// A parameter's name in the model file; none for what that does not hold.
+fn name(subject: &Subject, unknown: Unknown) -> Option<String> {
+    const ZZ3R: usize = 12;
+    match unknown {
+        Unknown::Base(place) if subject.one_joint => Some(match place {
+            ZZ3R => "pendulum.inertia_kg_m2".into(),
+            _ => "pendulum.gravity_torque_Nm".into(),
+        }),
+        Unknown::Base(place) => Some(format!("base.{}", model::base::NAMES[place])),
+        Unknown::Friction { joint, parameter } => {
+            let place = subject.joints.iter().position(|of| *of == joint)?;
+            let number = subject.numbers[place];
+            Some(format!("friction[{number}].{}", model::friction_parameters::NAMES[parameter]))
+        }
+        _ => None,
+    }
+}
+
+impl Linearisation {
+    /// Squares of train rows that go with each open parameter from its expectation to its value.
+    fn squares_by_parameter(&self) -> Vec<f64> {
+        let moved = |place: usize| {
+            let expected = &self.expected[place];
+            expected.unknown.get(&self.hypothesis) - expected.mean
+        };
+        let mut taken = vec![0.0; self.expected.len()];
+        for slopes in self.joints.iter() {
+            let rows = self.train[slopes.joint];
+            let matrix = slopes.matrix.rows_range(..rows);
+            let own: Vec<f64> = slopes.places.iter().map(|&place| moved(place)).collect();
+            let change = -(matrix * DVector::from_vec(own.clone()));
+            let residual = DVector::from_column_slice(&self.residual[slopes.joint][..rows]);
+            let products = matrix.tr_mul(&(2.0 * residual + change));
+            for ((&place, own), product) in slopes.places.iter().zip(own).zip(products.iter()) {
+                taken[place] -= own * product;
+            }
+        }
+        taken
+    }
+}

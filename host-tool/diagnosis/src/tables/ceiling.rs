@@ -1,0 +1,105 @@
+//! The most that anything along an axis could explain.
+
+use rayon::prelude::*;
+
+use super::knots::flat;
+use crate::fit::excess::excess_v2;
+use crate::fit::fitted_model::FittedModel;
+use crate::logs::subject::Subject;
+use crate::rows::evidence::Evidence;
+use crate::search::policy::gain;
+use crate::trial::hypothesis::Hypothesis;
+use files::Role;
+use rig::effects::{Table, TableAxis};
+
+/// A model with one table more.
+#[derive(Clone)]
+pub struct WithTable {
+    /// The table.
+    pub table: Table,
+    /// The model with it.
+    pub model: FittedModel,
+    /// Log-likelihood that the model gains by it.
+    pub gain: f64,
+}
+
+/// Whether an effect (the one at `index` of a model) reaches what a table over an axis of its joint
+/// explains, or pays beside that table.
+pub fn reaches_ceiling(
+    subject: &Subject,
+    without: &FittedModel,
+    with: &FittedModel,
+    index: usize,
+) -> bool {
+    let policy = &subject.criteria.selection;
+    let effect = &with.linear.hypothesis.effects[index];
+    let Some(joint) = usize::from(effect.joint).checked_sub(1) else { return true };
+    let Some(best) = with_tables(subject, without, joint).into_iter().next() else { return true };
+    let (by_effect, by_table) = (
+        part_taken(subject, without, with, joint),
+        part_taken(subject, without, &best.model, joint),
+    );
+    if by_effect >= policy.least_of_ceiling * by_table || gain(without, with) >= best.gain {
+        return true;
+    }
+    let mut both = best.model.linear.hypothesis.clone();
+    both.effects.insert(index, effect.clone());
+    let steps = policy.table_steps;
+    let both = FittedModel::fitted_with_slopes(&best.model.evidence, subject, both, steps);
+    both.is_some_and(|both| {
+        gain(&best.model, &both) > policy.least_log_likelihood
+            && part_taken(subject, &best.model, &both, joint) > policy.least_beside_table
+    })
+}
+
+/// Part of what is left above the noise of a joint's left-out train rows that goes.
+pub fn part_taken(
+    subject: &Subject,
+    before: &FittedModel,
+    after: &FittedModel,
+    joint: usize,
+) -> f64 {
+    let place = subject.joints.iter().position(|of| *of == joint).unwrap_or(0);
+    let of =
+        |model: &FittedModel| excess_v2(&model.evidence, &model.left_out_v, Role::Train)[place];
+    let from = of(before);
+    if from > 0.0 { 1.0 - of(after) / from } else { 0.0 }
+}
+
+/// A model with the table over each axis of a joint (0 to 2), the one that gains most first.
+pub fn with_tables(subject: &Subject, before: &FittedModel, joint: usize) -> Vec<WithTable> {
+    let over = |axis: &TableAxis| with_table(subject, before, joint, *axis);
+    let mut all: Vec<WithTable> = TableAxis::ALL.par_iter().filter_map(over).collect();
+    all.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+    all
+}
+
+fn with_table(
+    subject: &Subject,
+    before: &FittedModel,
+    joint: usize,
+    axis: TableAxis,
+) -> Option<WithTable> {
+    let hypothesis = &before.linear.hypothesis;
+    let same = |table: &Table| usize::from(table.joint) == joint + 1 && table.axis == axis;
+    if hypothesis.tables.iter().any(same) {
+        return None;
+    }
+    let flat = flat(&before.evidence, hypothesis, joint, axis)?;
+    let model = fitted(subject, &before.evidence, hypothesis, flat)?;
+    let table = model.linear.hypothesis.tables.last()?.clone();
+    Some(WithTable { table, gain: gain(before, &model), model })
+}
+
+/// A model with a table more, fitted.
+fn fitted(
+    subject: &Subject,
+    evidence: &Evidence,
+    hypothesis: &Hypothesis,
+    table: Table,
+) -> Option<FittedModel> {
+    let mut with = hypothesis.clone();
+    with.tables.push(table);
+    let steps = subject.criteria.selection.table_steps;
+    FittedModel::fitted_with_slopes(evidence, subject, with, steps)
+}
