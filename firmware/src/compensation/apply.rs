@@ -8,7 +8,9 @@ use model::friction::FrictionScale;
 use model::{Posture, Robot};
 
 use super::parameters::{AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse};
+use super::tables::{Table, TablePlace};
 use crate::Angle;
+use crate::reference::Setpoint;
 
 impl AngularHarmonic {
     /// The wave at an angle, in [-1, 1].
@@ -36,6 +38,34 @@ impl ExternalLoad {
         let pushed = posture.tip_force_torque(turned, geometry, &self.tip_force_n);
         [0, 1, 2].map(|i| leaning[i] + pushed[i])
     }
+}
+
+/// Motor voltages less what the joints' tables add at the setpoints [V].
+// Not inlined, so that a rig without tables does not pay for them.
+#[inline(never)]
+pub fn less_tables(
+    voltage_v: [f32; 3],
+    joints: &[Compensations; 3],
+    robot: &Robot<f32>,
+    wanted: &[Setpoint; 3],
+) -> [f32; 3] {
+    let needs_load = joints.iter().flat_map(|joint| &joint.tables).any(Table::needs_load);
+    let load_nm = if needs_load { load_nm(robot, wanted) } else { [0.0; 3] };
+    [0, 1, 2].map(|i| {
+        let Setpoint { position_rad, velocity_rad_per_s, .. } = wanted[i];
+        let place = TablePlace { position_rad, velocity_rad_per_s, load_nm: load_nm[i] };
+        joints[i].tables.iter().fold(voltage_v[i], |left_v, table| left_v - table.value_v(place))
+    })
+}
+
+/// Coriolis and gravity torques at the setpoints, c + h of eq. (5) [Nm].
+#[inline]
+fn load_nm(robot: &Robot<f32>, wanted: &[Setpoint; 3]) -> [f32; 3] {
+    let Robot { base, geometry, .. } = robot;
+    let posture = Posture::from_sines(wanted[1].angle.sin_cos(), wanted[2].angle.sin_cos());
+    let coriolis = posture.coriolis(base, geometry, &wanted.map(|w| w.velocity_rad_per_s));
+    let gravity = posture.gravity(base, geometry);
+    [0, 1, 2].map(|i| coriolis[i] + gravity[i])
 }
 
 /// The motion of a joint for which feedforward is computed.

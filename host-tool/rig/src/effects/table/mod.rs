@@ -7,11 +7,13 @@
 //! | --- | --- |
 //! | `axis` | over what the curve lies: [`TableAxis`] |
 //! | `curve` | the curve: [`Table`] |
+//! | `coarsened` | the curve with fewer knots |
 //! | `acting` | what it does to the simulated robot |
 //! | `in_file`, `names` | the curve as an `[[effect]]` of a model file |
 
 mod acting;
 mod axis;
+mod coarsened;
 mod curve;
 mod in_file;
 mod names;
