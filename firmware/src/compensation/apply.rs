@@ -2,13 +2,13 @@
 
 use model::effects::{
     cable_spring_v, cogging_v, dead_zone_inverse, quadratic_drag_v, ripple_factor,
-    scale_asymmetric_friction, scale_position_friction, torque_constant_factor,
+    scale_asymmetric_friction, scale_position_friction, table_v, torque_constant_factor,
 };
 use model::friction::FrictionScale;
 use model::{Posture, Robot};
 
 use super::parameters::{AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse};
-use super::tables::{Table, TablePlace};
+use super::tables::TableAxis;
 use crate::Angle;
 use crate::reference::Setpoint;
 
@@ -49,17 +49,24 @@ pub fn less_tables(
     robot: &Robot<f32>,
     wanted: &[Setpoint; 3],
 ) -> [f32; 3] {
-    let needs_load = joints.iter().flat_map(|joint| &joint.tables).any(Table::needs_load);
-    let load_nm = if needs_load { load_nm(robot, wanted) } else { [0.0; 3] };
-    [0, 1, 2].map(|i| {
-        let Setpoint { position_rad, velocity_rad_per_s, .. } = wanted[i];
-        let place = TablePlace { position_rad, velocity_rad_per_s, load_nm: load_nm[i] };
-        joints[i].tables.iter().fold(voltage_v[i], |left_v, table| left_v - table.value_v(place))
-    })
+    let mut left_v = voltage_v;
+    // Computed once a table lies over it.
+    let mut loads_nm = None;
+    for i in 0..3 {
+        for table in &joints[i].tables {
+            let x = match table.axis {
+                TableAxis::Position => wanted[i].position_rad,
+                TableAxis::Velocity => wanted[i].velocity_rad_per_s,
+                TableAxis::Load => loads_nm.get_or_insert_with(|| load_nm(robot, wanted))[i],
+            };
+            left_v[i] -= table_v(&table.knots, &table.values_v, x);
+        }
+    }
+    left_v
 }
 
 /// Coriolis and gravity torques at the setpoints, c + h of eq. (5) [Nm].
-#[inline]
+#[inline(never)]
 fn load_nm(robot: &Robot<f32>, wanted: &[Setpoint; 3]) -> [f32; 3] {
     let Robot { base, geometry, .. } = robot;
     let posture = Posture::from_sines(wanted[1].angle.sin_cos(), wanted[2].angle.sin_cos());

@@ -21,4 +21,4 @@ pub use parameters::{
     AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse, MAX_FEEDFORWARD,
     MAX_INPUT_INVERSES,
 };
-pub use tables::{MAX_KNOTS, MAX_TABLES, Table, TableAxis, TablePlace};
+pub use tables::{MAX_KNOTS, MAX_TABLES, Table, TableAxis};

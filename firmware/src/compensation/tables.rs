@@ -1,7 +1,6 @@
 //! Curves over one axis that are taken off the command.
 
 use heapless::Vec;
-use model::effects::table_v;
 use serde::{Deserialize, Serialize};
 
 /// Room for tables, per joint.
@@ -31,34 +30,4 @@ pub enum TableAxis {
     Velocity,
     /// Coriolis and gravity torque on the joint, c + h [Nm].
     Load,
-}
-
-/// Where a joint is on the axes.
-#[derive(Clone, Copy, Debug)]
-pub struct TablePlace {
-    /// Angle, turns included [rad].
-    pub position_rad: f32,
-    /// Velocity [rad/s].
-    pub velocity_rad_per_s: f32,
-    /// Coriolis and gravity torque, c + h [Nm].
-    pub load_nm: f32,
-}
-
-impl Table {
-    /// The curve at a place [V].
-    #[inline]
-    pub fn value_v(&self, place: TablePlace) -> f32 {
-        let x = match self.axis {
-            TableAxis::Position => place.position_rad,
-            TableAxis::Velocity => place.velocity_rad_per_s,
-            TableAxis::Load => place.load_nm,
-        };
-        table_v(&self.knots, &self.values_v, x)
-    }
-
-    /// Whether the curve lies over load, which costs computing it.
-    #[inline]
-    pub fn needs_load(&self) -> bool {
-        self.axis == TableAxis::Load
-    }
 }

@@ -2,7 +2,7 @@
 
 use firmware::compensation::{self, MAX_KNOTS};
 
-use crate::effects::{Table, TableAxis};
+use crate::effects::{Table, TableAxis, board_axis};
 
 /// A table that the board compensates.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +39,7 @@ impl std::fmt::Display for PlayedTable {
 /// An axis on which the reference does not tell the place, or knots that the board cannot tell
 /// apart.
 pub fn for_board(table: &Table) -> Result<(compensation::Table, PlayedTable), &'static str> {
-    let axis = axis(table.axis)?;
+    let axis = board_axis(table.axis)?;
     let (coarse, missed_v) = table.coarsened(MAX_KNOTS);
     let single = |values: &[f64]| values.iter().map(|value| *value as f32).collect();
     let (knots, values_v) = (single(&coarse.knots), single(&coarse.values_v));
@@ -55,15 +55,4 @@ pub fn for_board(table: &Table) -> Result<(compensation::Table, PlayedTable), &'
         missed_v,
     };
     Ok((on_board, played))
-}
-
-fn axis(axis: TableAxis) -> Result<compensation::TableAxis, &'static str> {
-    match axis {
-        TableAxis::Position => Ok(compensation::TableAxis::Position),
-        TableAxis::Velocity => Ok(compensation::TableAxis::Velocity),
-        TableAxis::Load => Ok(compensation::TableAxis::Load),
-        TableAxis::Command => Err("the board would have to know its command before it has \
-                                   computed it"),
-        TableAxis::Time => Err("the board does not know when the curve begins"),
-    }
 }
