@@ -21,7 +21,7 @@ use model::{FrictionState, Posture};
 
 use crate::Mode;
 use crate::block::{Gains, ParameterBlock};
-use crate::compensation::JointMotion;
+use crate::compensation::{JointMotion, less_tables};
 use crate::encoder::{Encoder, EncoderScale};
 use crate::reference::{InjectionSource, Setpoint, Time};
 use crate::velocity::{TrackerGains, VelocityTracker};
@@ -187,7 +187,7 @@ impl Controller {
     #[inline]
     fn control(&mut self, measured: &[Measured; 3], output: &mut TickOutput) {
         let ahead = self.reference_ahead();
-        let inverse_dynamics_v = self.inverse_dynamics(&ahead);
+        let inverse_dynamics_v = self.less_tables(self.inverse_dynamics(&ahead), &ahead);
         let injected_v = self.injected();
         for i in 0..3 {
             let now = ahead[i].earlier(0.5 * self.block.sample_period_s);
@@ -262,6 +262,17 @@ impl Controller {
             }
         };
         robot.torque_to_voltage(&torque_nm)
+    }
+
+    /// Motor voltages less what tables add at the reference.
+    #[inline]
+    fn less_tables(&self, voltage_v: [f32; 3], wanted: &[Setpoint; 3]) -> [f32; 3] {
+        let joints = &self.block.compensations;
+        // Checked first: no tables cost nothing.
+        if joints.iter().all(|joint| joint.tables.is_empty()) {
+            return voltage_v;
+        }
+        less_tables(voltage_v, joints, &self.block.robot, wanted)
     }
 
     /// Injected voltages; none once the reference has ended.

@@ -5,7 +5,7 @@ mod common;
 
 use common::{block, joint};
 use firmware::compensation::{
-    AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse,
+    AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse, Table, TableAxis,
 };
 use firmware::dac::VOLTS_PER_LSB;
 use firmware::reference::Reference;
@@ -104,4 +104,32 @@ fn torques_from_outside_are_held() {
     let robot = block.robot;
     let weight_nm = 0.01 * 9.81 * robot.base.mx3r;
     assert_near(first_voltage(block) - without, -(2.0 * 0.415 + weight_nm) / 3.0);
+}
+
+/// Joint 3 with a table that adds 0.5 V at `x` and falls off to both sides.
+fn peak_at(axis: TableAxis, x: f32) -> Compensations {
+    let table = Table {
+        axis,
+        knots: [x - 1.0, x, x + 1.0].into_iter().collect(),
+        values_v: [0.0, 0.5, 0.0].into_iter().collect(),
+    };
+    Compensations { tables: [table].into_iter().collect(), ..Compensations::default() }
+}
+
+#[test]
+fn a_table_is_taken_off_at_the_reference_where_the_model_is_known() {
+    let gravity_nm = {
+        let robot = block(Mode::PdModel).robot;
+        model::Posture::new(0.001, 0.001).gravity(&robot.base, &robot.geometry)[2]
+    };
+    for (axis, x) in
+        [(TableAxis::Position, 0.001), (TableAxis::Velocity, 0.0), (TableAxis::Load, gravity_nm)]
+    {
+        assert_near(change(Mode::PdModel, 0.001, &peak_at(axis, x)), -0.5);
+        assert_near(change(Mode::PdModel, 0.001, &peak_at(axis, x + 0.5)), -0.25);
+        assert_near(change(Mode::PdModel, 0.001, &peak_at(axis, x - 2.0)), 0.0);
+        for mode in [Mode::Pd, Mode::PdFriction, Mode::FrictionOnly, Mode::OpenLoop] {
+            assert_eq!(change(mode, 0.001, &peak_at(axis, x)), 0.0, "{}", mode.name());
+        }
+    }
 }

@@ -7,7 +7,7 @@ use common::{block, joint};
 use firmware::block::MAX_BYTES;
 use firmware::compensation::{
     AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse, MAX_FEEDFORWARD,
-    MAX_INPUT_INVERSES,
+    MAX_INPUT_INVERSES, MAX_KNOTS, MAX_TABLES, Table, TableAxis,
 };
 use firmware::reference::{ConstantVelocity, Injection, MAX_SPEEDS, Motion, Noise};
 use firmware::{Angle, BlockError, Controller, DacCode, Mode, ParameterBlock};
@@ -62,11 +62,49 @@ fn values_out_of_their_range_are_refused_by_name() {
     );
 }
 
+fn table(knots: &[f32], values_v: &[f32]) -> Table {
+    let (knots, values_v) = (knots.iter().copied().collect(), values_v.iter().copied().collect());
+    Table { axis: TableAxis::Velocity, knots, values_v }
+}
+
+#[test]
+fn tables_that_are_none_are_refused() {
+    let refused = |knots: &[f32], values_v: &[f32]| {
+        let tables = [table(&[0.0, 1.0], &[0.0, 0.1]), table(knots, values_v)];
+        refusal(Compensations { tables: tables.into_iter().collect(), ..Default::default() })
+    };
+    let number = ("table's number of knots", 2);
+    assert_eq!(refused(&[], &[]), number);
+    assert_eq!(refused(&[1.0], &[1.0]), number);
+    assert_eq!(refused(&[1.0, 2.0], &[1.0]), number);
+    let knots = ("table knots", 2);
+    assert_eq!(refused(&[1.0, 1.0], &[0.0, 0.0]), knots);
+    assert_eq!(refused(&[1.0, 0.5], &[0.0, 0.0]), knots);
+    assert_eq!(refused(&[1.0, f32::NAN], &[0.0, 0.0]), knots);
+    assert_eq!(refused(&[1.0, f32::INFINITY], &[0.0, 0.0]), knots);
+    let values = ("table values_V", 2);
+    assert_eq!(refused(&[1.0, 2.0], &[0.0, 5.1]), values);
+    assert_eq!(refused(&[1.0, 2.0], &[f32::NAN, 0.0]), values);
+}
+
+#[test]
+fn a_block_of_version_3_is_refused_as_such() {
+    // Version 3 had no tables: each joint ended with its two lists.
+    let mut old = encoded(&block(Mode::PdModel));
+    old[0..2].copy_from_slice(&3_u16.to_le_bytes());
+    let end = old.len() - 4;
+    let checksum = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC).checksum(&old[..end]);
+    old[end..].copy_from_slice(&checksum.to_le_bytes());
+    let error = ParameterBlock::decode(&old).unwrap_err();
+    assert_eq!(error, BlockError::Version { found: 3 });
+    assert!(error.to_string().contains("build it again"), "{error}");
+}
+
 #[test]
 fn a_block_of_version_1_is_refused_as_such() {
-    // Version 1 ended before the compensations: three empty pairs of lists, and nothing outside.
+    // Version 1 ended before the compensations: three times three empty lists, and nothing outside.
     let new = encoded(&block(Mode::PdModel));
-    let mut old = new[..new.len() - 4 - 7].to_vec();
+    let mut old = new[..new.len() - 4 - 10].to_vec();
     let body = (old.len() - 4) as u16;
     old[0..2].copy_from_slice(&1_u16.to_le_bytes());
     old[2..4].copy_from_slice(&body.to_le_bytes());
@@ -87,10 +125,13 @@ fn the_fullest_block_fits() {
         ramp_s: 0.2,
     });
     let wave = AngularHarmonic { order: 1000, phase: Angle(i32::MIN) };
-    let full = joint(
+    let mut full = joint(
         &[Feedforward::Cogging { amplitude_v: 0.1, wave }; MAX_FEEDFORWARD],
         &[InputInverse::TorqueRipple { relative_amplitude: 0.1, wave }; MAX_INPUT_INVERSES],
     );
+    let ramp: Vec<f32> = (0..MAX_KNOTS as u8).map(f32::from).collect();
+    let values_v: Vec<f32> = ramp.iter().map(|knot| 0.01 * knot).collect();
+    full.tables = [(); MAX_TABLES].map(|()| table(&ramp, &values_v)).into_iter().collect();
     let mut block = block(Mode::OpenLoop);
     block.reference.motion = [(); 3].map(|()| legs.clone());
     block.reference.injection = [noise; 3];
@@ -138,11 +179,24 @@ fn undone() -> impl Strategy<Value = InputInverse> {
 }
 
 prop_compose! {
+    fn curve()(
+        axis in prop::sample::select(vec![TableAxis::Position, TableAxis::Velocity, TableAxis::Load]),
+        first in -10.0..10.0_f32,
+        steps in prop::collection::vec((1e-5..3.0_f32, -5.0..5.0_f32), 2..=MAX_KNOTS),
+    ) -> Table {
+        let mut last = first;
+        let knots = steps.iter().map(|(step, _)| { last += step; last }).collect();
+        Table { axis, knots, values_v: steps.iter().map(|(_, value_v)| *value_v).collect() }
+    }
+}
+
+prop_compose! {
     fn compensations()(
         fed_forward in prop::collection::vec(fed_forward(), 0..=MAX_FEEDFORWARD),
         undone in prop::collection::vec(undone(), 0..=MAX_INPUT_INVERSES),
+        tables in prop::collection::vec(curve(), 0..=MAX_TABLES),
     ) -> Compensations {
-        joint(&fed_forward, &undone)
+        Compensations { tables: tables.into_iter().collect(), ..joint(&fed_forward, &undone) }
     }
 }
 

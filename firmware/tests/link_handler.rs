@@ -8,6 +8,7 @@ mod common;
 
 use bench::memory_store::MemoryStore;
 use bench::operator::{Bench, Owned, encoded, frame, read_answer};
+use firmware::block::MAX_BYTES;
 use firmware::link::{
     BlockRefusal, Command, Handler, HandlerConfig, Origin, Refusal, Request, Source, StoreRefusal,
 };
@@ -188,7 +189,7 @@ fn an_upload_with_a_gap_an_overlap_or_another_block_is_refused() {
     let beyond = Command::UploadPiece { offset: length, bytes: &[0] };
     assert_eq!(bench.ask(beyond), Err(Refusal::Upload { taken: length }));
     assert_eq!(bench.ask(Command::Use), Err(Refusal::Block(BlockRefusal::Checksum)));
-    let long = Command::UploadBegin { length: 1025, checksum };
+    let long = Command::UploadBegin { length: MAX_BYTES as u16 + 1, checksum };
     assert_eq!(bench.ask(long), Err(Refusal::Block(BlockRefusal::Length)));
     assert_eq!(bench.report().parameters, None);
 }

@@ -98,6 +98,29 @@ fn an_effect_that_is_known_is_as_good_as_absent() {
     }
 }
 
+/// Friction of another form below 0.2 rad/s: 0.05 V too much there.
+const SLOW_FRICTION: &str =
+    "table:2:axis=velocity,knots=-0.2 -0.1 -0.02 0.02 0.1 0.2,values_V=0 0.05 0.05 -0.05 -0.05 0";
+
+#[test]
+fn a_table_that_is_known_is_as_good_as_absent() {
+    let over = [
+        ("over velocity", SLOW_FRICTION),
+        ("over position", "table:2:axis=position,knots=-3 -2 -1.2 0,values_V=0 0.1 -0.1 0"),
+        ("over load", "table:3:axis=load,knots=-2 -1 0 1 2,values_V=-0.1 0.05 0 0.05 0.1"),
+    ];
+    for (name, text) in over {
+        for plan in plans() {
+            let [without, with, known] =
+                before_and_after(&plan, &tables(&[text])).map(|errors| length(&errors));
+            println!("{name:20} {:12} {without:8.4} {with:8.4} {known:8.4}", plan.name);
+            assert!(known < 1.05 * without, "{name}, {}: {known} {without} mrad", plan.name);
+            let worth_knowing = plan.name != "task" || with > 2.0 * known;
+            assert!(worth_knowing, "{name}: {with} mrad, {known} if known");
+        }
+    }
+}
+
 #[test]
 fn all_effects_at_once_are_undone() {
     plans().iter().for_each(|plan| assert_undone("all twelve", plan, &tables(&EFFECTS)));

@@ -179,3 +179,25 @@ fn full_outputs_end_in_status_2_and_not_in_a_panic() {
     assert!(!directory.path().join("p.bin").exists());
     assert_eq!(command.stdout(std::process::Stdio::null()).status().unwrap().code(), Some(0));
 }
+
+#[test]
+fn tables_of_the_model_reach_the_board_and_are_said() {
+    let directory = with_model();
+    let path = directory.path().join("model.toml");
+    let mut model = RobotFile::read(&path).unwrap();
+    for axis in ["velocity", "time"] {
+        let text = format!("table:2:axis={axis},knots=-1 0 1,values_V=-0.1 0 0.1");
+        model.effects.push(rig::effects::table_from_text(&text).unwrap());
+    }
+    model.write(&path).unwrap();
+    let line = "export-block model.toml --out p.bin --compensate --slot a --sequence 7";
+    let run = rrr(directory.path(), line).success();
+    let said = String::from_utf8(run.get_output().stdout.clone()).unwrap();
+    assert!(said.contains("table of joint 2 over velocity is compensated: 3 knots"), "{said}");
+    let why = "table of joint 2 is not compensated: the board does not know when";
+    assert!(said.contains(why), "{said}");
+    let bytes = std::fs::read(directory.path().join("p.bin")).unwrap();
+    let image = FlashImage { pieces: vec![Piece { address: LAYOUT.slot(Slot::A), bytes }] };
+    let block = booted(&image).1;
+    assert_eq!(block.compensations.each_ref().map(|joint| joint.tables.len()), [0, 1, 0]);
+}

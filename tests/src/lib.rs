@@ -6,11 +6,12 @@ pub mod soak;
 use std::path::PathBuf;
 
 use files::EffectTable;
+use firmware::compensation::MAX_KNOTS;
 use firmware::reference::{Injection, Noise};
 use firmware::{Mode, ParameterBlock};
 use model::reference_robot::reference_robot;
 use rig::compensation::Compensations;
-use rig::effects::{Catalogue, Effect};
+use rig::effects::{Catalogue, Effect, Table, TableAxis};
 use rig::{Plan, Rig, plan};
 use simulation::board::{Qemu, QemuSettings};
 
@@ -42,7 +43,10 @@ const HIDDEN: [&str; 8] = [
 ];
 
 /// Those that are missing there, so that every kind that can be compensated is there.
-const RARER: [&str; 6] = [
+const RARER: [&str; 9] = [
+    "table:1:axis=position,knots=-1 0.5 1.7 3.2,values_V=0.05 -0.04 0.08 0",
+    "table:2:axis=velocity,knots=-0.2 -0.05 0.05 0.2,values_V=0 0.05 -0.05 0",
+    "table:3:axis=load,knots=-3 -0.5 0.4 2.5,values_V=0.06 -0.02 0.03 -0.06",
     "torque_constant:1:relative_error=0.05",
     "torque_ripple:2:relative_amplitude=0.08,harmonic=16,phase_rad=-1.2",
     "asymmetric_friction:3:relative_asymmetry=0.2",
@@ -67,7 +71,7 @@ pub fn hidden_effects() -> Vec<EffectTable> {
     tables(&HIDDEN)
 }
 
-/// Effects of all twelve kinds that can be compensated.
+/// Effects of all twelve kinds that can be compensated, and a table over each axis that can.
 ///
 /// # Panics
 /// The lists above are wrong.
@@ -75,7 +79,21 @@ pub fn every_kind_of_effect() -> Vec<EffectTable> {
     tables(&[&HIDDEN[..], &RARER].concat())
 }
 
-/// The same, for the simulated robot.
+/// Tables of as many knots as the board takes, `count` on each joint: over velocity, over load.
+///
+/// # Panics
+/// Never: the curves are curves.
+pub fn full_tables(count: usize) -> Vec<EffectTable> {
+    let axes = [TableAxis::Velocity, TableAxis::Load].into_iter().take(count);
+    let on_joint = |axis, joint| {
+        let knots: Vec<f64> = (0..MAX_KNOTS).map(|k| 0.4 * k as f64 - 4.0).collect();
+        let values_v = knots.iter().map(|x| 0.02 * x.sin()).collect();
+        Table { joint, axis, knots, values_v }.checked().expect("a curve").to_effect_table()
+    };
+    axes.flat_map(|axis| (1..=3).map(move |joint| on_joint(axis, joint))).collect()
+}
+
+/// Effects for the simulated robot.
 ///
 /// # Panics
 /// The list above is wrong.

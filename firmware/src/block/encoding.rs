@@ -7,10 +7,10 @@ use crate::checksum::{CRC_32, CRC_32C};
 
 /// Version of the layout of [`ParameterBlock`]; a block of another version is refused.
 ///
-/// Version 1 had no compensations, version 2 no safety limits.
-pub const VERSION: u16 = 3;
-/// No encoded block is longer [bytes].
-pub const MAX_BYTES: usize = 1024;
+/// Version 1 had no compensations, version 2 no safety limits, version 3 no tables.
+pub const VERSION: u16 = 4;
+/// No encoded block is longer [bytes]; with a record's header it fits a page of 2 KiB.
+pub const MAX_BYTES: usize = 1984;
 
 const HEADER_BYTES: usize = 4;
 const CHECKSUM_BYTES: usize = 4;

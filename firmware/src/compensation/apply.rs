@@ -2,13 +2,15 @@
 
 use model::effects::{
     cable_spring_v, cogging_v, dead_zone_inverse, quadratic_drag_v, ripple_factor,
-    scale_asymmetric_friction, scale_position_friction, torque_constant_factor,
+    scale_asymmetric_friction, scale_position_friction, table_v, torque_constant_factor,
 };
 use model::friction::FrictionScale;
 use model::{Posture, Robot};
 
 use super::parameters::{AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse};
+use super::tables::TableAxis;
 use crate::Angle;
+use crate::reference::Setpoint;
 
 impl AngularHarmonic {
     /// The wave at an angle, in [-1, 1].
@@ -36,6 +38,41 @@ impl ExternalLoad {
         let pushed = posture.tip_force_torque(turned, geometry, &self.tip_force_n);
         [0, 1, 2].map(|i| leaning[i] + pushed[i])
     }
+}
+
+/// Motor voltages less what the joints' tables add at the setpoints [V].
+// Not inlined, so that a rig without tables does not pay for them.
+#[inline(never)]
+pub fn less_tables(
+    voltage_v: [f32; 3],
+    joints: &[Compensations; 3],
+    robot: &Robot<f32>,
+    wanted: &[Setpoint; 3],
+) -> [f32; 3] {
+    let mut left_v = voltage_v;
+    // Computed once a table lies over it.
+    let mut loads_nm = None;
+    for i in 0..3 {
+        for table in &joints[i].tables {
+            let x = match table.axis {
+                TableAxis::Position => wanted[i].position_rad,
+                TableAxis::Velocity => wanted[i].velocity_rad_per_s,
+                TableAxis::Load => loads_nm.get_or_insert_with(|| load_nm(robot, wanted))[i],
+            };
+            left_v[i] -= table_v(&table.knots, &table.values_v, x);
+        }
+    }
+    left_v
+}
+
+/// Coriolis and gravity torques at the setpoints, c + h of eq. (5) [Nm].
+#[inline(never)]
+fn load_nm(robot: &Robot<f32>, wanted: &[Setpoint; 3]) -> [f32; 3] {
+    let Robot { base, geometry, .. } = robot;
+    let posture = Posture::from_sines(wanted[1].angle.sin_cos(), wanted[2].angle.sin_cos());
+    let coriolis = posture.coriolis(base, geometry, &wanted.map(|w| w.velocity_rad_per_s));
+    let gravity = posture.gravity(base, geometry);
+    [0, 1, 2].map(|i| coriolis[i] + gravity[i])
 }
 
 /// The motion of a joint for which feedforward is computed.

@@ -5,6 +5,7 @@ use model::parameter::named;
 
 use super::limits::{self, Bounds};
 use super::parameters::{AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse};
+use super::tables::Table;
 
 type Checked = Result<(), ParameterError>;
 
@@ -28,7 +29,8 @@ impl Compensations {
     /// Checks every value; `joint` (1 to 3) is for the message.
     pub(crate) fn check(&self, joint: u8) -> Checked {
         self.feedforward.iter().try_for_each(|effect| effect.check(joint))?;
-        self.input_inverses.iter().try_for_each(|effect| effect.check(joint))
+        self.input_inverses.iter().try_for_each(|effect| effect.check(joint))?;
+        self.tables.iter().try_for_each(|table| table.check(joint))
     }
 }
 
@@ -82,6 +84,27 @@ impl InputInverse {
                 within(name, half_width_v, limits::DEAD_ZONE_V)
             }
         }
+    }
+}
+
+impl Table {
+    fn check(&self, joint: u8) -> Checked {
+        let (knots, values) = (self.knots.len(), self.values_v.len());
+        named("table's number of knots", knots as f32)
+            .of_joint(joint)
+            .require(knots >= 2 && knots == values, "be 2 or more, and that of values_V")?;
+        for knot in &self.knots {
+            within(("table knots", joint), *knot, limits::TABLE_KNOT)?;
+        }
+        for value_v in &self.values_v {
+            within(("table values_V", joint), *value_v, limits::TABLE_V)?;
+        }
+        for (before, next) in self.knots.iter().zip(self.knots.iter().skip(1)) {
+            named("table knots", *next)
+                .of_joint(joint)
+                .require(before < next, "be above the knot before it")?;
+        }
+        Ok(())
     }
 }
 

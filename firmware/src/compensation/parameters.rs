@@ -4,6 +4,7 @@ use heapless::Vec;
 use model::effects::Tilt;
 use serde::{Deserialize, Serialize};
 
+use super::tables::{MAX_TABLES, Table};
 use crate::Angle;
 
 /// Room for effects compensated by feedforward, per joint.
@@ -19,6 +20,9 @@ pub struct Compensations {
     /// Effects between command and motor, in the order in which they act; the inverses are
     /// applied in the opposite order.
     pub input_inverses: Vec<InputInverse, MAX_INPUT_INVERSES>,
+    /// Curves that are compensated by feedforward, as far as the reference tells where on them
+    /// the joint is.
+    pub tables: Vec<Table, MAX_TABLES>,
 }
 
 /// An effect compensated by feedforward.

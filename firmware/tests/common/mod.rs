@@ -39,5 +39,6 @@ pub fn joint(feedforward: &[Feedforward], input_inverses: &[InputInverse]) -> Co
     Compensations {
         feedforward: feedforward.iter().copied().collect(),
         input_inverses: input_inverses.iter().copied().collect(),
+        tables: Default::default(),
     }
 }

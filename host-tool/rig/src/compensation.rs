@@ -7,6 +7,7 @@ use firmware::compensation::ExternalLoad;
 use model::effects::with_payload;
 use model::{BaseParameters, Robot};
 
+use crate::board_tables::{PlayedTable, for_board};
 use crate::effects::{ArmLoad, Catalogue, Compensation, EffectError, Table};
 use files::EffectTable;
 
@@ -17,6 +18,8 @@ pub struct Compensations {
     pub joints: [firmware::compensation::Compensations; 3],
     /// What acts on the arm as a whole.
     pub load: ArmLoad,
+    /// What became of the tables among them, in their order.
+    pub tables: Vec<PlayedTable>,
 }
 
 /// An effect that the controller does not compensate for, and why.
@@ -35,6 +38,9 @@ fn place(joint: u8) -> String {
     if joint == 0 { String::new() } else { format!(" of joint {joint}") }
 }
 
+/// Why an effect is left out for which there is no room.
+const FULL: &str = "the board's list of such effects is full for this joint";
+
 impl Compensations {
     /// Of the effects of a model file, in their order, and what is left out of them.
     ///
@@ -47,18 +53,19 @@ impl Compensations {
         let mut compensations = Self::default();
         let mut left_out = Vec::new();
         for table in effects {
-            if Table::is_in(table) {
-                let Table { joint, .. } = Table::of(table)?;
-                let why = "the board plays no tables";
+            let joint = table.joint;
+            let mut leave_out = |why| {
                 left_out.push(LeftOut { effect: table.effect.clone(), joint, why });
+            };
+            if Table::is_in(table) {
+                compensations.add_table(&Table::of(table)?).unwrap_or_else(leave_out);
                 continue;
             }
             let (definition, values) = catalogue.definition_and_values(table)?;
             definition.with(table.joint, &values)?;
-            let joint = table.joint;
-            if let Err(why) = compensations.add(definition.compensation, joint, &values) {
-                left_out.push(LeftOut { effect: table.effect.clone(), joint, why });
-            }
+            compensations
+                .add(definition.compensation, joint, &values)
+                .unwrap_or_else(&mut leave_out);
         }
         Ok((compensations, left_out))
     }
@@ -77,6 +84,15 @@ impl Compensations {
         (outside != ExternalLoad::default()).then_some(outside)
     }
 
+    /// Adds a checked table, or says why it cannot be compensated.
+    fn add_table(&mut self, table: &Table) -> Result<(), &'static str> {
+        let (on_board, played) = for_board(table)?;
+        let joint = self.joints.get_mut(usize::from(table.joint).wrapping_sub(1));
+        joint.ok_or("it acts on no joint")?.tables.push(on_board).map_err(|_| FULL)?;
+        self.tables.push(played);
+        Ok(())
+    }
+
     /// Adds an effect with its checked values, or says why it cannot be compensated.
     fn add(
         &mut self,
@@ -84,7 +100,6 @@ impl Compensations {
         joint: u8,
         values: &[f64],
     ) -> Result<(), &'static str> {
-        const FULL: &str = "the board's list of such effects is full for this joint";
         let lists = self.joints.get_mut(usize::from(joint).wrapping_sub(1));
         let lists = || lists.ok_or("it acts on no joint");
         match compensation {
@@ -143,6 +158,32 @@ mod tests {
         let (found, left_out) = of(&["dac_offset:1:offset_V=0.1"; 5]);
         assert_eq!((found.joints[0].input_inverses.len(), left_out.len()), (4, 1));
         assert!(left_out[0].to_string().contains("full"), "{left_out:?}");
+    }
+
+    #[test]
+    fn tables_go_to_the_board_as_far_as_it_can_play_them() {
+        let many = |of: fn(u8) -> f64| (0..40).map(|k| of(k).to_string()).collect::<Vec<_>>();
+        let (knots, values) = (many(f64::from), many(|k| 0.1 * (0.2 * f64::from(k)).sin()));
+        let fine =
+            format!("table:1:axis=load,knots={},values_V={}", knots.join(" "), values.join(" "));
+        let plain = |axis| format!("table:2:axis={axis},knots=0 1,values_V=0 0.1");
+        let close = "table:3:axis=load,knots=1 1.00000001,values_V=0 0.1";
+        let texts = [fine, plain("velocity"), plain("command"), plain("time"), plain("position")];
+        let mut texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+        texts.extend([texts[4], close]);
+        let (found, left_out) = of(&texts);
+        assert_eq!(found.joints.each_ref().map(|j| j.tables.len()), [1, 2, 0]);
+        assert_eq!(found.joints[0].tables[0].knots.len(), 20);
+        let words: Vec<String> = found.tables.iter().map(ToString::to_string).collect();
+        assert!(words[0].starts_with("table of joint 1 over load is compensated: 20 of its 40"));
+        assert_eq!(words[1], "table of joint 2 over velocity is compensated: 2 knots");
+        let why: Vec<&str> = left_out.iter().map(|left| left.why).collect();
+        assert!(why[0].contains("before it has computed it"), "{why:?}");
+        assert!(why[1].contains("when the curve begins"), "{why:?}");
+        assert!(why[2].contains("full") && why[3].contains("precision"), "{why:?}");
+        let rig = crate::Rig::new(model::reference_robot::reference_robot());
+        let block = crate::plan::task(10.0).block(&rig.with_compensations(found));
+        assert_eq!(block.check(), Ok(()));
     }
 
     #[test]

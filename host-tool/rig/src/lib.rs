@@ -2,6 +2,7 @@
 //! that it can play, and the parameter block that goes onto the board.
 #![forbid(unsafe_code)]
 
+pub mod board_tables;
 pub mod compensation;
 pub mod designed_excitation;
 pub mod effects;

@@ -9,14 +9,15 @@ use rig::Rig;
 use rig::compensation::Compensations;
 use rig::effects::{Catalogue, EffectError};
 
-/// The rig with compensations of the effects in `file`, which was read from `path`; prints
-/// those that cannot be compensated.
+/// The rig with compensations of the effects in `file`, which was read from `path`; prints what
+/// becomes of its tables, and what cannot be compensated.
 ///
 /// # Errors
 /// A table that is no effect of the catalogue.
 pub fn compensated(rig: Rig, file: &RobotFile, path: &Path) -> Result<Rig, Failure> {
     let (compensations, left_out) = Compensations::of(&file.effects, &Catalogue::standard())
         .map_err(|error| bad_effect(path, &error))?;
+    compensations.tables.iter().try_for_each(print_line)?;
     left_out.iter().try_for_each(print_line)?;
     Ok(rig.with_compensations(compensations))
 }

@@ -9,13 +9,14 @@ use crate::Real;
 #[inline]
 pub fn table_v<T: Real>(knots: &[T], values_v: &[T], x: T) -> T {
     let after = knots.partition_point(|&knot| knot <= x);
-    let knot = |place: usize| Some((*knots.get(place)?, *values_v.get(place)?));
-    match (after.checked_sub(1).and_then(knot), knot(after)) {
-        (Some((from, low_v)), Some((to, high_v))) => {
+    let Some(before) = after.checked_sub(1) else {
+        return values_v.first().map_or(T::zero(), |first_v| *first_v);
+    };
+    match (knots.get(before..=after), values_v.get(before..=after)) {
+        (Some(&[from, to]), Some(&[low_v, high_v])) => {
             low_v + (high_v - low_v) * ((x - from) / (to - from))
         }
-        (Some((_, end_v)), None) | (None, Some((_, end_v))) => end_v,
-        (None, None) => T::zero(),
+        _ => values_v.last().map_or(T::zero(), |last_v| *last_v),
     }
 }
 
@@ -48,5 +49,6 @@ mod tests {
     fn no_knots_are_no_voltage() {
         assert_eq!(table_v::<f32>(&[], &[], 1.0), 0.0);
         assert_eq!(table_v(&KNOTS, &[], 1.0), 0.0);
+        assert_eq!(table_v(&KNOTS, &[], -2.0), 0.0);
     }
 }

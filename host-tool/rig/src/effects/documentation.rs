@@ -5,6 +5,8 @@ use super::compensation::Compensation;
 use super::confusion::{Confused, Confusion};
 use super::definition::Definition;
 use super::search::{Carrier, Search};
+use super::table::{FEWEST_TABLE_KNOTS, MAX_TABLE_KNOTS, TableAxis, board_axis};
+use firmware::compensation::{MAX_KNOTS, MAX_TABLES, limits};
 
 const HEAD: &str = "\
 # The catalogue of effects
@@ -36,6 +38,31 @@ of a diagnosis do not tell the two apart it says so. *Twins*: one thing under tw
 trial hides both on a joint.
 ";
 
+const TABLES: &str = "
+## Curves without a cause: `table`
+
+What remains of a gap once its causes are named, in a form that simulator and board can play: a curve
+over one axis, added to u. It is no cause, so no search and no blind trial has it. A file or a command
+line gives it to one joint, as often as need be:
+
+    [[effect]]
+    effect = \"table\"
+    joint = 2
+    [effect.parameters]
+    axis = \"velocity\"
+    knots = [-0.2, -0.05, 0.05, 0.2]
+    values_V = [0.0, 0.05, -0.05, 0.0]
+
+    --effect 'table:2:axis=velocity,knots=-0.2 -0.05 0.05 0.2,values_V=0 0.05 -0.05 0'
+";
+
+const TABLE_RULES: &str = "
+The curve is linear between its knots and constant beyond the first and the last. It has FEWEST to MOST
+knots, which increase, and as many values, from LOWEST to HIGHEST V. The board plays ON_BOARD of them on
+a joint, MAX_KNOTS knots each; of a finer curve it leaves out the knots that are missed least, and
+`--compensate` says by how much its curve is off.
+";
+
 /// The page of a catalogue, in Markdown.
 pub fn markdown(catalogue: &Catalogue) -> String {
     let what = table(
@@ -50,7 +77,30 @@ pub fn markdown(catalogue: &Catalogue) -> String {
         definition.confused_with.iter().map(|confusion| confusion_row(definition, confusion))
     });
     let confused = table(["this", "or that", "why", "told apart by", ""], confused);
-    [HEAD, "\n", &what, SHOWN, "\n", &shown, CONFUSED, "\n", &confused].concat()
+    let rest = [TABLES, "\n", &table_axes(), &table_rules()].concat();
+    [HEAD, "\n", &what, SHOWN, "\n", &shown, CONFUSED, "\n", &confused, &rest].concat()
+}
+
+fn table_axes() -> String {
+    let row =
+        |axis: TableAxis| [code(axis.name()), axis.unit().into(), axis.words().into(), plays(axis)];
+    table(["axis", "knots in", "x", "the board"], TableAxis::ALL.into_iter().map(row))
+}
+
+fn plays(axis: TableAxis) -> String {
+    board_axis(axis).map_or_else(|why| format!("no: {why}"), |_| "feedforward".into())
+}
+
+fn table_rules() -> String {
+    let replaced = [
+        ("FEWEST", FEWEST_TABLE_KNOTS.to_string()),
+        ("MOST", MAX_TABLE_KNOTS.to_string()),
+        ("LOWEST", limits::TABLE_V.lowest.to_string()),
+        ("HIGHEST", limits::TABLE_V.highest.to_string()),
+        ("ON_BOARD", MAX_TABLES.to_string()),
+        ("MAX_KNOTS", MAX_KNOTS.to_string()),
+    ];
+    replaced.iter().fold(TABLE_RULES.to_owned(), |text, (name, value)| text.replace(name, value))
 }
 
 fn what_it_is(definition: &Definition) -> [String; 5] {

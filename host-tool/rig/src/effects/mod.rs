@@ -44,5 +44,5 @@ pub use parse::table_from_text;
 pub use random::Random;
 pub use search::{Carrier, Search, Size, Typical};
 pub use sizes::{DrawContext, harmonic};
-pub use table::{MAX_TABLE_KNOTS, Table, TableAxis};
+pub use table::{FEWEST_TABLE_KNOTS, MAX_TABLE_KNOTS, Table, TableAxis, board_axis};
 pub use transmission::Transmission;

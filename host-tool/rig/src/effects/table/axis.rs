@@ -45,6 +45,17 @@ impl TableAxis {
         }
     }
 
+    /// What it is, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Position => "angle of the joint as its encoder sees it, turns included",
+            Self::Velocity => "velocity of the joint",
+            Self::Load => "Coriolis and gravity torque on the joint, c + h",
+            Self::Command => "the command as the effects before the table leave it",
+            Self::Time => "time since the log began",
+        }
+    }
+
     /// The axis of that name.
     pub fn by_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|axis| axis.name() == name)

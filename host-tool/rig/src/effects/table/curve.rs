@@ -8,7 +8,7 @@ use crate::effects::effect::JointState;
 use crate::effects::error::EffectError;
 
 /// The fewest knots that make a curve.
-const FEWEST: usize = 2;
+pub const FEWEST_TABLE_KNOTS: usize = 2;
 /// The most knots of a table: as fine as any remainder is known, and still read at a glance.
 pub const MAX_TABLE_KNOTS: usize = 64;
 
@@ -61,8 +61,8 @@ impl Table {
             return Err(EffectError::Joint { effect: NAME, right, joint: self.joint });
         }
         let (knots, values) = (self.knots.len(), self.values_v.len());
-        if knots != values || !(FEWEST..=MAX_TABLE_KNOTS).contains(&knots) {
-            let (fewest, most) = (FEWEST, MAX_TABLE_KNOTS);
+        if knots != values || !(FEWEST_TABLE_KNOTS..=MAX_TABLE_KNOTS).contains(&knots) {
+            let (fewest, most) = (FEWEST_TABLE_KNOTS, MAX_TABLE_KNOTS);
             return Err(EffectError::TableLength { knots, values, fewest, most });
         }
         all_within(KNOTS, &self.knots, limits::TABLE_KNOT)?;
