@@ -6,6 +6,7 @@ use super::residual_stats::ResidualStats;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::{Evidence, Rows};
 use crate::rows::misfit::Misfit;
+use crate::trial::equation::Trial;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 
 /// A model and what it leaves.
@@ -21,6 +22,8 @@ pub struct FittedModel {
     pub left_out_v: Rows,
     /// What it leaves, against the noise.
     pub stats: ResidualStats,
+    /// How much of the commands of each train stretch reaches each motor, rms by rms.
+    command_gain: Vec<[f64; 3]>,
 }
 
 impl FittedModel {
@@ -29,7 +32,8 @@ impl FittedModel {
         let residual_v = evidence.volts(&linear.residual);
         let left_out_v = evidence.volts(&linear.left_out(&evidence));
         let stats = ResidualStats::of(&evidence, &linear, &residual_v);
-        Self { linear, evidence, residual_v, left_out_v, stats }
+        let command_gain = command_gain(&evidence, &linear.hypothesis);
+        Self { linear, evidence, residual_v, left_out_v, stats, command_gain }
     }
 
     /// A model fitted to rows, then to rows that are weighted by what it leaves of them itself:
@@ -74,12 +78,22 @@ impl FittedModel {
 
     /// Log-likelihood of train rows that were left out, and of the parameters by what is known of
     /// them; rows are as independent as in `misfit`.
+    ///
+    /// What is left counts in volts of the command as it was sent: an effect that takes away a
+    /// part of every command takes that part of what is left too, and explains nothing by that.
     pub fn log_likelihood(&self, misfit: &Misfit) -> f64 {
-        misfit.log_likelihood(&self.evidence, &self.left_out_v) - 0.5 * self.linear.prior_penalty()
+        misfit.log_likelihood(&self.evidence, &self.left_out_v, &self.command_gain)
+            - 0.5 * self.linear.prior_penalty()
     }
 
     /// Whether the last of its effects is a spring between motor and link.
     pub fn ends_with_spring(&self) -> bool {
         self.linear.hypothesis.effects.last().is_some_and(EffectInstance::is_spring)
     }
+}
+
+fn command_gain(evidence: &Evidence, hypothesis: &Hypothesis) -> Vec<[f64; 3]> {
+    let train = &evidence.stretches[..evidence.train_stretches()];
+    let gain = |s| Trial::of(s, hypothesis, &evidence.criteria.fit).command_gain();
+    train.iter().map(gain).collect()
 }

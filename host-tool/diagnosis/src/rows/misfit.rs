@@ -55,14 +55,21 @@ impl Misfit {
     }
 
     /// Log-likelihood of residuals in volts whose size is free in each class of each log, rows
-    /// counted as independent as in this misfit.
-    pub fn log_likelihood(&self, evidence: &Evidence, residual_v: &Rows) -> f64 {
+    /// counted as independent as in this misfit; `gain` tells, by train stretch and joint, in
+    /// which unit they count.
+    pub fn log_likelihood(
+        &self,
+        evidence: &Evidence,
+        residual_v: &Rows,
+        gain: &[[f64; 3]],
+    ) -> f64 {
         let of_joint = |&joint: &usize| -> f64 {
             let ranges = evidence.ranges(joint).into_iter();
             let pieces = self.pieces[joint].iter().zip(ranges).enumerate();
             pieces
                 .map(|(s, (piece, range))| {
-                    piece.log_likelihood(evidence.floor_v(joint, s), &residual_v[joint][range])
+                    let floor_v = evidence.floor_v(joint, s);
+                    piece.log_likelihood(floor_v, &residual_v[joint][range], gain[s][joint])
                 })
                 .sum()
         };
@@ -102,11 +109,11 @@ impl Piece {
         residual_v.iter().zip(&self.class).map(|(row, class)| row / unit(class)).collect()
     }
 
-    fn log_likelihood(&self, floor_v: f64, residual_v: &[f64]) -> f64 {
+    fn log_likelihood(&self, floor_v: f64, residual_v: &[f64], gain: f64) -> f64 {
         let (sums, count) = self.sums(residual_v, self.square_v2.len());
         let of_class = |(sum, count): (&f64, &f64)| {
             let square_v2 = (sum / count.max(1.0)).max(floor_v * floor_v);
-            -0.5 * count / self.correlation * square_v2.ln()
+            -0.5 * count / self.correlation * (square_v2 / (gain * gain).max(1e-12)).ln()
         };
         sums.iter().zip(&count).map(of_class).sum()
     }

@@ -7,6 +7,7 @@ use crate::fit::fitted_model::FittedModel;
 use crate::fit::residual_stats::ResidualStats;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
+use crate::rows::misfit::Misfit;
 use crate::trial::hypothesis::EffectInstance;
 use files::Role;
 
@@ -33,10 +34,12 @@ pub fn is_accepted(before: &FittedModel, after: &FittedModel, criteria: &Criteri
         && gain(before, after) > criteria.selection.least_log_likelihood
 }
 
-/// Log-likelihood that a model gains over another, rows as independent as what that one leaves.
+/// Log-likelihood that a model gains over another, rows as independent as what the better of them
+/// leaves: what is left of a missing effect is no noise that lasts.
 pub fn gain(before: &FittedModel, after: &FittedModel) -> f64 {
-    let misfit = before.misfit();
-    after.log_likelihood(&misfit) - before.log_likelihood(&misfit)
+    let by = |misfit: &Misfit| after.log_likelihood(misfit) - before.log_likelihood(misfit);
+    let gain = by(&after.misfit());
+    if gain > 0.0 { gain } else { by(&before.misfit()) }
 }
 
 /// An effect that takes away every command, a wide dead zone say, "explains" any motion once the

@@ -63,6 +63,21 @@ impl<'a> ActiveEffects<'a> {
         drive_v
     }
 
+    /// How much of the commands reaches each motor, rms by rms.
+    pub fn command_gain(&self) -> [f64; 3] {
+        let mut effects = self.hypothesis.built_effects();
+        effects.iter_mut().for_each(|effect| effect.set_step(self.stretch.period_s));
+        let (mut sent, mut reached) = ([0.0; 3], [0.0; 3]);
+        for k in 0..self.stretch.len() {
+            let mut command_v = [0, 1, 2].map(|i| self.stretch.command_v[i][k]);
+            (0..3).for_each(|i| sent[i] += command_v[i] * command_v[i]);
+            let joint_state = self.joint_state(k);
+            effects.iter_mut().for_each(|e| e.change_command(&joint_state, &mut command_v));
+            (0..3).for_each(|i| reached[i] += command_v[i] * command_v[i]);
+        }
+        [0, 1, 2].map(|i| if sent[i] > 0.0 { (reached[i] / sent[i]).sqrt() } else { 1.0 })
+    }
+
     /// Friction of a joint of `robot` in the interval after each sample [V].
     pub fn friction_v(&self, joint: usize, robot: &Robot<f64>) -> Vec<f64> {
         self.friction_ahead_v(joint, robot, self.hypothesis.friction_lead_s[joint])

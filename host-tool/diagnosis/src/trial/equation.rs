@@ -117,6 +117,14 @@ impl<'a> Trial<'a> {
         }
     }
 
+    /// How much of the commands reaches each motor, rms by rms; all of it without effects.
+    pub fn command_gain(&self) -> [f64; 3] {
+        match self.hypothesis.is_bare() {
+            true => [1.0; 3],
+            false => self.effects.command_gain(),
+        }
+    }
+
     /// Friction of a robot's joint in the interval after each sample [V].
     pub fn friction(&self, joint: usize, robot: &Robot<f64>) -> Vec<f64> {
         self.effects.friction_v(joint, robot)
