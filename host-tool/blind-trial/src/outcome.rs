@@ -84,7 +84,7 @@ pub fn diagnose_case(
 }
 
 /// The answer, and how long it took [s].
-fn answer_in(
+pub(crate) fn answer_in(
     case: &Case,
     directory: &Path,
     keep_logs: bool,

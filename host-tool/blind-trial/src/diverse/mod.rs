@@ -4,12 +4,22 @@ mod clutter;
 mod draw;
 mod evidence;
 mod knowable;
+mod outcome;
+mod page;
+mod results;
+mod run;
+mod score;
 mod settings;
 mod sizes;
 mod world;
 
 pub use draw::{DiverseCase, draw_diverse};
 pub use knowable::Known;
+pub use outcome::{Claim, DiverseOutcome};
+pub use page::{answer, page, short};
+pub use results::{DiverseResults, write, write_known};
+pub use run::diagnose_diverse;
+pub use score::DiverseScore;
 pub use settings::{DiverseSettings, Ranges};
 
 #[cfg(test)]

@@ -67,6 +67,19 @@ impl JointFriction {
 }
 
 impl Law {
+    /// Its name, in words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Lugre => "LuGre",
+            Self::Tanh { .. } => "Coulomb, tanh",
+            Self::Ramp { .. } => "Coulomb, ramp",
+            Self::Dahl { .. } => "Dahl",
+            Self::MaxwellSlip { .. } => "Maxwell slip",
+            Self::StribeckLag { .. } => "Stribeck with lag",
+            Self::SoftConstraint { .. } => "soft constraint",
+        }
+    }
+
     fn build(self, friction: &Friction<f64>) -> Box<dyn FrictionLaw> {
         let friction = *friction;
         match self {

@@ -39,6 +39,17 @@ pub struct Reality {
 }
 
 impl Reality {
+    /// LuGre friction, nothing small, the paper's rig, a model 2 % off.
+    pub fn plain() -> Self {
+        Self {
+            friction: [JointFriction::LUGRE; 3],
+            clutter: Vec::new(),
+            coloured_noise: ColouredNoise { rms_v: 0.0, correlation_time_s: 0.01 },
+            bus: Bus::faultless(),
+            model_error: ModelError { parameters: 0.02, torque_constants: 0.0, lengths: 0.0 },
+        }
+    }
+
     /// The same with LuGre friction and nothing small: what its noise alone leaves.
     pub fn bare(&self) -> Self {
         Self { friction: [JointFriction::LUGRE; 3], clutter: Vec::new(), ..self.clone() }
