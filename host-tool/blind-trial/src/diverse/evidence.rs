@@ -107,10 +107,10 @@ impl Weights {
     pub fn gain(&self, without: &Refit, twin: &Refit, part: f64) -> f64 {
         let squares = without.squares_v2.iter().zip(&twin.squares_v2).zip(&self.groups);
         let logs = squares.map(|((without, with), weight)| {
-            let excess = (without / with.max(1e-18) - 1.0).max(0.0);
-            weight.rows * (part * part * excess).ln_1p()
+            let excess = without / with.max(1e-18) - 1.0;
+            weight.rows * (part * part * excess).max(-0.99).ln_1p()
         });
-        logs.sum::<f64>() + part * part * (without.penalty - twin.penalty).max(0.0)
+        logs.sum::<f64>() + part * part * (without.penalty - twin.penalty)
     }
 }
 

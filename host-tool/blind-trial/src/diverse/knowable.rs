@@ -12,8 +12,9 @@ use rig::effects::{Catalogue, Search};
 
 /// Harmonics that a search tries, each a hypothesis of its own.
 const HARMONICS: f64 = 24.0;
-/// Below this many times the noise squared, an excess has no shares.
-const LEAST_EXCESS: f64 = 0.02;
+/// Below this many times the noise squared, an excess has no shares: some hundred independent
+/// rows tell squares to a twentieth.
+const LEAST_EXCESS: f64 = 0.1;
 
 /// What could be known of one cause.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

@@ -27,13 +27,6 @@ fn the_largest_cause_stands_first_and_has_a_share() {
         [(Kind::Pair, 1.0), (Kind::None, 0.0), (Kind::Single, 0.0), (Kind::Foreign, 0.0)];
     for DiverseCase { case, known } in draw_diverse(&settings, &|| {}).unwrap() {
         assert_eq!((case.causes.len(), known.len()), (2, 2));
-        eprintln!(
-            "{} {:?} | {:?} {:?}",
-            case.causes[0].words(),
-            known[0],
-            case.causes[1].words(),
-            known[1]
-        );
         assert!(known[0].share.unwrap_or_default() >= known[1].share.unwrap_or_default());
         assert!(known.iter().all(|known| (0.0..=1.0).contains(&known.oracle)));
     }

@@ -33,10 +33,9 @@ impl DiverseOutcome {
     /// Whether the first name is that of the largest cause, or of one nearly as large.
     pub fn is_first_right(&self) -> bool {
         let share = |place: usize| self.known.get(place).and_then(|known| known.share);
-        let largest = share(0).unwrap_or_default();
-        let large = |place: usize| {
-            place == 0 || share(place).is_some_and(|s| s >= NEARLY_LARGEST * largest)
-        };
+        let least = NEARLY_LARGEST * share(0).unwrap_or_default().max(0.0);
+        let large =
+            |place: usize| place == 0 || share(place).is_some_and(|s| s > 0.0 && s >= least);
         let Some(first) = self.claims.first() else { return false };
         let mut places = (0..self.truth.len()).filter(|&place| large(place));
         places.any(|place| names_within(first, &self.truth[place], &self.truth))
