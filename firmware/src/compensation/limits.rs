@@ -45,3 +45,7 @@ pub const DEAD_ZONE_V: Bounds = Bounds::new(0.0, 5.0, "be from 0 to 5 V");
 pub const HIDDEN_MOMENT_KG_M: Bounds = Bounds::new(-10.0, 10.0, "be from -10 to 10 kg m");
 /// Components of a force on the tip [N].
 pub const TIP_FORCE_N: Bounds = Bounds::new(-200.0, 200.0, "be within 200 N");
+/// Values of a table [V].
+pub const TABLE_V: Bounds = Bounds::new(-5.0, 5.0, "be from -5 to 5 V");
+/// Knots of a table, in the unit of its axis.
+pub const TABLE_KNOT: Bounds = Bounds::new(-1e6, 1e6, "be within 1e6");

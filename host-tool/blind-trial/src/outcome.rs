@@ -140,18 +140,20 @@ impl Answer {
         }
     }
 
-    /// The causes that the verdict names; none unless it is "effect".
+    /// The causes that the verdict names; none unless it is "effect" or "partial".
     pub fn named(&self) -> &[Cause] {
         match self.report() {
-            Some(report) if report.verdict == Verdict::Effect => &report.causes,
-            _ => &[],
+            Some(report) => &report.causes,
+            None => &[],
         }
     }
 
     /// The first cause's name, or "none", "unknown" or "failed".
     pub fn label(&self) -> &str {
         match self.report().map(|report| report.verdict) {
-            Some(Verdict::Effect) => self.named().first().map_or("unknown", |cause| &cause.effect),
+            Some(Verdict::Effect | Verdict::Partial) => {
+                self.named().first().map_or("unknown", |cause| &cause.effect)
+            }
             Some(Verdict::None) => "none",
             Some(Verdict::Unknown) => "unknown",
             None => "failed",

@@ -43,6 +43,7 @@ use recordings::{Campaign, StepError};
 use report::assembly::Assembly;
 use rig::effects::Catalogue;
 use search::selection;
+use verdict::judgement::Judgement;
 
 /// Why there is no diagnosis.
 #[derive(Debug, thiserror::Error)]
@@ -86,14 +87,11 @@ pub fn diagnose(
     let usable = Usable::of(campaign, &subject)?;
     progress("refitting the model");
     let (evidence, refitted) = preparation::prepared(&subject, usable.stretches)?;
-    let selection = selection::select(&evidence, &subject, refitted, progress);
-    progress("judging");
-    let assembly = Assembly {
-        subject: &subject,
-        evidence: &evidence,
-        selection: &selection,
-        traces: &campaign.traces,
-        noise: preparation::noise_left(&subject, &evidence, &selection.last().linear.hypothesis),
-    };
+    let selection = selection::select(&subject, refitted, progress);
+    progress("confirming on logs that chose nothing");
+    let noise_v = preparation::noise_left_v(&subject, &evidence, &selection.last);
+    let judgement = Judgement::of(&subject, selection, &noise_v);
+    let (traces, judgement) = (&campaign.traces[..], &judgement);
+    let assembly = Assembly { subject: &subject, evidence: &evidence, judgement, traces, noise_v };
     Ok(assembly.diagnosis(&campaign.robot_file, usable.remarks))
 }

@@ -38,11 +38,17 @@ pub struct Report {
     pub causes: Vec<Cause>,
     /// Causes that the logs do not rule out.
     pub alternatives: Vec<Alternative>,
+    /// What the refit alone moved, largest share first.
+    pub parameters_changed: Vec<ParameterChange>,
+    /// What no cause explains, largest first.
+    pub remainder: Vec<Remainder>,
     /// Where the gap of the refitted model lies, largest first.
     #[serde(rename = "where")]
     pub gap_shares: Vec<GapShare>,
     /// The size of the gap.
     pub gap: Gap,
+    /// Which logs served for what.
+    pub data: DataParts,
     /// Effects that these logs cannot show.
     pub untestable: Vec<Untestable>,
     /// The smallest size of each effect that these logs would have shown.
@@ -55,11 +61,14 @@ pub struct Report {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
-    /// At least one cause is named.
+    /// The causes named take nine tenths of the gap, and what remains is at the noise or drawn as
+    /// tables.
     Effect,
+    /// At least one cause is named, and something else remains.
+    Partial,
     /// No gap above the noise that the refitted model leaves.
     None,
-    /// A gap that nothing in the catalogue explains.
+    /// A gap, and no cause that is confirmed.
     Unknown,
 }
 
@@ -72,9 +81,18 @@ pub struct Cause {
     pub joint: u8,
     /// Its parameters, by the names of the catalogue.
     pub parameters: BTreeMap<String, Value>,
-    /// 0 to 1.
+    /// 95 % intervals of these.
+    pub parameter_intervals: BTreeMap<String, Interval>,
+    /// Probability that this is a cause, given all that was tried, 0 to 1.
+    pub probability: f64,
+    /// The same.
     pub confidence: f64,
-    /// 1 - rms with it / rms without it, of the command on the logs held out.
+    /// Part of the gap's squares above the noise that goes when it is added, on the confirming
+    /// logs, on the joint where it acts.
+    pub share: f64,
+    /// 95 % interval of the share.
+    pub share_interval: [f64; 2],
+    /// 1 - rms with it / rms without it, of the command on the confirming logs.
     pub shrinkage: f64,
     /// 95 % interval of the shrinkage.
     pub shrinkage_interval: [f64; 2],
@@ -90,6 +108,75 @@ pub enum Value {
     Vector(Vec<f64>),
 }
 
+/// An interval of a number, or of each component of a vector.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Interval {
+    /// That of a number: from, to.
+    Number([f64; 2]),
+    /// Those of a vector's components.
+    Vector(Vec<[f64; 2]>),
+}
+
+/// A parameter that the refit moved.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ParameterChange {
+    /// Its name in the model file, `friction[2].alpha2_V_s_per_rad` say.
+    pub parameter: String,
+    /// Its value in the model as given.
+    pub given: f64,
+    /// Its value after the refit.
+    pub found: f64,
+    /// 95 % interval of that.
+    pub interval: [f64; 2],
+    /// Part of the squares between the model as given and refitted that it takes.
+    pub share: f64,
+}
+
+/// What no cause explains, on one joint over one axis.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Remainder {
+    /// Joint, 1 to 3.
+    pub joint: u8,
+    /// What it varies with.
+    pub axis: Axis,
+    /// Its size, rms [V].
+    #[serde(rename = "rms_V")]
+    pub rms_v: f64,
+    /// Part of the gap's squares above the noise.
+    pub share: f64,
+    /// More, in words.
+    pub detail: String,
+    /// Its course over the axis.
+    pub curve: RemainderCurve,
+    /// The effect that came nearest, if any was tried there.
+    pub nearest: Option<String>,
+}
+
+/// The course of a remainder.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct RemainderCurve {
+    /// Where on the axis, in its unit.
+    pub x: Vec<f64>,
+    /// What remains there [V].
+    #[serde(rename = "y_V")]
+    pub y_v: Vec<f64>,
+    /// Standard deviation of that [V].
+    #[serde(rename = "deviation_V")]
+    pub deviation_v: Vec<f64>,
+}
+
+/// Files that served for fitting, for choosing among hypotheses, and for confirming the choice.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct DataParts {
+    /// Parameters are fitted to these.
+    pub fit: Vec<String>,
+    /// Hypotheses are chosen by pieces of these that they were not fitted to.
+    pub select: Vec<String>,
+    /// Shares and intervals come from these, at which no choice looks.
+    pub confirm: Vec<String>,
+}
+
 /// A cause that is not ruled out.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Alternative {
@@ -98,7 +185,13 @@ pub struct Alternative {
     /// Joint, 1 to 3; 0 for the whole robot.
     pub joint: u8,
     /// 0 to 1.
+    pub probability: f64,
+    /// The same.
     pub confidence: f64,
+    /// Which of the causes it could stand for, from 0; none where it is none of theirs.
+    pub instead_of: Option<usize>,
+    /// Part of the gap's squares above the noise that it would take.
+    pub share: f64,
 }
 
 /// The part of the gap that varies with one axis on one joint.
@@ -146,6 +239,8 @@ pub struct Gap {
     pub refitted_v: Vec<f64>,
     #[serde(rename = "with_effects_V")]
     pub with_effects_v: Vec<f64>,
+    #[serde(rename = "with_tables_V")]
+    pub with_tables_v: Vec<f64>,
     #[serde(rename = "noise_floor_V")]
     pub noise_floor_v: Vec<f64>,
     pub refitted_rad: Vec<f64>,

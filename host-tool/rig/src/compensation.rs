@@ -7,7 +7,7 @@ use firmware::compensation::ExternalLoad;
 use model::effects::with_payload;
 use model::{BaseParameters, Robot};
 
-use crate::effects::{ArmLoad, Catalogue, Compensation, EffectError};
+use crate::effects::{ArmLoad, Catalogue, Compensation, EffectError, Table};
 use files::EffectTable;
 
 /// The compensations of a rig.
@@ -47,6 +47,12 @@ impl Compensations {
         let mut compensations = Self::default();
         let mut left_out = Vec::new();
         for table in effects {
+            if Table::is_in(table) {
+                let Table { joint, .. } = Table::of(table)?;
+                let why = "the board plays no tables";
+                left_out.push(LeftOut { effect: table.effect.clone(), joint, why });
+                continue;
+            }
             let (definition, values) = catalogue.definition_and_values(table)?;
             definition.with(table.joint, &values)?;
             let joint = table.joint;

@@ -9,6 +9,7 @@
 //! | [`torque_constant_factor`], [`ripple_factor`], [`dead_zone`] | w from u, the first two as factors |
 //! | [`dead_zone_inverse`] | u from w |
 //! | [`cogging_v`], [`cable_spring_v`], [`quadratic_drag_v`] | added to w, whatever u is |
+//! | [`table_v`] | a curve added to w, by its knots |
 //! | [`scale_position_friction`], [`scale_asymmetric_friction`] | change the friction of eq. (9) |
 //! | [`Tilt`], [`Posture::tip_force_torque`] | torques of external loads |
 //! | [`with_payload`] | base parameters with a mass at the tip |
@@ -19,12 +20,14 @@ mod command;
 mod external_load;
 mod friction;
 mod payload;
+mod table;
 mod voltage;
 
 pub use command::{dead_zone, dead_zone_inverse, ripple_factor, torque_constant_factor};
 pub use external_load::Tilt;
 pub use friction::{scale_asymmetric_friction, scale_position_friction};
 pub use payload::with_payload;
+pub use table::table_v;
 pub use voltage::{cable_spring_v, cogging_v, quadratic_drag_v};
 
 use crate::Real;

@@ -21,8 +21,8 @@ pub struct Claim {
     pub parameters: BTreeMap<String, Value>,
     /// How sure the diagnosis is.
     pub probability: f64,
-    /// 95 % interval of its share of the gap, where one is told.
-    pub share_interval: Option<[f64; 2]>,
+    /// 95 % interval of its share of the gap.
+    pub share_interval: [f64; 2],
     /// 95 % intervals of its parameters, component by component.
     pub parameter_intervals: BTreeMap<String, Vec<[f64; 2]>>,
 }

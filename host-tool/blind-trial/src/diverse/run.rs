@@ -1,7 +1,6 @@
 //! Has diverse cases diagnosed.
 
 use std::cell::Cell;
-use std::collections::BTreeMap;
 use std::time::Duration;
 
 use nix::time::{ClockId, clock_gettime};
@@ -11,7 +10,7 @@ use super::outcome::{Claim, DiverseOutcome};
 use crate::error::TrialError;
 use crate::logs;
 use crate::outcome::{Answer, Diagnose, RunSettings, answer_in};
-use diagnosis::Cause;
+use diagnosis::{Cause, Interval};
 
 /// Writes the logs of a case, reads them back and diagnoses them; the diagnosis sees nothing
 /// else. Processor time is this thread's, which must do all the work.
@@ -64,12 +63,21 @@ fn verdict(answer: &Answer) -> String {
 }
 
 fn claim(cause: &Cause) -> Claim {
+    let intervals = cause.parameter_intervals.iter();
     Claim {
         effect: cause.effect.clone(),
         joint: cause.joint,
         parameters: cause.parameters.clone(),
-        probability: cause.confidence,
-        share_interval: None,
-        parameter_intervals: BTreeMap::new(),
+        probability: cause.probability,
+        share_interval: cause.share_interval,
+        parameter_intervals: intervals.map(|(name, each)| (name.clone(), sides(each))).collect(),
+    }
+}
+
+/// The interval of each component.
+fn sides(interval: &Interval) -> Vec<[f64; 2]> {
+    match interval {
+        Interval::Number(sides) => vec![*sides],
+        Interval::Vector(components) => components.clone(),
     }
 }

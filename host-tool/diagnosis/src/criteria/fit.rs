@@ -23,6 +23,14 @@ criteria! {
         unknown_damping: f64 = 0.02,
         /// Deviation of the instants of commands, in sample periods.
         lag_periods: f64 = 0.05,
+        /// Deviation of friction's lead over velocity: soft constraints lead by some 10 ms, frictional
+        /// memory lags by a few [s].
+        friction_lead_s: f64 = 0.01,
+        /// Added for what shapes friction near standstill, the Stribeck velocity and the bristles, in
+        /// parts of themselves: no machine's friction is of anybody's formula there.
+        friction_shape: f64 = 3.0,
+        /// The same for the Stribeck level, in parts of Coulomb friction.
+        friction_shape_level: f64 = 1.0,
         /// Least Coulomb friction of a fit, in parts of that given.
         least_coulomb: f64 = 0.02,
         /// Most by which Stribeck friction may be below Coulomb friction, in parts of the latter.
@@ -41,6 +49,8 @@ criteria! {
         first_steps: usize = 2,
         /// Most steps of the refit of the model as given.
         refit_steps: usize = 6,
+        /// Most steps once rows are weighted by what the fit leaves of them.
+        reweighted_steps: usize = 3,
         /// A step that takes a smaller part off the objective ends a fit.
         converged_part: f64 = 2e-4,
         /// A refit that is reported stays within so many prior deviations of the model as given.

@@ -30,6 +30,13 @@ criteria! {
         highest_noise_part: f64 = 0.2,
         /// A frequency with so many times the power of noise carries a hum.
         hum_ratio: f64 = 3.0,
+        /// Speeds at which the size of what a model leaves may change, in parts of the rows below
+        /// them: friction is worst known around standstill.
+        speed_classes: [f64; 4] = [0.04, 0.1, 0.25, 0.6],
+        /// A class of a log takes its size from so many rows of the whole log too.
+        pooled_rows: f64 = 30.0,
+        /// Fewest rows of a log that count as independent.
+        fewest_independent_rows: usize = 20,
         /// Sample periods that differ by a smaller part are one rate.
         same_rate_part: f64 = 0.05,
     }

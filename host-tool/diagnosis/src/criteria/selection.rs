@@ -6,30 +6,32 @@ criteria! {
     /// Which candidates are added to the model, and when that ends.
     SelectionCriteria {
         /// Most effects that are added.
-        most_effects: usize = 3,
+        most_effects: usize = 8,
         /// Most candidates that are refitted at a time.
-        finalists: usize = 5,
+        finalists: usize = 6,
         /// How often the next ones are refitted where none of those before is accepted.
-        batches: usize = 4,
+        batches: usize = 2,
         /// A candidate is refitted together with the best if it gains this part of what that gains.
-        finalist_gain: f64 = 0.4,
+        finalist_gain: f64 = 0.3,
         /// Most Gauss-Newton steps of a finalist's fit.
-        finalist_steps: usize = 2,
+        finalist_steps: usize = 3,
         /// The same for the one that is accepted.
         accepted_steps: usize = 4,
         /// The same where that is a spring, whose values are far from linear.
         accepted_spring_steps: usize = 10,
-        /// Part of the excess that an effect must take away.
-        least_of_excess: f64 = 0.2,
-        /// Part of all squares, and of those held out, that it must take away: less is at the edge
-        /// of what is an excess.
-        least_of_squares: f64 = 0.05,
-        /// An effect is accepted for the prior too, if it takes away this part of the prior penalty,
+        /// Folds of the cross-validation: each is fitted without, and then judged by what it leaves.
+        folds: usize = 5,
+        /// Length of the pieces of logs that go to one fold after the other [s].
+        piece_s: f64 = 2.0,
+        /// Log-likelihood that an effect must gain on what was left out, parameters' prior included:
+        /// some 800 candidates, harmonics among them, gain half the logarithm of their number by
+        /// chance, and what is left is not Gaussian.
+        least_log_likelihood: f64 = 15.0,
+        /// Part of what is left above the noise of the joints it acts on that an effect must take
+        /// away: less may be the method's own,
+        least_of_excess: f64 = 0.08,
+        /// unless it takes away this part of the prior penalty.
         least_of_prior_penalty: f64 = 0.5,
-        /// and leaves at most so many times the squares, because the refit absorbed part of it,
-        most_squares_for_prior: f64 = 1.15,
-        /// and of those held out so many times.
-        most_held_out_for_prior: f64 = 1.5,
         /// An effect is refused if it makes parameters implausible and their prior penalty so many
         /// times larger.
         most_prior_penalty_growth: f64 = 1.2,
@@ -43,6 +45,8 @@ criteria! {
         /// and this part of the refitted model's excess: effects that are not linear are not removed
         /// to the last.
         done_part: f64 = 5e-4,
+        /// Rivals of a cause that are tried in its place once all causes are found.
+        rivals: usize = 3,
         /// A spring leaves its motor this part of the joint's inertia, or it only smooths what the
         /// encoder reads.
         least_motor_inertia: f64 = 0.02,

@@ -3,7 +3,7 @@
 use super::linearisation::{Linearisation, objective};
 use super::unknowns::{Expected, Unknown, expected, kept_physical};
 use crate::logs::subject::Subject;
-use crate::rows::evidence::Evidence;
+use crate::rows::evidence::{Evidence, Rows};
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use crate::trial::residual_rows::residual_rows;
 use rig::effects::Kind;
@@ -18,7 +18,7 @@ pub fn fit(
     let open = open_in(evidence, subject, &start.effects);
     let mut best = Linearisation::of(evidence, start, open.clone())?;
     for _ in 0..most_steps {
-        let Some((next, objective)) = improved(evidence, subject, &best, &open) else { break };
+        let Some((next, _, objective)) = improved(evidence, subject, &best, &open) else { break };
         let gain = best.objective - objective;
         best = Linearisation::of(evidence, next, open.clone())?;
         if gain < subject.criteria.fit.converged_part * best.objective {
@@ -26,6 +26,27 @@ pub fn fit(
         }
     }
     Some(best)
+}
+
+/// A fit that keeps the slopes of where it begins: each step costs but the residual.
+pub fn fit_with_slopes(
+    evidence: &Evidence,
+    subject: &Subject,
+    mut best: Linearisation,
+    most_steps: usize,
+) -> Linearisation {
+    for _ in 0..most_steps {
+        let open = best.expected.clone();
+        let Some((next, residual, objective)) = improved(evidence, subject, &best, &open) else {
+            break;
+        };
+        let gain = best.objective - objective;
+        best = best.moved_to(next, residual, objective);
+        if gain < subject.criteria.fit.converged_part * best.objective {
+            break;
+        }
+    }
+    best
 }
 
 /// The fit with base parameters, Coulomb and viscous friction and lags no further than
@@ -42,7 +63,7 @@ pub fn fit_held(
         hold(&mut open, &mut hypothesis, within);
         let linear = Linearisation::of(evidence, hypothesis.clone(), open.clone())?;
         let better = improved(evidence, subject, &linear, &open);
-        hypothesis = better.map_or(linear.hypothesis, |(hypothesis, _)| hypothesis);
+        hypothesis = better.map_or(linear.hypothesis, |(hypothesis, ..)| hypothesis);
     }
     hold(&mut open, &mut hypothesis, within);
     Linearisation::of(evidence, hypothesis, open)
@@ -53,10 +74,8 @@ fn hold(open: &mut [Expected], hypothesis: &mut Hypothesis, within: f64) {
     const FIXED: f64 = 1e-3;
     for expected in open {
         let deviations = (expected.unknown.get(hypothesis) - expected.mean) / expected.deviation;
-        let may_be_held = !matches!(
-            expected.unknown,
-            Unknown::Effect { .. } | Unknown::Friction { parameter: 1 | 2 | 4 | 5, .. }
-        );
+        let is_effect = matches!(expected.unknown, Unknown::Effect { .. });
+        let may_be_held = !is_effect && !expected.unknown.shapes_friction();
         if may_be_held && deviations.abs() > within {
             expected.mean += within * expected.deviation * deviations.signum();
             expected.deviation *= FIXED;
@@ -65,29 +84,25 @@ fn hold(open: &mut [Expected], hypothesis: &mut Hypothesis, within: f64) {
     }
 }
 
-/// A better hypothesis along the step with its objective, or none.
+/// A better hypothesis along the step, what it leaves, and its objective; or none.
 fn improved(
     evidence: &Evidence,
     subject: &Subject,
     best: &Linearisation,
     open: &[Expected],
-) -> Option<(Hypothesis, f64)> {
+) -> Option<(Hypothesis, Rows, f64)> {
     let step = best.step();
+    let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
     [1.0, 0.5, 0.2, 0.05].into_iter().find_map(|part| {
         let mut hypothesis = best.moved(&step, part);
         kept_physical(&mut hypothesis, subject);
         for effect in &mut hypothesis.effects {
             effect.normalise();
         }
-        let objective = objective_of(evidence, &hypothesis, open);
-        (objective < best.objective).then_some((hypothesis, objective))
+        let residual = residual_rows(evidence, &hypothesis);
+        let objective = objective(&residual, &train, &hypothesis, open);
+        (objective < best.objective).then_some((hypothesis, residual, objective))
     })
-}
-
-fn objective_of(evidence: &Evidence, hypothesis: &Hypothesis, open: &[Expected]) -> f64 {
-    let residual = residual_rows(evidence, hypothesis);
-    let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
-    objective(&residual, &train, hypothesis, open)
 }
 
 /// Everything open in a model with these effects.

@@ -1,7 +1,7 @@
 //! All rows of a model linearised in what is open, and how well a change of them fits once
 //! everything open is refitted.
 
-use std::ops::Range;
+use std::sync::Arc;
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
@@ -23,28 +23,12 @@ pub struct Linearisation {
     /// Squares of train rows and of the prior penalty.
     pub objective: f64,
     /// What the model's equation consists of, stretch by stretch, joint by joint.
-    parts: Vec<[Parts; 3]>,
-    joints: Vec<JointSlopes>,
+    parts: Arc<[[Parts; 3]]>,
+    pub(super) joints: Arc<[JointSlopes]>,
     /// Half the gradient of the objective.
-    gradient: DVector<f64>,
+    pub(super) gradient: DVector<f64>,
     normal: Cholesky<f64, Dyn>,
-    train: [usize; 3],
-}
-
-/// How well a change of the rows fits, everything open refitted.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Score {
-    /// Squares of train rows and of prior penalty.
-    pub train: f64,
-    /// Squares of the rows held out.
-    pub holdout: f64,
-}
-
-impl Score {
-    /// Both together.
-    pub fn total(&self) -> f64 {
-        self.train + self.holdout
-    }
+    pub(super) train: [usize; 3],
 }
 
 impl Linearisation {
@@ -58,21 +42,48 @@ impl Linearisation {
         let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
         let (parts, residual, joints) = slopes(evidence, &hypothesis, &expected);
         let objective = objective(&residual, &train, &hypothesis, &expected);
-        let (normal, gradient) =
-            normal_equations(&joints, &residual, &train, &hypothesis, &expected);
-        let normal = Cholesky::new(normal)?;
+        let normal = Cholesky::new(normal(&joints, &train, &expected))?;
+        let gradient = gradient(&joints, &residual, &train, &hypothesis, &expected);
         objective.is_finite().then_some(())?;
         Some(Self {
             hypothesis,
             expected,
             residual,
             objective,
-            parts,
-            joints,
+            parts: parts.into(),
+            joints: joints.into(),
             gradient,
             normal,
             train,
         })
+    }
+
+    /// The same slopes about a model near by, with what it leaves.
+    pub fn moved_to(&self, hypothesis: Hypothesis, residual: Rows, objective: f64) -> Self {
+        let gradient = gradient(&self.joints, &residual, &self.train, &hypothesis, &self.expected);
+        Self { hypothesis, residual, objective, gradient, ..self.clone() }
+    }
+
+    /// The same model and slopes on rows with other weights; `None` where the numbers do not work
+    /// out.
+    pub fn reweighted(&self, from: &Evidence, to: &Evidence) -> Option<Self> {
+        let ratio = |joint: usize| -> Vec<f64> {
+            let both = from.weights(joint).zip(to.weights(joint));
+            both.map(|(from, to)| if from > 0.0 { to / from } else { 0.0 }).collect()
+        };
+        let ratios = [0, 1, 2].map(ratio);
+        let mut residual = self.residual.clone();
+        for (rows, ratios) in residual.iter_mut().zip(&ratios) {
+            rows.iter_mut().zip(ratios).for_each(|(row, ratio)| *row *= ratio);
+        }
+        let joints: Vec<JointSlopes> =
+            self.joints.iter().map(|slopes| slopes.scaled(&ratios[slopes.joint])).collect();
+        let objective = objective(&residual, &self.train, &self.hypothesis, &self.expected);
+        let normal = normal(&joints, &self.train, &self.expected);
+        let gradient =
+            gradient(&joints, &residual, &self.train, &self.hypothesis, &self.expected);
+        let normal = Cholesky::new(normal)?;
+        Some(Self { residual, objective, normal, gradient, joints: joints.into(), ..self.clone() })
     }
 
     /// The change of what is open that fits best, by the slopes.
@@ -90,58 +101,40 @@ impl Linearisation {
         hypothesis
     }
 
-    /// The score of the model as it stands, refitted by the slopes.
-    pub fn score(&self) -> Score {
-        self.score_of(&RowChange::default())
+    /// Squares of train rows and of the prior penalty, everything open refitted by the slopes.
+    pub fn refitted_objective(&self) -> f64 {
+        self.objective_with(&RowChange::default())
     }
 
-    /// The score once all rows change so.
-    pub fn score_of(&self, change: &RowChange) -> Score {
-        let (step, train) = self.refitted(change);
-        Score { train, holdout: self.left_held_out(change, &step) }
-    }
-
-    /// Squares of train rows and of the prior penalty once train rows change so.
-    pub fn train_score_of(&self, change: &RowChange) -> f64 {
-        self.refitted(change).1
-    }
-
-    /// The step of what is open that fits best once train rows change so, and the train score
-    /// after it.
-    fn refitted(&self, change: &RowChange) -> (DVector<f64>, f64) {
+    /// Squares of train rows and of the prior penalty once train rows change so,
+    /// everything open refitted by the slopes.
+    pub fn objective_with(&self, change: &RowChange) -> f64 {
         let gradient = &self.gradient + self.against(change);
         let step = -self.normal.solve(&gradient);
-        let mut train = self.objective + gradient.dot(&step);
+        let mut objective = self.objective + gradient.dot(&step);
         for joint in [0, 1, 2] {
             let both = column(change, joint).iter().zip(&self.residual[joint]);
-            train += both.take(self.train[joint]).map(|(c, r)| c * (c + 2.0 * r)).sum::<f64>();
+            objective += both.take(self.train[joint]).map(|(c, r)| c * (c + 2.0 * r)).sum::<f64>();
         }
-        (step, train)
+        objective
     }
 
-    /// Squares of the rows held out after a change of rows and a step.
-    fn left_held_out(&self, change: &RowChange, step: &DVector<f64>) -> f64 {
-        let of_joint = |slopes: &JointSlopes| {
-            let (joint, first) = (slopes.joint, self.train[slopes.joint]);
-            let held = slopes.matrix.rows_range(first..);
-            let own = DVector::from_iterator(
-                slopes.places.len(),
-                slopes.places.iter().map(|&place| step[place]),
-            );
-            let mut left = held * own;
-            for (k, value) in left.iter_mut().enumerate() {
-                *value += self.residual[joint][first + k];
-                *value += change[joint].as_ref().map_or(0.0, |column| column[first + k]);
-            }
-            left.norm_squared()
-        };
-        self.joints.iter().map(of_joint).sum()
+    /// Squares of the prior penalty: deviations of what is open from what is known of it.
+    pub fn prior_penalty(&self) -> f64 {
+        let squared = |e: &Expected| ((e.unknown.get(&self.hypothesis) - e.mean) / e.deviation).powi(2);
+        self.expected.iter().map(squared).sum()
+    }
+
+    /// The matrix whose Cholesky factors solve for a step.
+    pub(super) fn normal(&self) -> DMatrix<f64> {
+        let factor = self.normal.l();
+        &factor * factor.transpose()
     }
 
     /// Slopes' products with a change of the train rows.
     fn against(&self, change: &RowChange) -> DVector<f64> {
         let mut sum = DVector::zeros(self.expected.len());
-        for slopes in &self.joints {
+        for slopes in self.joints.iter() {
             let Some(column) = &change[slopes.joint] else { continue };
             let rows = self.train[slopes.joint];
             let products = slopes
@@ -208,20 +201,6 @@ impl Linearisation {
         self.train[joint]
     }
 
-    /// Squares that a joint's rows in `range` are expected to have beyond noise, because what
-    /// is open is known no better than the train logs tell: the trace of J P J'.
-    pub fn spread(&self, joint: usize, range: Range<usize>) -> f64 {
-        let Some(slopes) = self.joints.iter().find(|slopes| slopes.joint == joint) else {
-            return 0.0;
-        };
-        let rows = slopes.matrix.rows_range(range);
-        let products = rows.tr_mul(&rows);
-        let mut unit = DMatrix::zeros(self.expected.len(), slopes.places.len());
-        slopes.places.iter().enumerate().for_each(|(k, &place)| unit[(place, k)] = 1.0);
-        let covariance = unit.tr_mul(&self.normal.solve(&unit));
-        covariance.component_mul(&products).sum()
-    }
-
     /// Standard deviation of an open parameter, for residuals that are noise alone.
     pub fn deviation(&self, place: usize) -> f64 {
         let mut unit = DVector::zeros(self.expected.len());
@@ -266,33 +245,41 @@ pub fn objective(
     rows + prior_penalty
 }
 
-fn normal_equations(
-    joints: &[JointSlopes],
-    residual: &Rows,
-    train: &[usize; 3],
-    hypothesis: &Hypothesis,
-    expected: &[Expected],
-) -> (DMatrix<f64>, DVector<f64>) {
-    let count = expected.len();
-    let mut normal = DMatrix::zeros(count, count);
-    let mut gradient = DVector::zeros(count);
-    for (place, e) in expected.iter().enumerate() {
-        let weight = e.deviation.powi(-2);
-        normal[(place, place)] += weight;
-        gradient[place] += weight * (e.unknown.get(hypothesis) - e.mean);
-    }
+/// Half the curvature of the objective.
+fn normal(joints: &[JointSlopes], train: &[usize; 3], expected: &[Expected]) -> DMatrix<f64> {
+    let weights = expected.iter().map(|e| e.deviation.powi(-2));
+    let mut normal =
+        DMatrix::from_diagonal(&DVector::from_iterator(expected.len(), weights));
     for slopes in joints {
-        let rows = train[slopes.joint];
-        let matrix = slopes.matrix.rows_range(..rows);
+        let matrix = slopes.matrix.rows_range(..train[slopes.joint]);
         let products = matrix.tr_mul(&matrix);
-        let right = nalgebra::DVectorView::from_slice(&residual[slopes.joint][..rows], rows);
-        let own = matrix.tr_mul(&right);
         for (a, &place_a) in slopes.places.iter().enumerate() {
-            gradient[place_a] += own[a];
             for (b, &place_b) in slopes.places.iter().enumerate() {
                 normal[(place_a, place_b)] += products[(a, b)];
             }
         }
     }
-    (normal, gradient)
+    normal
+}
+
+/// Half the gradient of the objective.
+fn gradient(
+    joints: &[JointSlopes],
+    residual: &Rows,
+    train: &[usize; 3],
+    hypothesis: &Hypothesis,
+    expected: &[Expected],
+) -> DVector<f64> {
+    let of_prior =
+        |e: &Expected| (e.unknown.get(hypothesis) - e.mean) / (e.deviation * e.deviation);
+    let mut gradient = DVector::from_iterator(expected.len(), expected.iter().map(of_prior));
+    for slopes in joints {
+        let rows = train[slopes.joint];
+        let right = nalgebra::DVectorView::from_slice(&residual[slopes.joint][..rows], rows);
+        let own = slopes.matrix.rows_range(..rows).tr_mul(&right);
+        for (&place, value) in slopes.places.iter().zip(own.iter()) {
+            gradient[place] += value;
+        }
+    }
+    gradient
 }

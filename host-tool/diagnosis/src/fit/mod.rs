@@ -1,5 +1,8 @@
 //! A hypothesis linearised, fitted, and judged against the noise.
 
+pub mod cross_validation;
+pub mod excess;
+pub mod fitted_model;
 pub mod gauss_newton;
 pub mod linearisation;
 pub mod preparation;

@@ -2,8 +2,8 @@
 
 use model::{Posture, Robot};
 
+use super::fitted_model::FittedModel;
 use super::gauss_newton::fit;
-use super::linearisation::Linearisation;
 use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
@@ -19,15 +19,14 @@ use recordings::StepError;
 pub fn prepared(
     subject: &Subject,
     stretches: Vec<Stretch>,
-) -> Result<(Evidence, Linearisation), StepError> {
+) -> Result<(Evidence, FittedModel), StepError> {
     let steps = &subject.criteria.fit;
     let given = as_given(subject);
     let evidence = with_noise(subject, stretches, &given)?;
     let rough = fit(&evidence, subject, given, steps.first_steps).ok_or_else(undetermined)?;
-    let evidence = with_noise(subject, evidence.stretches, &rough.hypothesis)?;
-    let linear = fit(&evidence, subject, rough.hypothesis, steps.refit_steps);
-    let linear = linear.ok_or_else(undetermined)?;
-    Ok((evidence, linear))
+    let evidence = with_noise(subject, evidence.stretches.to_vec(), &rough.hypothesis)?;
+    let refitted = FittedModel::fitted(&evidence, subject, rough.hypothesis, steps.refit_steps);
+    Ok((evidence, refitted.ok_or_else(undetermined)?))
 }
 
 fn undetermined() -> StepError {
@@ -54,10 +53,15 @@ fn with_noise(
     Ok(Evidence::new(stretches, subject.joints.clone(), &noise, &subject.criteria))
 }
 
-/// Noise in what the last model of a search leaves: a gap that is always there passes for
-/// noise until its cause is found.
-pub fn noise_left(subject: &Subject, evidence: &Evidence, last: &Hypothesis) -> NoiseByRate {
-    noise(subject, &evidence.stretches, last)
+/// Noise of every joint's rows in each stretch, rms [V], seen in what the last model of a search
+/// leaves: a gap that is always there passes for noise until its cause is found.
+pub fn noise_left_v(subject: &Subject, evidence: &Evidence, last: &FittedModel) -> [Vec<f64>; 3] {
+    let noise = noise(subject, &evidence.stretches, &last.linear.hypothesis);
+    let of_stretch = |joint: usize, s: usize| {
+        let (filter, period_s) = (evidence.filter(joint, s), evidence.stretches[s].period_s);
+        noise.of(joint, period_s).behind(|f| filter.gain(f), period_s)
+    };
+    [0, 1, 2].map(|joint| (0..evidence.stretches.len()).map(|s| of_stretch(joint, s)).collect())
 }
 
 /// The model as given.
@@ -67,7 +71,12 @@ pub fn as_given(subject: &Subject) -> Hypothesis {
         joint: *joint,
         values: values.clone(),
     });
-    Hypothesis { robot: subject.robot, lag_s: [0.0; 3], effects: effects.collect() }
+    Hypothesis {
+        robot: subject.robot,
+        lag_s: [0.0; 3], friction_lead_s: [0.0; 3],
+        effects: effects.collect(),
+        tables: subject.known_tables.clone(),
+    }
 }
 
 /// Noise of each joint in what a model leaves of logs without driven noise, or of all logs

@@ -1,24 +1,17 @@
-//! How far what a model leaves is above the noise.
+//! How far what a model leaves of train logs is above the noise.
 
 use super::linearisation::Linearisation;
 use super::unknowns::Unknown;
 use crate::criteria::FitCriteria;
-use crate::rows::evidence::Evidence;
+use crate::rows::evidence::{Evidence, Rows};
 
-/// What a model leaves, against the noise.
+/// What a model leaves of train logs, against the noise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResidualStats {
-    /// Rms over what noise, and what is not known of the model, make of it; by joint of the rig
-    /// and stretch.
+    /// Rms over that of noise, by joint of the rig and train stretch.
     pub ratios: Vec<Vec<f64>>,
-    /// Squares above what the method itself may leave, in units of noise, all rows.
+    /// Squares above what the method itself may leave, in units of noise.
     pub excess: f64,
-    /// Squares of all rows, train and held out, in units of noise.
-    pub squares: f64,
-    /// The same by joint of the rig.
-    pub squares_by_joint: Vec<f64>,
-    /// Squares of the rows held out.
-    pub held_out_squares: f64,
     /// Rms over what the encoder's steps alone must leave, of the joint where it is smallest.
     pub over_encoder_noise: f64,
     /// Sum of the squared deviations of refitted parameters from the model as given, in standard
@@ -26,44 +19,25 @@ pub struct ResidualStats {
     pub prior_penalty: f64,
 }
 
+/// What a model leaves of one joint.
+#[derive(Default)]
+struct OfJoint {
+    ratios: Vec<f64>,
+    excess: f64,
+    square_v2: f64,
+    steps_v2: f64,
+}
+
 impl ResidualStats {
-    /// What a fitted model leaves.
-    pub fn of(evidence: &Evidence, linear: &Linearisation) -> Self {
-        let own_ratio = evidence.criteria.fit.own_ratio;
-        let (mut ratios, mut excess, mut held_out_squares) = (Vec::new(), 0.0, 0.0);
-        let (mut squares_by_joint, mut over_encoder_noise) = (Vec::new(), f64::INFINITY);
-        for &joint in &evidence.joints {
-            let (mut own, mut least, mut all) = (0.0, 0.0, 0.0);
-            let mut of_joint = Vec::new();
-            for (s, range) in evidence.ranges(joint).into_iter().enumerate() {
-                let rows = &linear.residual[joint][range.clone()];
-                // A joint at rest that nothing drives leaves exact zeros, and no noise either.
-                let settled = rows[evidence.first_settled_row(joint, s)..].iter();
-                let used = settled.filter(|row| **row != 0.0).count().max(1) as f64;
-                let squares: f64 = rows.iter().map(|row| row * row).sum();
-                // Motions that the train logs do not hold show what is not known of the model.
-                let expected = match s < evidence.train_stretches() {
-                    true => used,
-                    false => used + linear.spread(joint, range),
-                };
-                of_joint.push((squares / expected).sqrt());
-                excess += (squares - own_ratio * own_ratio * expected).max(0.0);
-                all += squares;
-                own += squares * evidence.floor_v(joint, s).powi(2);
-                least += used * evidence.steps_v(joint, s).powi(2);
-                held_out_squares += if s < evidence.train_stretches() { 0.0 } else { squares };
-            }
-            ratios.push(of_joint);
-            squares_by_joint.push(all);
-            over_encoder_noise = f64::min(over_encoder_noise, (own / least.max(1e-300)).sqrt());
-        }
+    /// What a fitted model leaves, in volts.
+    pub fn of(evidence: &Evidence, linear: &Linearisation, residual_v: &Rows) -> Self {
+        let joints: Vec<OfJoint> =
+            evidence.joints.iter().map(|&joint| of_joint(evidence, joint, residual_v)).collect();
+        let over_steps = |joint: &OfJoint| (joint.square_v2 / joint.steps_v2.max(1e-300)).sqrt();
         Self {
-            ratios,
-            excess,
-            squares: squares_by_joint.iter().sum(),
-            squares_by_joint,
-            held_out_squares,
-            over_encoder_noise,
+            excess: joints.iter().map(|joint| joint.excess).sum(),
+            over_encoder_noise: joints.iter().map(over_steps).fold(f64::INFINITY, f64::min),
+            ratios: joints.into_iter().map(|joint| joint.ratios).collect(),
             prior_penalty: prior_penalty(linear),
         }
     }
@@ -84,14 +58,28 @@ impl ResidualStats {
     }
 }
 
+fn of_joint(evidence: &Evidence, joint: usize, residual_v: &Rows) -> OfJoint {
+    let own_square = evidence.criteria.fit.own_ratio.powi(2);
+    let mut sums = OfJoint::default();
+    let ranges = evidence.ranges(joint).into_iter().take(evidence.train_stretches());
+    for (s, range) in ranges.enumerate() {
+        let rows = &residual_v[joint][range];
+        // A joint at rest that nothing drives leaves exact zeros, and no noise either.
+        let used = rows.iter().filter(|row| **row != 0.0).count().max(1) as f64;
+        let square_v2: f64 = rows.iter().map(|row| row * row).sum();
+        let noise_v2 = used * evidence.floor_v(joint, s).powi(2);
+        sums.ratios.push((square_v2 / noise_v2).sqrt());
+        sums.excess += (square_v2 / noise_v2 - own_square).max(0.0) * used;
+        sums.square_v2 += square_v2;
+        sums.steps_v2 += used * evidence.steps_v(joint, s).powi(2);
+    }
+    sums
+}
+
 /// Squared deviations of those parameters that logs like these determine.
 fn prior_penalty(linear: &Linearisation) -> f64 {
-    const ALPHA0: usize = 0;
-    const ALPHA2: usize = 3;
-    let counts = |unknown: Unknown| match unknown {
-        Unknown::Base(_) | Unknown::Lag(_) => true,
-        Unknown::Friction { parameter, .. } => parameter == ALPHA0 || parameter == ALPHA2,
-        Unknown::Effect { .. } => false,
+    let counts = |unknown: Unknown| {
+        !unknown.shapes_friction() && !matches!(unknown, Unknown::Effect { .. })
     };
     linear
         .expected

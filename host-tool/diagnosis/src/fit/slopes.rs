@@ -34,7 +34,7 @@ pub fn changed(
     joints: &[usize],
     change: &mut RowChange,
 ) {
-    let touches = touched(effect, others);
+    let touches = touched(effect, others, &hypothesis.tables);
     let trial = Trial::with_motor_side(
         &evidence.stretches[s],
         hypothesis,
@@ -95,6 +95,15 @@ fn append(columns: &mut Vec<Column>, of_stretch: Vec<Column>) {
 }
 
 impl JointSlopes {
+    /// The same with every row scaled.
+    pub fn scaled(&self, ratios: &[f64]) -> Self {
+        let mut scaled = self.clone();
+        for mut column in scaled.matrix.column_iter_mut() {
+            column.iter_mut().zip(ratios).for_each(|(slope, ratio)| *slope *= ratio);
+        }
+        scaled
+    }
+
     fn of(joint: usize, columns: &[Column], count: usize) -> Self {
         let flat = columns.iter().flat_map(|(_, rows)| rows.iter().copied());
         let matrix = DMatrix::from_iterator(count, columns.len(), flat);
@@ -143,7 +152,10 @@ fn own_slopes(
     let mut columns = Vec::new();
     for (place, e) in expected.iter().enumerate() {
         match e.unknown {
-            Unknown::Base(k) => columns.extend(base[k].clone().map(|column| (place, column))),
+            Unknown::Base(k) => columns.extend(base[k].clone().map(|mut column| {
+                evidence.weigh(s, joint, &mut column);
+                (place, column)
+            })),
             Unknown::Friction { joint: of, parameter } if of == joint => {
                 let (moved, step) = friction_moved(hypothesis, joint, parameter);
                 let slope: Vec<f64> = trial
@@ -158,18 +170,30 @@ fn own_slopes(
                 let slope: Vec<f64> = trial.command_slope(joint).iter().map(|u| -u).collect();
                 columns.push((place, rows(&slope)));
             }
+            Unknown::FrictionLead(of) if of == joint => {
+                let slope: Vec<f64> = trial
+                    .friction_ahead(joint, hypothesis.friction_lead_s[joint] + LEAD_STEP_S)
+                    .iter()
+                    .zip(&parts.friction)
+                    .map(|(after, before)| (before - after) / LEAD_STEP_S)
+                    .collect();
+                columns.push((place, rows(&at_samples(&slope))));
+            }
             _ => {}
         }
     }
     columns
 }
 
-/// Rows of the regressor, what is needed counted as negative.
+/// Step for a difference along the lead of friction [s].
+const LEAD_STEP_S: f64 = 2e-4;
+
+/// Rows of the regressor without weights, what is needed counted as negative.
 fn base_columns(evidence: &Evidence, s: usize, joint: usize, trial: &Trial) -> Columns {
     let regressor = trial.regressor_row(joint);
     let column = |k: usize| {
         let raw = || -> Vec<f64> { regressor.iter().map(|r| -r[k]).collect() };
-        base_counts(joint, k).then(|| evidence.weighted(s, joint, &raw()))
+        base_counts(joint, k).then(|| evidence.filter(joint, s).rows(&raw()))
     };
     (0..COUNT).map(column).collect()
 }

@@ -8,6 +8,14 @@ use crate::trial::hypothesis::Hypothesis;
 use model::Friction;
 use model::friction_parameters::COUNT as FRICTION_COUNT;
 
+/// Places of a joint's friction parameters.
+const COULOMB: usize = 0;
+const STRIBECK_LEVEL: usize = 1;
+const STRIBECK_VELOCITY: usize = 2;
+const VISCOUS: usize = 3;
+const STIFFNESS: usize = 4;
+const DAMPING: usize = 5;
+
 /// One open parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unknown {
@@ -22,6 +30,8 @@ pub enum Unknown {
     },
     /// The lag of a joint's command.
     Lag(usize),
+    /// By how much a joint's friction runs ahead of its velocity.
+    FrictionLead(usize),
     /// A parameter of an effect.
     Effect {
         /// Which effect.
@@ -68,27 +78,27 @@ pub fn expected(subject: &Subject, period_s: f64) -> Vec<Expected> {
             mean: 0.0,
             deviation: prior.lag_periods * period_s,
         });
+        all.push(Expected {
+            unknown: Unknown::FrictionLead(joint),
+            mean: 0.0,
+            deviation: prior.friction_lead_s,
+        });
     }
     all
 }
 
 fn friction_deviation(values: &[f64; FRICTION_COUNT], parameter: usize, subject: &Subject) -> f64 {
-    const COULOMB: usize = 0;
-    const STRIBECK_LEVEL: usize = 1;
-    const STRIBECK_VELOCITY: usize = 2;
-    const VISCOUS: usize = 3;
-    const STIFFNESS: usize = 4;
-    const DAMPING: usize = 5;
     let (prior, bristles_known) = (&subject.criteria.prior, subject.bristles_known);
     let own = prior.friction * values[parameter].abs();
+    let shape = prior.friction_shape * values[parameter].abs();
     let least = match parameter {
-        STRIBECK_LEVEL => prior.stribeck_level * values[COULOMB],
+        STRIBECK_LEVEL => prior.friction_shape_level * values[COULOMB],
         // Identification gives zero where it is small, and the truth may differ.
         VISCOUS => own.max(prior.viscous * values[COULOMB]),
-        STIFFNESS if !bristles_known => values[STIFFNESS],
+        STIFFNESS => shape,
         DAMPING if !bristles_known => prior.unknown_damping * values[STIFFNESS],
-        DAMPING => own.max(prior.damping * values[STIFFNESS]),
-        STRIBECK_VELOCITY => own.max(1e-6),
+        DAMPING => shape.max(prior.damping * values[STIFFNESS]),
+        STRIBECK_VELOCITY => shape.max(1e-6),
         _ => own,
     };
     prior.relative * values[parameter].abs() + least
@@ -126,6 +136,15 @@ fn base_scales(base: &BaseParameters<f64>) -> [f64; COUNT] {
 }
 
 impl Unknown {
+    /// Whether it shapes a joint's friction around standstill, of which little is known beforehand.
+    pub fn shapes_friction(self) -> bool {
+        match self {
+            Self::Friction { parameter, .. } => parameter != COULOMB && parameter != VISCOUS,
+            Self::FrictionLead(_) => true,
+            _ => false,
+        }
+    }
+
     /// Its value at a hypothesis.
     pub fn get(self, hypothesis: &Hypothesis) -> f64 {
         match self {
@@ -134,6 +153,7 @@ impl Unknown {
                 hypothesis.robot.friction[joint].to_array()[parameter]
             }
             Self::Lag(joint) => hypothesis.lag_s[joint],
+            Self::FrictionLead(joint) => hypothesis.friction_lead_s[joint],
             Self::Effect { index, value } => hypothesis.effects[index].values[value],
         }
     }
@@ -153,6 +173,7 @@ impl Unknown {
                 *friction = Friction::from_array(values);
             }
             Self::Lag(joint) => hypothesis.lag_s[joint] = to,
+            Self::FrictionLead(joint) => hypothesis.friction_lead_s[joint] = to,
             Self::Effect { index, value } => hypothesis.effects[index].values[value] = to,
         }
     }

@@ -10,7 +10,7 @@ use crate::criteria::Criteria;
 use files::{FileError, RobotFile};
 use recordings::Campaign;
 use recordings::campaign::Known;
-use rig::effects::{Catalogue, Definition, EffectError};
+use rig::effects::{Catalogue, Definition, EffectError, Table};
 
 /// The joint of the arm that takes the place of the only joint of a rig.
 const ONLY: usize = 2;
@@ -26,6 +26,8 @@ pub struct Subject {
     pub catalogue: Catalogue,
     /// Effects that the model as given holds already.
     pub known_effects: Vec<(&'static Definition, u8, Vec<f64>)>,
+    /// Tables that the model as given holds already.
+    pub known_tables: Vec<Table>,
     /// Joints of the rig, 0 to 2, as the arm counts them.
     pub joints: Vec<usize>,
     /// Number, 1 to 3, of each of these in files.
@@ -65,6 +67,7 @@ impl Subject {
             robot,
             catalogue: catalogue.clone(),
             known_effects: Vec::new(),
+            known_tables: Vec::new(),
             joints,
             one_joint,
             known: campaign.known.clone(),
@@ -74,6 +77,12 @@ impl Subject {
             criteria: criteria.clone(),
         };
         for table in &file.effects {
+            if Table::is_in(table) {
+                let known = Table::of(table)?;
+                let joint = subject.inner_joint(known.joint);
+                subject.known_tables.push(Table { joint, ..known });
+                continue;
+            }
             let (definition, values) = catalogue.definition_and_values(table)?;
             let joint = subject.inner_joint(table.joint);
             definition.with(joint, &values)?;

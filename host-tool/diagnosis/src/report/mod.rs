@@ -1,5 +1,8 @@
 //! The report, in figures and words.
 
+pub mod amended;
 pub mod assembly;
+pub mod causes;
+pub mod log_residuals;
 pub mod motion_gap;
 pub mod sentence;

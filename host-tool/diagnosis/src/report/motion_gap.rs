@@ -12,7 +12,7 @@ use crate::criteria::Criteria;
 use crate::logs::stretch::Stretch;
 use crate::rows::evidence::Evidence;
 use crate::trial::equation::Trial;
-use crate::trial::hypothesis::{EffectInstance, Hypothesis};
+use crate::trial::hypothesis::Hypothesis;
 use files::Role;
 use simulation::{Settings, SimulatedRobot};
 
@@ -61,7 +61,7 @@ fn drift(
     let start = range.start;
     let settings =
         Settings { sample_period_s: stretch.period_s, noise_v: 0.0, ..Settings::default() };
-    let effects = hypothesis.effects.iter().filter_map(EffectInstance::build).collect();
+    let effects = hypothesis.built_effects();
     let (q, qd, qdd) = trial.motor().state(start);
     let mut robot = SimulatedRobot::with_effects(hypothesis.robot, effects, q, &settings);
     let time_s = stretch.start_s + start as f64 * stretch.period_s;

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 /// What a person must know and can act on.
 pub fn sentence(diagnosis: &Diagnosis) -> String {
     match diagnosis.report.verdict {
-        Verdict::Effect => named(diagnosis),
+        Verdict::Effect | Verdict::Partial => named(diagnosis),
         Verdict::None => no_gap(diagnosis),
         Verdict::Unknown => unexplained(diagnosis),
     }
@@ -91,7 +91,7 @@ fn cause_words(catalogue: &Catalogue, cause: &Cause) -> String {
         "{}: {}, {parameters}, explains {:.0} % of the gap.",
         capitalised(&joint_words(cause.joint)),
         effect_words(&cause.effect),
-        100.0 * cause.shrinkage
+        100.0 * cause.share
     )
 }
 

@@ -1,8 +1,9 @@
 //! The logs as weighted rows, on which all models are compared.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use super::noise::{Noise, NoiseByRate};
+use super::misfit::Misfit;
 use super::row_filter::RowFilter;
 use crate::criteria::Criteria;
 use crate::logs::stretch::Stretch;
@@ -12,7 +13,7 @@ use files::Role;
 #[derive(Clone, Debug)]
 pub struct Evidence {
     /// The stretches, those of train logs first.
-    pub stretches: Vec<Stretch>,
+    pub stretches: Arc<[Stretch]>,
     /// Joints of the rig, 0 to 2.
     pub joints: Vec<usize>,
     /// Filter of a joint's rows in a stretch, by joint.
@@ -25,15 +26,17 @@ pub struct Evidence {
     train: usize,
     /// The thresholds by which models are compared.
     pub criteria: Criteria,
-    /// Rows of the regressor along the measured motion, by stretch and joint, once asked for.
-    regressors: Vec<[OnceLock<Columns>; 3]>,
+    /// Rows of the regressor along the measured motion, by stretch and joint, once asked for [V per
+    /// unit of the base parameter].
+    regressors: Arc<[[OnceLock<Columns>; 3]]>,
+    /// Weight of every row of a stretch, by joint [1/V]; 0 before the joint's friction is settled.
+    weights: [Vec<Vec<f64>>; 3],
 }
 
 /// Columns of a joint's rows, one per base parameter; none where the joint does not depend on it.
 pub type Columns = Vec<Option<Vec<f64>>>;
 
-/// Rows of the arm's three joints, each in units of its noise. A joint that the rig lacks has no
-/// row.
+/// Rows of the arm's three joints, weighted or in volts. A joint that the rig lacks has no row.
 pub type Rows = [Vec<f64>; 3];
 
 /// Change of the rows of each joint, those held out last or not at all; none where a joint's rows
@@ -79,25 +82,80 @@ impl Evidence {
         });
         let regressors = stretches.iter().map(|_| Default::default()).collect();
         let criteria = criteria.clone();
-        Self { stretches, joints, filters, floors_v, steps_v, train, criteria, regressors }
+        let stretches = stretches.into();
+        let weights = Default::default();
+        let mut evidence =
+            Self { stretches, joints, filters, floors_v, steps_v, train, criteria, regressors, weights };
+        evidence.weights = [0, 1, 2].map(|joint| evidence.weights_of_noise(joint));
+        evidence
     }
 
-    /// The regressor's rows of a joint along the measured motion; made by `make` at first.
+    /// Weights as if what is left were noise alone.
+    fn weights_of_noise(&self, joint: usize) -> Vec<Vec<f64>> {
+        let of_stretch = |s: usize| {
+            let floor_v = self.floors_v[joint][s];
+            self.settled(joint, s).into_iter().map(|yes| if yes { 1.0 / floor_v } else { 0.0 }).collect()
+        };
+        (0..self.stretches.len()).map(of_stretch).collect()
+    }
+
+    /// Which of a joint's rows in a stretch come after its friction is settled.
+    fn settled(&self, joint: usize, s: usize) -> Vec<bool> {
+        let stretch = &self.stretches[s];
+        let instants = self.filters[joint][s].instants(stretch.len());
+        instants.map(|instant| instant >= stretch.settled[joint]).collect()
+    }
+
+    /// The same rows with train rows weighted by a misfit; what is held out keeps its weights.
+    pub fn reweighted(&self, misfit: &Misfit) -> Self {
+        let mut evidence = self.clone();
+        for &joint in &self.joints {
+            for s in 0..self.train {
+                let settled = self.settled(joint, s);
+                let weights = misfit.weights(joint, s).zip(settled);
+                evidence.weights[joint][s] =
+                    weights.map(|(weight, yes)| if yes { weight } else { 0.0 }).collect();
+            }
+        }
+        evidence
+    }
+
+    /// The regressor's rows of a joint along the measured motion, without weights; made by `make`
+    /// at first.
     pub fn regressor(&self, s: usize, joint: usize, make: impl FnOnce() -> Columns) -> &Columns {
         self.regressors[s][joint].get_or_init(make)
     }
 
-    /// A signal of a stretch as rows in units of the noise. Rows before the joint's friction is
-    /// settled have no weight: they are zero, and add to no sum.
+    /// A signal of a stretch as weighted rows. Rows before the joint's friction is settled have no
+    /// weight: they are zero, and add to no sum.
     pub fn weighted(&self, s: usize, joint: usize, signal: &[f64]) -> Vec<f64> {
-        let stretch = &self.stretches[s];
-        let filter = &self.filters[joint][s];
-        let unit = 1.0 / self.floors_v[joint][s];
-        let mut rows = filter.rows(signal);
-        for (row, instant) in rows.iter_mut().zip(filter.instants(signal.len())) {
-            *row *= if instant < stretch.settled[joint] { 0.0 } else { unit };
-        }
+        let mut rows = self.filters[joint][s].rows(signal);
+        self.weigh(s, joint, &mut rows);
         rows
+    }
+
+    /// Gives rows of a stretch their weights.
+    pub fn weigh(&self, s: usize, joint: usize, rows: &mut [f64]) {
+        rows.iter_mut().zip(&self.weights[joint][s]).for_each(|(row, weight)| *row *= weight);
+    }
+
+    /// Weights of all rows of a joint [1/V].
+    pub fn weights(&self, joint: usize) -> impl Iterator<Item = f64> {
+        self.weights[joint].iter().flatten().copied()
+    }
+
+    /// Weighted rows of all joints in volts; those without weight are zero.
+    pub fn volts(&self, rows: &Rows) -> Rows {
+        let in_volts = |joint: usize| {
+            let both = rows[joint].iter().zip(self.weights(joint));
+            both.map(|(row, weight)| if weight > 0.0 { row / weight } else { 0.0 }).collect()
+        };
+        [0, 1, 2].map(in_volts)
+    }
+
+    /// How many rows of a joint in a stretch have weight.
+    pub fn used_rows(&self, joint: usize, s: usize) -> usize {
+        self.weights[joint][s].iter().filter(|weight| **weight > 0.0).count()
     }
 
     /// Filter of a joint's rows in a stretch.
@@ -120,13 +178,6 @@ impl Evidence {
         self.filters[joint][s].row_count(self.stretches[s].len())
     }
 
-    /// The first of a joint's rows in a stretch that has weight.
-    pub fn first_settled_row(&self, joint: usize, s: usize) -> usize {
-        let stretch = &self.stretches[s];
-        let instants = self.filters[joint][s].instants(stretch.len());
-        instants.take_while(|&instant| instant < stretch.settled[joint]).count()
-    }
-
     /// Where a joint's rows of each stretch lie among all of its rows.
     pub fn ranges(&self, joint: usize) -> Vec<std::ops::Range<usize>> {
         let mut begin = 0;
@@ -135,6 +186,17 @@ impl Evidence {
             std::mem::replace(&mut begin, end)..end
         };
         (0..self.stretches.len()).map(range).collect()
+    }
+
+    /// Which fold each of a joint's train rows belongs to: pieces of logs, taken in turn.
+    pub fn folds(&self, joint: usize) -> Vec<usize> {
+        let (folds, piece_s) = (self.criteria.selection.folds, self.criteria.selection.piece_s);
+        let of_stretch = |s: usize| {
+            let row_period_s = self.filters[joint][s].row_period_s();
+            let fold = move |k: usize| (s + (k as f64 * row_period_s / piece_s) as usize) % folds;
+            (0..self.row_count(joint, s)).map(fold)
+        };
+        (0..self.train).flat_map(of_stretch).collect()
     }
 
     /// Rows of a joint that belong to train logs; they come first.

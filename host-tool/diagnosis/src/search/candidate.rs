@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::fit::linearisation::{Linearisation, Score, Which};
+use crate::fit::linearisation::{Linearisation, Which};
 use crate::fit::slopes::step_of;
 use crate::rows::evidence::{Evidence, RowChange};
 use crate::trial::hypothesis::EffectInstance;
@@ -17,15 +17,6 @@ pub struct Candidate {
     pub train: f64,
 }
 
-/// An effect with its best values, judged on the rows held out too.
-#[derive(Clone, Debug)]
-pub struct ScoredCandidate {
-    /// The effect.
-    pub effect: EffectInstance,
-    /// The score with it, everything open refitted.
-    pub score: Score,
-}
-
 impl Candidate {
     /// A candidate with the values as they are.
     pub fn of(
@@ -35,16 +26,8 @@ impl Candidate {
     ) -> (Self, RowChange) {
         effect.normalise();
         let change = linear.change_by(evidence, &effect, Which::TRAIN);
-        let train = linear.train_score_of(&change);
+        let train = linear.objective_with(&change);
         (Self { effect, train }, change)
-    }
-
-    /// The candidate judged on all rows.
-    pub fn scored(self, linear: &Linearisation, evidence: &Evidence) -> ScoredCandidate {
-        let mut effect = self.effect;
-        effect.normalise();
-        let score = linear.score_of(&linear.change_by(evidence, &effect, Which::ALL));
-        ScoredCandidate { effect, score }
     }
 
     /// Searches from the candidate's values: Levenberg-Marquardt, everything open in the

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::candidate::{Candidate, ScoredCandidate};
+use super::candidate::Candidate;
 use super::harmonics;
 use crate::fit::linearisation::{Linearisation, Which};
 use crate::logs::subject::Subject;
@@ -17,7 +17,7 @@ pub fn candidates(
     linear: &Linearisation,
     evidence: &Evidence,
     subject: &Subject,
-) -> Vec<ScoredCandidate> {
+) -> Vec<Candidate> {
     let starts: Vec<Vec<Start>> = places_open(subject, &linear.hypothesis.effects)
         .par_iter()
         .map(|&(definition, joint)| starts(linear, evidence, subject, definition, joint))
@@ -25,12 +25,12 @@ pub fn candidates(
     let promised = starts.iter().flatten().map(|start| start.gain).fold(0.0, f64::max);
     let effort = &evidence.criteria.search;
     let least =
-        (effort.least_of_best_gain * promised).max(effort.least_gain * linear.score().train);
-    let mut found: Vec<ScoredCandidate> = starts
+        (effort.least_of_best_gain * promised).max(effort.least_gain * linear.refitted_objective());
+    let mut found: Vec<Candidate> = starts
         .into_par_iter()
         .filter_map(|starts| searched(linear, evidence, starts, least))
         .collect();
-    found.sort_by(|a, b| a.score.total().total_cmp(&b.score.total()));
+    found.sort_by(|a, b| a.train.total_cmp(&b.train));
     found
 }
 
@@ -111,7 +111,7 @@ fn searched(
     evidence: &Evidence,
     starts: Vec<Start>,
     least: f64,
-) -> Option<ScoredCandidate> {
+) -> Option<Candidate> {
     let effort = &evidence.criteria.search;
     starts
         .into_iter()
@@ -124,9 +124,8 @@ fn searched(
         .min_by(|a, b| a.train.total_cmp(&b.train))
         .filter(|best| {
             !best.effect.has_backlash()
-                || best.train < effort.left_by_backlash * linear.score().train
+                || best.train < effort.left_by_backlash * linear.refitted_objective()
         })
-        .map(|best| best.scored(linear, evidence))
 }
 
 /// What is typical of a joint (1 to 3, or 0 for the whole robot) in these logs.

@@ -2,64 +2,61 @@
 
 use rayon::prelude::*;
 
-use super::candidate::{Candidate, ScoredCandidate};
+use super::candidate::Candidate;
 use super::candidates::{Start, candidates, places_open, starts};
-use super::fitted_model::FittedModel;
-use super::policy::{is_accepted, is_physical};
-use crate::fit::gauss_newton::fit;
+use super::policy::{gain, is_accepted, is_physical};
+use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
-use crate::fit::residual_stats::ResidualStats;
 use crate::logs::subject::Subject;
-use crate::rows::evidence::Evidence;
-use crate::trial::hypothesis::EffectInstance;
+use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use rig::effects::Definition;
 
 /// A candidate that is refitted with everything else.
+#[derive(Clone)]
 pub struct Finalist {
     /// The effect with its values after that.
     pub effect: EffectInstance,
     /// The model with it.
     pub model: FittedModel,
+    /// Log-likelihood that the model gains by it.
+    pub gain: f64,
 }
 
 /// The finalists, the best first: of candidates that promise most, and where none of them keeps
-/// its promise and is accepted, of those that promise less.
-pub fn finalists(
-    evidence: &Evidence,
-    subject: &Subject,
-    now: &Linearisation,
-    before: &ResidualStats,
-) -> Vec<Finalist> {
-    let total = now.score().total();
-    let mut promising = candidates(now, evidence, subject);
-    promising.retain(|candidate| candidate.score.total() < total);
+/// its promise and is accepted, of those that promise less. `now` is the model before them,
+/// linearised where effects are searched from.
+pub fn finalists(subject: &Subject, before: &FittedModel, now: &Linearisation) -> Vec<Finalist> {
+    let policy = &subject.criteria.selection;
+    let mut promising = candidates(now, &before.evidence, subject);
+    let without = now.refitted_objective();
+    promising.retain(|candidate| candidate.train < without);
     let mut finalists = Vec::new();
     let one_is_accepted = |finalists: &[Finalist]| {
-        finalists.iter().any(|finalist| is_accepted(before, &finalist.model, &evidence.criteria))
+        finalists.iter().any(|finalist| is_accepted(before, &finalist.model, &subject.criteria))
     };
-    for _ in 0..evidence.criteria.selection.batches {
-        let batch = next_batch(&mut promising, total, evidence);
-        finalists.extend(refitted(evidence, subject, now, batch));
+    for _ in 0..policy.batches {
+        let batch = next_batch(&mut promising, without, subject);
+        finalists.extend(refitted(subject, before, now, batch));
         if promising.is_empty() || one_is_accepted(&finalists) {
             break;
         }
     }
     if !one_is_accepted(&finalists) {
-        let batch = overlooked(evidence, subject, now, &finalists);
-        finalists.extend(refitted(evidence, subject, now, batch));
+        let batch = overlooked(subject, before, now, &finalists);
+        finalists.extend(refitted(subject, before, now, batch));
     }
-    finalists.sort_by(|a, b| a.model.total().total_cmp(&b.model.total()));
+    finalists.sort_by(|a, b| b.gain.total_cmp(&a.gain));
     finalists
 }
 
 /// Effects that were not searched because others promised more than they kept.
 fn overlooked(
-    evidence: &Evidence,
     subject: &Subject,
+    before: &FittedModel,
     now: &Linearisation,
     tried: &[Finalist],
-) -> Vec<ScoredCandidate> {
-    let effort = &evidence.criteria.search;
+) -> Vec<Candidate> {
+    let (evidence, effort) = (&before.evidence, &subject.criteria.search);
     let is_new = |place: &(&'static Definition, u8)| {
         let same =
             |f: &Finalist| (f.effect.definition.name, f.effect.joint) == (place.0.name, place.1);
@@ -74,40 +71,40 @@ fn overlooked(
     promising.sort_by(|a, b| b.gain.total_cmp(&a.gain));
     promising.truncate(effort.overlooked);
     let searched = |start: Start| {
-        let begin = Candidate::of(now, evidence, start.effect).0;
-        begin.refined(now, evidence, effort.overlooked_steps).scored(now, evidence)
+        Candidate::of(now, evidence, start.effect).0.refined(now, evidence, effort.overlooked_steps)
     };
-    let mut found: Vec<ScoredCandidate> = promising.into_par_iter().map(searched).collect();
-    found.sort_by(|a, b| a.score.total().total_cmp(&b.score.total()));
-    found.truncate(evidence.criteria.selection.finalists);
+    let mut found: Vec<Candidate> = promising.into_par_iter().map(searched).collect();
+    found.sort_by(|a, b| a.train.total_cmp(&b.train));
+    found.truncate(subject.criteria.selection.finalists);
     found
 }
 
 /// Takes the best of those that are left, and those that promise nearly as much.
-fn next_batch(
-    promising: &mut Vec<ScoredCandidate>,
-    total: f64,
-    evidence: &Evidence,
-) -> Vec<ScoredCandidate> {
-    let policy = &evidence.criteria.selection;
-    let gain = |candidate: &ScoredCandidate| total - candidate.score.total();
+fn next_batch(promising: &mut Vec<Candidate>, without: f64, subject: &Subject) -> Vec<Candidate> {
+    let policy = &subject.criteria.selection;
+    let gain = |candidate: &Candidate| without - candidate.train;
     let least = policy.finalist_gain * promising.first().map_or(0.0, gain);
     let alike = promising.iter().take_while(|candidate| gain(candidate) > least).count();
     promising.drain(..alike.clamp(1, policy.finalists).min(promising.len())).collect()
 }
 
+/// The candidates of a batch in the model before them, refitted.
 fn refitted(
-    evidence: &Evidence,
     subject: &Subject,
+    before: &FittedModel,
     now: &Linearisation,
-    batch: Vec<ScoredCandidate>,
+    batch: Vec<Candidate>,
 ) -> Vec<Finalist> {
-    let refit = |candidate: ScoredCandidate| {
-        let start = now.hypothesis.with(candidate.effect);
-        let steps = evidence.criteria.selection.finalist_steps;
-        let model = FittedModel::of(evidence, fit(evidence, subject, start, steps)?);
-        let effect = model.linear.hypothesis.effects.last()?.clone();
-        is_physical(&effect, subject, evidence).then_some(Finalist { effect, model })
-    };
+    let refit =
+        |candidate: Candidate| finalist(subject, before, now.hypothesis.with(candidate.effect));
     batch.into_par_iter().filter_map(refit).collect()
+}
+
+/// A model whose last effect is new, refitted; none where that is not physical.
+fn finalist(subject: &Subject, before: &FittedModel, start: Hypothesis) -> Option<Finalist> {
+    let steps = subject.criteria.selection.finalist_steps;
+    let model = FittedModel::fitted_with_slopes(&before.evidence, subject, start, steps)?;
+    let effect = model.linear.hypothesis.effects.last()?.clone();
+    let gain = gain(before, &model);
+    is_physical(&effect, subject, &model.evidence).then_some(Finalist { effect, model, gain })
 }

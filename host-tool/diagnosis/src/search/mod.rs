@@ -3,7 +3,6 @@
 pub mod candidate;
 pub mod candidates;
 pub mod finalists;
-pub mod fitted_model;
 pub mod harmonics;
 pub mod policy;
 pub mod restart;

@@ -1,12 +1,14 @@
 //! When an effect is added to the model, and when the search ends: conditions on what models
 //! leave, and nothing that is computed.
 
-use super::fitted_model::FittedModel;
 use crate::criteria::Criteria;
+use crate::fit::excess::excess_v2;
+use crate::fit::fitted_model::FittedModel;
 use crate::fit::residual_stats::ResidualStats;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
 use crate::trial::hypothesis::EffectInstance;
+use files::Role;
 
 /// Whether nothing is left that asks for another effect: nothing at all, or so little of the
 /// gap that it may be the method's own, for effects that are not linear are not removed to the
@@ -19,18 +21,22 @@ pub fn is_done(gap: &ResidualStats, left: &ResidualStats, criteria: &Criteria) -
     left.is_clean(fit) || nearly
 }
 
-/// Whether the last effect of a model is accepted. A spring rings, and that shows in the rows;
-/// where those are noise alone, it could only smooth what a coarse encoder reads.
-pub fn is_accepted(before: &ResidualStats, after: &FittedModel, criteria: &Criteria) -> bool {
-    (before.excess > 0.0 || !after.ends_with_spring()) && improves(before, &after.stats, criteria)
+/// Whether a model with an effect more is accepted: it explains what was left out better, and
+/// neither by implausible parameters nor by taking noise for motion. A spring rings, and that shows
+/// in the rows; where those are noise alone, it could only smooth what a coarse encoder reads.
+pub fn is_accepted(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
+    let (from, to) = (&before.stats, &after.stats);
+    (from.excess > 0.0 || !after.ends_with_spring())
+        && !makes_implausible(from, to, criteria)
+        && !takes_noise_for_motion(from, to, criteria)
+        && (reduces_excess(before, after, criteria) || restores_prior(from, to, criteria))
+        && gain(before, after) > criteria.selection.least_log_likelihood
 }
 
-/// Whether a model with an effect more explains the logs better, and neither by implausible
-/// parameters nor by taking noise for motion.
-pub fn improves(before: &ResidualStats, after: &ResidualStats, criteria: &Criteria) -> bool {
-    !makes_implausible(before, after, criteria)
-        && !takes_noise_for_motion(before, after, criteria)
-        && (reduces_excess(before, after, criteria) || restores_prior(before, after, criteria))
+/// Log-likelihood that a model gains over another, rows as independent as what that one leaves.
+pub fn gain(before: &FittedModel, after: &FittedModel) -> f64 {
+    let misfit = before.misfit();
+    after.log_likelihood(&misfit) - before.log_likelihood(&misfit)
 }
 
 /// An effect that takes away every command, a wide dead zone say, "explains" any motion once the
@@ -51,24 +57,19 @@ fn takes_noise_for_motion(
         && before.over_encoder_noise < policy.near_encoder_noise
 }
 
-fn reduces_excess(before: &ResidualStats, after: &ResidualStats, criteria: &Criteria) -> bool {
-    let policy = &criteria.selection;
-    let squares_left = 1.0 - policy.least_of_squares;
-    before.excess > 0.0
-        && after.excess < (1.0 - policy.least_of_excess) * before.excess
-        && after.squares < squares_left * before.squares
-        && after.held_out_squares < squares_left * before.held_out_squares
+/// Whether a good part of what is left goes, on some joint.
+fn reduces_excess(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
+    let least = criteria.selection.least_of_excess;
+    let of_joints = |model: &FittedModel| excess_v2(&model.evidence, &model.left_out_v, Role::Train);
+    let (from, to) = (of_joints(before), of_joints(after));
+    from.iter().zip(&to).any(|(from, to)| *from > 0.0 && *to < (1.0 - least) * from)
 }
 
-/// Whether the effect brings parameters back to what is known of them. That may cost squares:
-/// the refit had absorbed part of the effect, and noise with it.
+/// Whether the effect brings parameters back to what is known of them.
 fn restores_prior(before: &ResidualStats, after: &ResidualStats, criteria: &Criteria) -> bool {
-    let policy = &criteria.selection;
-    let least = (policy.least_of_prior_penalty * before.prior_penalty)
+    let least = (criteria.selection.least_of_prior_penalty * before.prior_penalty)
         .max(criteria.fit.unexplained_prior_penalty);
     before.prior_penalty - after.prior_penalty > least
-        && after.squares < policy.most_squares_for_prior * before.squares
-        && after.held_out_squares < policy.most_held_out_for_prior * before.held_out_squares
 }
 
 /// Whether a spring leaves its motor some inertia, without which it would only smooth what the

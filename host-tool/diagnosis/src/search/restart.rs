@@ -6,24 +6,21 @@
 use rayon::prelude::*;
 
 use super::candidate::Candidate;
-use super::fitted_model::FittedModel;
-use crate::fit::gauss_newton::{fit, open_in};
+use super::policy::gain;
+use crate::fit::fitted_model::FittedModel;
+use crate::fit::gauss_newton::open_in;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
-use crate::rows::evidence::Evidence;
 use crate::trial::hypothesis::EffectInstance;
 
 /// Factors of gap, stiffness, damping and the motor's inertia to restart with.
 const RESTARTS: [[f64; 4]; 4] =
     [[1.15, 1.5, 1.0, 1.0], [0.87, 0.67, 1.0, 1.0], [1.0, 1.0, 0.7, 1.05], [1.1, 1.2, 0.7, 0.95]];
+
 /// A model whose last effect, backlash, fits better than before; `None` where it is good, or
 /// where nothing better is near.
-pub fn restarted(
-    evidence: &Evidence,
-    subject: &Subject,
-    step: &FittedModel,
-) -> Option<FittedModel> {
-    let effort = &evidence.criteria.search;
+pub fn restarted(subject: &Subject, step: &FittedModel) -> Option<FittedModel> {
+    let (effort, evidence) = (&subject.criteria.search, &step.evidence);
     let backlash = step.linear.hypothesis.effects.last().filter(|effect| effect.has_backlash())?;
     if step.stats.worst() < effort.good_ratio {
         return None;
@@ -45,7 +42,7 @@ pub fn restarted(
         .min_by(|a, b| a.train.total_cmp(&b.train))
         .filter(|best| best.train < (1.0 - effort.least_restart_gain) * here.train)?;
     let hypothesis = without.hypothesis.with(best.effect);
-    let steps = evidence.criteria.selection.accepted_spring_steps;
-    let better = FittedModel::of(evidence, fit(evidence, subject, hypothesis, steps)?);
-    (better.linear.objective < step.linear.objective).then_some(better)
+    let steps = subject.criteria.selection.accepted_spring_steps;
+    let better = FittedModel::fitted(evidence, subject, hypothesis, steps)?;
+    (gain(step, &better) > 0.0).then_some(better)
 }

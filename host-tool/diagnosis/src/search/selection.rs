@@ -1,156 +1,190 @@
 //! The search: effects are added to the model one after the other, each the best of all, as long
-//! as the policy accepts one.
+//! as the policy accepts one; then each is tried without, and against its rivals.
 
-use super::finalists::finalists;
-use super::fitted_model::FittedModel;
-use super::policy::{improves, is_accepted, is_done, is_physical};
+use rayon::prelude::*;
+
+use super::finalists::{Finalist, finalists};
+use super::policy::{gain, is_accepted, is_done, is_physical};
 use super::restart::restarted;
-use crate::fit::gauss_newton::fit;
+use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::fit::preparation::as_given;
-use crate::fit::residual_stats::ResidualStats;
 use crate::logs::subject::Subject;
-use crate::rows::evidence::Evidence;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 
-/// The models of the search, and what was rejected.
+/// What the search ends with.
 pub struct Selection {
     /// The refitted model.
     pub refitted: FittedModel,
-    /// The same with one effect more each.
-    pub added: Vec<FittedModel>,
-    /// Candidates that were not added, round after round, the best first.
-    pub rejected: Vec<RejectedCandidate>,
+    /// The model with all effects that were added.
+    pub last: FittedModel,
+    /// The added effects, in the order of the last model's.
+    pub added: Vec<Added>,
+    /// Candidates that were not accepted at the end, the best first.
+    pub refused: Vec<Rival>,
+}
+
+/// An effect that was added.
+#[derive(Clone)]
+pub struct Added {
+    /// Log-likelihood that the last model loses without it.
+    pub gain: f64,
+    /// What else was tried in its place, the best first.
+    pub rivals: Vec<Rival>,
 }
 
 /// A candidate that was not added.
-#[derive(Clone, Debug)]
-pub struct RejectedCandidate {
-    /// The round in which it competed, from 0: for the place of `added[round]`, where that is there.
-    pub round: usize,
+#[derive(Clone)]
+pub struct Rival {
     /// The effect, refitted with everything else.
     pub effect: EffectInstance,
-    /// What the model leaves with it.
-    pub stats: ResidualStats,
+    /// Log-likelihood by which the model with it is worse than the one with the effect in its
+    /// place, or better than the last one where it was refused.
+    pub gain: f64,
+    /// The model with it.
+    pub model: FittedModel,
 }
 
 /// Adds effects to a refitted model; `progress` hears what is tried.
-pub fn select(
-    evidence: &Evidence,
-    subject: &Subject,
-    refitted: Linearisation,
-    progress: &dyn Fn(&str),
-) -> Selection {
-    let refitted = FittedModel::of(evidence, refitted);
-    let mut selection = Selection { refitted, added: Vec::new(), rejected: Vec::new() };
-    for round in 0..evidence.criteria.selection.most_effects {
+pub fn select(subject: &Subject, refitted: FittedModel, progress: &dyn Fn(&str)) -> Selection {
+    let mut search = Search { subject, last: refitted.clone(), rivals: Vec::new() };
+    let mut refused = Vec::new();
+    for round in 0..subject.criteria.selection.most_effects {
         progress(&format!("trying every effect on every joint, round {}", round + 1));
-        let (gap, left) = (&selection.refitted.stats, &selection.last().stats);
-        if is_done(gap, left, &evidence.criteria) {
+        if is_done(&refitted.stats, &search.last.stats, &subject.criteria) {
             break;
         }
-        match selection.best_addition(evidence, subject, round) {
-            Some(model) => selection.added.push(model),
-            None => break,
+        refused = search.round();
+        if !refused.is_empty() {
+            break;
         }
     }
-    progress("leaving out what is not needed");
-    selection.pruned(evidence, subject)
+    progress("comparing each cause with its rivals");
+    search.prune();
+    let added = search.compared();
+    let refused = refused.into_iter().map(Rival::of).collect();
+    Selection { refitted, last: search.last, added, refused }
 }
 
-impl Selection {
-    /// The model with all effects that were added.
-    pub fn last(&self) -> &FittedModel {
-        self.added.last().unwrap_or(&self.refitted)
-    }
+/// The model so far, and what was tried in each round.
+struct Search<'a> {
+    subject: &'a Subject,
+    last: FittedModel,
+    /// Finalists that lost against each of the effects added.
+    rivals: Vec<Vec<Finalist>>,
+}
 
-    /// The model to which a round of the search, counted from 0, adds.
-    pub fn before(&self, round: usize) -> &FittedModel {
-        self.added[..round.min(self.added.len())].last().unwrap_or(&self.refitted)
-    }
-
-    /// The last model with the best effect that is accepted; the other finalists are rejected.
-    fn best_addition(
-        &mut self,
-        evidence: &Evidence,
-        subject: &Subject,
-        round: usize,
-    ) -> Option<FittedModel> {
-        let before = self.last().stats.clone();
-        let accepted = |model: &FittedModel| is_accepted(&before, model, &evidence.criteria);
-        let start = with_given_parameters(evidence, subject, &self.last().linear)?;
-        let mut finalists = finalists(evidence, subject, &start, &before);
-        let best = finalists.iter().position(|finalist| accepted(&finalist.model));
-        let best = best.map(|place| finalists.remove(place));
-        self.rejected.extend(finalists.into_iter().map(|finalist| RejectedCandidate {
-            round,
-            effect: finalist.effect,
-            stats: finalist.model.stats,
-        }));
-        let finished = finished(evidence, subject, best?.model);
-        // The further fit may yet do worse on the rows held out, or leave what is physical.
+impl Search<'_> {
+    /// Adds the best effect that is accepted. Where there is none, what was refused.
+    fn round(&mut self) -> Vec<Finalist> {
+        let Some(start) = with_given_parameters(self.subject, &self.last) else {
+            return Vec::new();
+        };
+        let mut finalists = finalists(self.subject, &self.last, &start);
+        let accepted = |model: &FittedModel| is_accepted(&self.last, model, &self.subject.criteria);
+        let Some(place) = finalists.iter().position(|finalist| accepted(&finalist.model)) else {
+            return finalists;
+        };
+        let best = finalists.remove(place);
+        let finished = finished(self.subject, best.model.clone());
+        // The further fit may yet leave what is physical.
         let effects = &finished.linear.hypothesis.effects;
-        let physical = effects.iter().all(|effect| is_physical(effect, subject, evidence));
-        (physical && accepted(&finished)).then_some(finished)
+        let physical =
+            effects.iter().all(|effect| is_physical(effect, self.subject, &finished.evidence));
+        if !physical || !accepted(&finished) {
+            finalists.insert(0, best);
+            return finalists;
+        }
+        self.last = finished;
+        self.rivals.push(finalists);
+        Vec::new()
     }
 
-    /// Without effects that others, added later, make needless: an offset goes once the spring
+    /// Takes out effects that others, added later, make needless: an offset goes once the spring
     /// is found that it stood for.
-    fn pruned(mut self, evidence: &Evidence, subject: &Subject) -> Self {
-        let known = subject.known_effects.len();
+    fn prune(&mut self) {
+        let known = self.subject.known_effects.len();
         let mut index = 0;
-        while index + 1 < self.added.len() {
-            let mut hypothesis = self.last().linear.hypothesis.clone();
-            hypothesis.effects.remove(known + index);
-            match fitted(evidence, subject, hypothesis) {
-                Some(without)
-                    if !improves(&without.stats, &self.last().stats, &evidence.criteria) =>
-                {
-                    self.leave_out(evidence, subject, index, without);
+        while self.rivals.len() > 1 && index < self.rivals.len() {
+            match self.without(known + index) {
+                Some(without) if !is_accepted(&without, &self.last, &self.subject.criteria) => {
+                    self.last = without;
+                    self.rivals.remove(index);
                 }
                 _ => index += 1,
             }
         }
-        self
     }
 
-    /// Takes an effect out of all models after it; `last` is the last of them.
-    fn leave_out(
-        &mut self,
-        evidence: &Evidence,
-        subject: &Subject,
-        index: usize,
-        last: FittedModel,
-    ) {
-        let known = subject.known_effects.len();
-        self.added.truncate(index);
-        for count in known + index + 1..last.linear.hypothesis.effects.len() {
-            let mut hypothesis = last.linear.hypothesis.clone();
-            hypothesis.effects.truncate(count);
-            self.added.extend(fitted(evidence, subject, hypothesis));
+    /// The model without one of its effects, refitted.
+    fn without(&self, index: usize) -> Option<FittedModel> {
+        let mut hypothesis = self.last.linear.hypothesis.clone();
+        hypothesis.effects.remove(index);
+        self.fitted(hypothesis)
+    }
+
+    fn fitted(&self, hypothesis: Hypothesis) -> Option<FittedModel> {
+        let steps = self.subject.criteria.selection.accepted_steps;
+        FittedModel::fitted_with_slopes(&self.last.evidence, self.subject, hypothesis, steps)
+    }
+
+    /// What each effect gains, and what its rivals would in its place; a rival that does better
+    /// takes it.
+    fn compared(&mut self) -> Vec<Added> {
+        let known = self.subject.known_effects.len();
+        let mut added = Vec::new();
+        for index in 0..self.rivals.len() {
+            let mut rivals = self.rivals_of(index);
+            if rivals.first().is_some_and(|rival| rival.gain > 0.0) {
+                let better = rivals[0].model.clone();
+                let loser = self.last.linear.hypothesis.effects[known + index].clone();
+                let model = std::mem::replace(&mut self.last, better);
+                rivals[0] = Rival { effect: loser, gain: 0.0, model };
+                let last = &self.last;
+                rivals.iter_mut().for_each(|rival| rival.gain = gain(last, &rival.model));
+            }
+            let without = self.without(known + index);
+            let gain = without.map_or(0.0, |without| gain(&without, &self.last));
+            added.push(Added { gain, rivals });
         }
-        self.added.push(last);
-        self.rejected.retain(|rejected| rejected.round != index);
-        for rejected in self.rejected.iter_mut().filter(|rejected| rejected.round > index) {
-            rejected.round -= 1;
-        }
+        added
+    }
+
+    /// Finalists of a round in the place of the effect that was added, the best first.
+    fn rivals_of(&self, index: usize) -> Vec<Rival> {
+        let known = self.subject.known_effects.len();
+        let tried = self.rivals[index].iter().take(self.subject.criteria.selection.rivals);
+        let in_place = |finalist: &Finalist| {
+            let mut hypothesis = self.last.linear.hypothesis.clone();
+            hypothesis.effects[known + index] = finalist.effect.clone();
+            let model = self.fitted(hypothesis)?;
+            let effect = model.linear.hypothesis.effects[known + index].clone();
+            let gain = gain(&self.last, &model);
+            is_physical(&effect, self.subject, &model.evidence)
+                .then_some(Rival { effect, gain, model })
+        };
+        let tried: Vec<&Finalist> = tried.collect();
+        let mut rivals: Vec<Rival> = tried.into_par_iter().filter_map(in_place).collect();
+        rivals.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+        rivals
     }
 }
 
-fn fitted(evidence: &Evidence, subject: &Subject, start: Hypothesis) -> Option<FittedModel> {
-    let linear = fit(evidence, subject, start, evidence.criteria.selection.accepted_steps)?;
-    Some(FittedModel::of(evidence, linear))
+impl Rival {
+    fn of(finalist: Finalist) -> Self {
+        Self { effect: finalist.effect, gain: finalist.gain, model: finalist.model }
+    }
 }
 
 /// A model whose fit is carried on to its end.
-fn finished(evidence: &Evidence, subject: &Subject, model: FittedModel) -> FittedModel {
-    let policy = &evidence.criteria.selection;
+fn finished(subject: &Subject, model: FittedModel) -> FittedModel {
+    let policy = &subject.criteria.selection;
     let spring = model.ends_with_spring();
     let steps = if spring { policy.accepted_spring_steps } else { policy.accepted_steps };
-    let fitted = fit(evidence, subject, model.linear.hypothesis.clone(), steps);
-    let mut best = fitted.map_or(model, |linear| FittedModel::of(evidence, linear));
-    for _ in 0..evidence.criteria.search.restarts {
-        match restarted(evidence, subject, &best) {
+    let hypothesis = model.linear.hypothesis.clone();
+    let mut best = FittedModel::fitted(&model.evidence, subject, hypothesis, steps).unwrap_or(model);
+    for _ in 0..subject.criteria.search.restarts {
+        match restarted(subject, &best) {
             Some(better) => best = better,
             None => break,
         }
@@ -159,13 +193,14 @@ fn finished(evidence: &Evidence, subject: &Subject, model: FittedModel) -> Fitte
 }
 
 /// The effects of a refitted model in the model as given. Effects are searched for from there,
-/// because the refit absorbs part of an effect that is missing.
-fn with_given_parameters(
-    evidence: &Evidence,
-    subject: &Subject,
-    refitted: &Linearisation,
-) -> Option<Linearisation> {
-    let effects = refitted.hypothesis.effects.clone();
-    let hypothesis = Hypothesis { effects, ..as_given(subject) };
-    Linearisation::of(evidence, hypothesis, refitted.expected.clone())
+/// because the refit absorbs part of an effect that is missing; what shapes friction around
+/// standstill stays as it was refitted, for there nothing hides.
+fn with_given_parameters(subject: &Subject, refitted: &FittedModel) -> Option<Linearisation> {
+    let Linearisation { hypothesis, expected, .. } = &refitted.linear;
+    let (effects, tables) = (hypothesis.effects.clone(), hypothesis.tables.clone());
+    let mut start = Hypothesis { effects, tables, ..as_given(subject) };
+    for expected in expected.iter().filter(|expected| expected.unknown.shapes_friction()) {
+        expected.unknown.set(&mut start, expected.unknown.get(hypothesis));
+    }
+    Linearisation::of(&refitted.evidence, start, expected.clone())
 }

@@ -13,6 +13,7 @@ use super::hypothesis::Hypothesis;
 use super::reading;
 use crate::logs::stretch::{Kinematics, Stretch};
 use rig::effects::{Effect, JointState, Transmission};
+use signal::derivative;
 
 /// The effects of a hypothesis on a stretch.
 pub struct ActiveEffects<'a> {
@@ -64,9 +65,14 @@ impl<'a> ActiveEffects<'a> {
 
     /// Friction of a joint of `robot` in the interval after each sample [V].
     pub fn friction_v(&self, joint: usize, robot: &Robot<f64>) -> Vec<f64> {
+        self.friction_ahead_v(joint, robot, self.hypothesis.friction_lead_s[joint])
+    }
+
+    /// The same of friction that runs ahead of the velocity by `lead_s`.
+    pub fn friction_ahead_v(&self, joint: usize, robot: &Robot<f64>, lead_s: f64) -> Vec<f64> {
         let friction = &robot.friction[joint];
         let half_s = 0.5 * self.stretch.period_s;
-        let v = &self.motor.qd_rad_per_s[joint];
+        let v = self.velocity_ahead(joint, lead_s);
         let last = v.len() - 1;
         let mut bristles = FrictionState::default();
         let mut interval = |k: usize| {
@@ -77,6 +83,16 @@ impl<'a> ActiveEffects<'a> {
                 + bristles.step_scaled(friction, scale, late, half_s))
         };
         (0..v.len()).map(&mut interval).collect()
+    }
+
+    /// Velocity that friction feels: to first order the one `lead_s` later [rad/s].
+    fn velocity_ahead(&self, joint: usize, lead_s: f64) -> Cow<'_, [f64]> {
+        let v = &self.motor.qd_rad_per_s[joint];
+        if lead_s == 0.0 {
+            return Cow::Borrowed(v);
+        }
+        let slope = derivative::first(v, self.stretch.period_s);
+        Cow::Owned(v.iter().zip(slope).map(|(v, slope)| v + lead_s * slope).collect())
     }
 
     /// How far the bristles of each joint are bent at every sample.

@@ -111,7 +111,7 @@ impl<'a> Trial<'a> {
     /// What drives a joint in the interval after each sample: the command as it reaches the
     /// motor, with the voltages and torques that effects add [V].
     pub fn drive(&self, joint: usize) -> Vec<f64> {
-        match self.hypothesis.effects.is_empty() {
+        match self.hypothesis.is_bare() {
             true => self.stretch.command_v[joint].clone(),
             false => self.drive_v.get_or_init(|| self.effects.drive_v())[joint].clone(),
         }
@@ -120,6 +120,11 @@ impl<'a> Trial<'a> {
     /// Friction of a robot's joint in the interval after each sample [V].
     pub fn friction(&self, joint: usize, robot: &Robot<f64>) -> Vec<f64> {
         self.effects.friction_v(joint, robot)
+    }
+
+    /// Friction of a joint, were it ahead of the velocity by `lead_s` [V].
+    pub fn friction_ahead(&self, joint: usize, lead_s: f64) -> Vec<f64> {
+        self.effects.friction_ahead_v(joint, self.robot(), lead_s)
     }
 
     /// Voltage that the rigid body needs at the samples, eq. (5).

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use model::Robot;
-use rig::effects::{Definition, Effect, Kind};
+use rig::effects::{Definition, Effect, Kind, Table};
 
 /// An effect with its parameters, on a joint.
 #[derive(Clone, Debug)]
@@ -59,14 +59,25 @@ pub struct Hypothesis {
     pub robot: Robot<f64>,
     /// By how much each command comes later than the log says [s].
     pub lag_s: [f64; 3],
+    /// By how much each joint's friction runs ahead of its velocity: memory where it is negative;
+    /// soft constraints of simulators lead [s].
+    pub friction_lead_s: [f64; 3],
     /// Effects, in order.
     pub effects: Vec<EffectInstance>,
+    /// Curves that act after the effects; no causes.
+    pub tables: Vec<Table>,
 }
 
 impl Hypothesis {
-    /// Its effects, ready to act.
+    /// Its effects and then its tables, ready to act.
     pub fn built_effects(&self) -> Vec<Box<dyn Effect>> {
-        self.effects.iter().filter_map(EffectInstance::build).collect()
+        let tables = self.tables.iter().map(|table| Box::new(table.clone()) as Box<dyn Effect>);
+        self.effects.iter().filter_map(EffectInstance::build).chain(tables).collect()
+    }
+
+    /// Whether it is a model alone, without effects and tables.
+    pub fn is_bare(&self) -> bool {
+        self.effects.is_empty() && self.tables.is_empty()
     }
 
     /// The same with one more effect.

@@ -4,7 +4,7 @@ use super::equation::{MotorSide, Trial};
 use super::hypothesis::EffectInstance;
 use super::joint_dynamics::JointDynamics;
 use crate::logs::intervals::at_samples;
-use rig::effects::Touches;
+use rig::effects::{Table, Touches};
 
 /// The equation of a joint over a stretch, on the log's clock [V].
 #[derive(Clone, Default)]
@@ -62,10 +62,11 @@ pub fn motor_side<'a>(parts: &'a [Parts; 3], effect: &EffectInstance) -> Option<
     })
 }
 
-/// What an effect changes in the equation of a model that has others too.
-pub fn touched(effect: &EffectInstance, others: &[EffectInstance]) -> Touches {
+/// What an effect changes in the equation of a model that has others, and tables, too.
+pub fn touched(effect: &EffectInstance, others: &[EffectInstance], tables: &[Table]) -> Touches {
     let mut touches = effect.definition.touches;
-    let moves_others = touches.body && !effect.is_spring() && !others.is_empty();
+    let alone = others.is_empty() && tables.is_empty();
+    let moves_others = touches.body && !effect.is_spring() && !alone;
     // What is in the model already may depend on a body or a motion that changes.
     touches.drive |= moves_others;
     touches.friction |= moves_others;
@@ -121,7 +122,7 @@ mod tests {
 
     fn hypothesis(effects: &[&EffectInstance]) -> Hypothesis {
         let effects = effects.iter().copied().cloned().collect();
-        Hypothesis { robot: reference_robot(), lag_s: [0.0; 3], effects }
+        Hypothesis { robot: reference_robot(), lag_s: [0.0; 3], friction_lead_s: [0.0; 3], effects, tables: vec![] }
     }
 
     /// An effect of random size on every joint that it can act on.
@@ -180,7 +181,7 @@ mod tests {
                 }
                 let with = hypothesis(&[other, effect]);
                 let after = Trial::of(&stretch, &with, &criteria);
-                let touches = touched(effect, std::slice::from_ref(other));
+                let touches = touched(effect, std::slice::from_ref(other), &[]);
                 let quick =
                     Trial::with_motor_side(&stretch, &with, &criteria, motor_side(&parts, effect));
                 for joint in 0..3 {

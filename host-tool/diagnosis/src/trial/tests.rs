@@ -71,7 +71,8 @@ fn motion(angles: [Vec<f64>; 3]) -> Kinematics {
 /// What a model leaves of joint 3 below 40 Hz, rms [V].
 fn left_v(stretch: &Stretch, effect: Option<EffectInstance>) -> f64 {
     let effects = effect.into_iter().collect();
-    let hypothesis = Hypothesis { robot: reference_robot(), lag_s: [0.0; 3], effects };
+    let hypothesis =
+        Hypothesis { robot: reference_robot(), lag_s: [0.0; 3], friction_lead_s: [0.0; 3], effects, tables: vec![] };
     let left = Trial::of(stretch, &hypothesis, &FitCriteria::default()).residual(2);
     rms(&LowPass::new(40.0, PERIOD_S).zero_phase(&left)[500..9500])
 }

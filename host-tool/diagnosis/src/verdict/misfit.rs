@@ -1,24 +1,20 @@
 //! Whether the model is that of the robot in the logs at all.
 
-use crate::fit::linearisation::Linearisation;
-use crate::fit::residual_stats::ResidualStats;
+use crate::fit::fitted_model::FittedModel;
 use crate::logs::intervals::at_samples;
 use crate::logs::subject::Subject;
 use crate::result::Verdict;
-use crate::rows::evidence::Evidence;
 
 /// What must be said where a refitted model is not that of the robot in the logs.
 pub fn remark(
     subject: &Subject,
-    evidence: &Evidence,
-    refitted: &Linearisation,
+    refitted: &FittedModel,
     verdict: Verdict,
 ) -> Option<String> {
-    let stats = ResidualStats::of(evidence, refitted);
     if verdict == Verdict::Effect {
         return None;
     }
-    let parts = subject.joints.iter().map(|&joint| part_left(evidence, refitted, joint));
+    let parts = subject.joints.iter().map(|&joint| part_left(refitted, joint));
     let (place, part) = parts.enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?;
     let cure = "check lengths, the order and signs of joints, encoder_counts_per_rev and \
                 torque_constant_Nm_per_V, or identify the model anew";
@@ -30,7 +26,7 @@ pub fn remark(
             subject.numbers[place]
         ));
     }
-    stats.is_implausible(&subject.criteria.fit).then(|| {
+    refitted.stats.is_implausible(&subject.criteria.fit).then(|| {
         format!(
             "the logs do not fit this model: refitted, its parameters are further from the file's \
              than two or three per cent of doubt allow; {cure}"
@@ -39,14 +35,12 @@ pub fn remark(
 }
 
 /// Part of a joint's command that a model leaves, rms by rms over all rows.
-fn part_left(evidence: &Evidence, linear: &Linearisation, joint: usize) -> f64 {
-    let (mut left, mut whole) = (0.0, 0.0);
-    for (s, range) in evidence.ranges(joint).into_iter().enumerate() {
-        let command = at_samples(&evidence.stretches[s].command_v[joint]);
-        let unit = evidence.floor_v(joint, s).powi(2);
-        let squares = |rows: &[f64]| unit * rows.iter().map(|row| row * row).sum::<f64>();
-        left += squares(&linear.residual[joint][range]);
-        whole += squares(&evidence.weighted(s, joint, &command));
-    }
-    if whole > 0.0 { (left / whole).sqrt() } else { 0.0 }
+fn part_left(model: &FittedModel, joint: usize) -> f64 {
+    let evidence = &model.evidence;
+    let square = |rows: &[f64]| rows.iter().map(|row| row * row).sum::<f64>();
+    let command = |s: usize| at_samples(&evidence.stretches[s].command_v[joint]);
+    let whole: f64 = (0..evidence.stretches.len())
+        .map(|s| square(&evidence.filter(joint, s).rows(&command(s))))
+        .sum();
+    if whole > 0.0 { (square(&model.residual_v[joint]) / whole).sqrt() } else { 0.0 }
 }

@@ -1,6 +1,8 @@
 //! What the search amounts to.
 
+pub mod blocks;
+pub mod confirmed;
 pub mod decision;
 pub mod detectable;
+pub mod judgement;
 pub mod misfit;
-pub mod shrinkage;

@@ -45,6 +45,40 @@ pub enum EffectError {
         /// The most allowed.
         highest: f64,
     },
+    /// A table whose axis is none.
+    #[error("axis of table is `{found}`, but must be one of {known}")]
+    TableAxis {
+        /// The axis given.
+        found: String,
+        /// The axes that there are.
+        known: String,
+    },
+    /// Too few knots, too many, or not as many as values.
+    #[error(
+        "table has {knots} knots and {values} values_V; give as many values_V as knots, \
+         {fewest} to {most} of them"
+    )]
+    TableLength {
+        /// Number of knots.
+        knots: usize,
+        /// Number of values.
+        values: usize,
+        /// The least number of both.
+        fewest: usize,
+        /// The greatest number of both.
+        most: usize,
+    },
+    /// Knots that do not increase.
+    #[error(
+        "knots of table must increase, but {next} comes after {before}; sort them, and leave out \
+         those given twice"
+    )]
+    TableOrder {
+        /// A knot.
+        before: f64,
+        /// The knot after it, which is not above it.
+        next: f64,
+    },
     /// Text of another form.
     #[error("`{0}` is not of the form effect:joint:name=value,name=value")]
     Form(String),

@@ -14,6 +14,7 @@
 //! | `confusion`, `compensation` | what it is taken for, and what the board compensates for |
 //! | `effect` | what it does: [`Effect`] |
 //! | `catalogue` | the effects: [`Catalogue`] |
+//! | `table` | a curve over one axis, which is no cause: [`Table`] |
 //! | `parse` | effects from tables of a model file and from the command line |
 //! | `documentation` | `docs/effects.md` |
 
@@ -29,6 +30,7 @@ mod parse;
 mod random;
 mod search;
 mod sizes;
+mod table;
 mod transmission;
 
 pub use catalogue::Catalogue;
@@ -42,4 +44,5 @@ pub use parse::table_from_text;
 pub use random::Random;
 pub use search::{Carrier, Search, Size, Typical};
 pub use sizes::{DrawContext, harmonic};
+pub use table::{MAX_TABLE_KNOTS, Table, TableAxis};
 pub use transmission::Transmission;

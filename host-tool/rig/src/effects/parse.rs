@@ -4,6 +4,7 @@ use super::catalogue::Catalogue;
 use super::definition::Definition;
 use super::effect::Effect;
 use super::error::EffectError;
+use super::table::{self, Table};
 use files::EffectTable;
 
 impl Definition {
@@ -54,12 +55,15 @@ impl Catalogue {
     /// # Errors
     /// An unknown name, or parameters that do not fit.
     pub fn effect_of(&self, table: &EffectTable) -> Result<Box<dyn Effect>, EffectError> {
+        if Table::is_in(table) {
+            return Ok(Box::new(Table::of(table)?));
+        }
         let (definition, values) = self.definition_and_values(table)?;
         definition.with(table.joint, &values)
     }
 
     /// The kind of effect that a table describes, and its values in the order of the kind's
-    /// parameters.
+    /// parameters; a [`Table`] is of no kind, ask [`Table::is_in`] first.
     ///
     /// # Errors
     /// An unknown name, or parameters that do not fit.
@@ -73,13 +77,14 @@ impl Catalogue {
 
     /// The refusal of a name that no effect has.
     fn unknown(&self, name: &str) -> EffectError {
-        let known: Vec<&str> = self.iter().map(|definition| definition.name).collect();
+        let causes = self.iter().map(|definition| definition.name);
+        let known: Vec<&str> = causes.chain([table::NAME]).collect();
         EffectError::Unknown { name: name.to_owned(), known: known.join(", ") }
     }
 }
 
 /// The table that `effect:joint:name=value,name=value` describes; a vector's components stand
-/// between spaces, and joint 0 may be left out.
+/// between spaces, and joint 0 may be left out. The axis of a table is a word.
 ///
 /// # Errors
 /// Text of another form.
@@ -105,9 +110,12 @@ pub fn table_from_text(text: &str) -> Result<EffectTable, EffectError> {
     })
 }
 
-/// `name=value`, or `name=x y z`.
+/// `name=value`, or `name=x y z`, or `axis=word`.
 fn parameter(pair: &str) -> Option<(String, toml::Value)> {
     let (name, value) = pair.split_once('=')?;
+    if name.trim() == table::AXIS {
+        return Some((table::AXIS.to_owned(), toml::Value::String(value.trim().to_owned())));
+    }
     let numbers: Option<Vec<toml::Value>> =
         value.split_whitespace().map(|n| n.parse().ok().map(toml::Value::Float)).collect();
     let value = match numbers?.as_slice() {

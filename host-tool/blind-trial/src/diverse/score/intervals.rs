@@ -26,7 +26,8 @@ impl Intervals {
         for outcome in outcomes {
             for (truth, known) in outcome.truth.iter().zip(&outcome.known) {
                 let Some(claim) = outcome.claims.iter().find(|c| names(c, truth)) else { continue };
-                if let (Some([from, to]), Some(share)) = (claim.share_interval, known.share) {
+                let [from, to] = claim.share_interval;
+                if let Some(share) = known.share {
                     intervals.shares = intervals.shares.with((from..=to).contains(&share));
                 }
                 if claim.effect == truth.effect {

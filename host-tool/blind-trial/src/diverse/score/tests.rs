@@ -26,7 +26,7 @@ fn claim(effect: &str, joint: u8, probability: f64) -> Claim {
         joint,
         parameters: BTreeMap::new(),
         probability,
-        share_interval: Some([0.5, 0.8]),
+        share_interval: [0.5, 0.8],
         parameter_intervals: BTreeMap::new(),
     }
 }

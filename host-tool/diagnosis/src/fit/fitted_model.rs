@@ -1,0 +1,85 @@
+//! A model that is fitted to the logs, and what it leaves of them.
+
+use super::gauss_newton::{fit, fit_with_slopes, open_in};
+use super::linearisation::Linearisation;
+use super::residual_stats::ResidualStats;
+use crate::logs::subject::Subject;
+use crate::rows::evidence::{Evidence, Rows};
+use crate::rows::misfit::Misfit;
+use crate::trial::hypothesis::{EffectInstance, Hypothesis};
+
+/// A model and what it leaves.
+#[derive(Clone)]
+pub struct FittedModel {
+    /// The model.
+    pub linear: Linearisation,
+    /// The rows that it was fitted to, with their weights.
+    pub evidence: Evidence,
+    /// What it leaves of all rows [V].
+    pub residual_v: Rows,
+    /// The same of train rows, each with everything refitted without it [V].
+    pub left_out_v: Rows,
+    /// What it leaves, against the noise.
+    pub stats: ResidualStats,
+}
+
+impl FittedModel {
+    /// A fitted model with what it leaves.
+    pub fn of(evidence: Evidence, linear: Linearisation) -> Self {
+        let residual_v = evidence.volts(&linear.residual);
+        let left_out_v = evidence.volts(&linear.left_out(&evidence));
+        let stats = ResidualStats::of(&evidence, &linear, &residual_v);
+        Self { linear, evidence, residual_v, left_out_v, stats }
+    }
+
+    /// A model fitted to rows, then to rows that are weighted by what it leaves of them itself:
+    /// only so do rows weigh against the prior what they should.
+    pub fn fitted(
+        evidence: &Evidence,
+        subject: &Subject,
+        start: Hypothesis,
+        most_steps: usize,
+    ) -> Option<Self> {
+        let first = fit(evidence, subject, start, most_steps)?;
+        Self::reweighted(evidence, subject, first)
+    }
+
+    /// The same in haste: with the slopes of where the fit begins.
+    pub fn fitted_with_slopes(
+        evidence: &Evidence,
+        subject: &Subject,
+        start: Hypothesis,
+        most_steps: usize,
+    ) -> Option<Self> {
+        let open = open_in(evidence, subject, &start.effects);
+        let start = Linearisation::of(evidence, start, open)?;
+        let first = fit_with_slopes(evidence, subject, start, most_steps);
+        Self::reweighted(evidence, subject, first)
+    }
+
+    /// A model fitted further to rows that are weighted by what it leaves of them itself.
+    fn reweighted(evidence: &Evidence, subject: &Subject, first: Linearisation) -> Option<Self> {
+        let misfit = Misfit::of(evidence, &evidence.volts(&first.residual));
+        let own = evidence.reweighted(&misfit);
+        let first = first.reweighted(evidence, &own)?;
+        let steps = subject.criteria.fit.reweighted_steps;
+        let linear = fit_with_slopes(&own, subject, first, steps);
+        Some(Self::of(own, linear))
+    }
+
+    /// The size and the correlation of what it leaves.
+    pub fn misfit(&self) -> Misfit {
+        Misfit::of(&self.evidence, &self.residual_v)
+    }
+
+    /// Log-likelihood of train rows that were left out, and of the parameters by what is known of
+    /// them; rows are as independent as in `misfit`.
+    pub fn log_likelihood(&self, misfit: &Misfit) -> f64 {
+        misfit.log_likelihood(&self.evidence, &self.left_out_v) - 0.5 * self.linear.prior_penalty()
+    }
+
+    /// Whether the last of its effects is a spring between motor and link.
+    pub fn ends_with_spring(&self) -> bool {
+        self.linear.hypothesis.effects.last().is_some_and(EffectInstance::is_spring)
+    }
+}

@@ -1,0 +1,157 @@
+//! Causes and alternatives, as the report tells them.
+
+use std::collections::BTreeMap;
+
+use super::amended::parameters;
+use super::sentence::effect_words;
+use crate::logs::subject::Subject;
+use crate::result::{Alternative, Cause, Interval, Rival};
+use crate::search::selection;
+use crate::trial::hypothesis::EffectInstance;
+use crate::verdict::judgement::{Judgement, Named};
+
+/// The causes that are named, largest share first, and what could stand in their place.
+pub fn causes(subject: &Subject, judgement: &Judgement) -> (Vec<Cause>, Vec<Alternative>) {
+    let known = subject.known_effects.len();
+    let mut order: Vec<usize> = (0..judgement.named.len()).collect();
+    let share = |index: &usize| judgement.named[*index].worth.share;
+    order.sort_by(|a, b| share(b).total_cmp(&share(a)));
+    let (mut causes, mut alternatives) = (Vec::new(), Vec::new());
+    for (place, index) in order.into_iter().enumerate() {
+        let named = &judgement.named[index];
+        causes.push(cause(subject, judgement, named, known + index));
+        alternatives.extend(of_rivals(subject, judgement, named, known + index, place));
+    }
+    alternatives.extend(unconfirmed(subject, judgement));
+    let is_named = |other: &Alternative| {
+        causes.iter().any(|c: &Cause| c.effect == other.effect && c.joint == other.joint)
+    };
+    alternatives.retain(|other| !is_named(other));
+    alternatives.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+    (causes, alternatives)
+}
+
+fn cause(subject: &Subject, judgement: &Judgement, named: &Named, index: usize) -> Cause {
+    let effect = &judgement.last.linear.hypothesis.effects[index];
+    Cause {
+        effect: effect.definition.name.into(),
+        joint: subject.outer_joint(effect.joint),
+        parameters: parameters(effect),
+        parameter_intervals: intervals(judgement, effect, index),
+        probability: named.probability,
+        confidence: named.probability,
+        share: named.worth.share,
+        share_interval: named.worth.share_interval,
+        shrinkage: named.worth.shrinkage,
+        shrinkage_interval: named.worth.shrinkage_interval,
+    }
+}
+
+/// 95 % intervals of an effect's parameters, from the curvature of the fit.
+fn intervals(
+    judgement: &Judgement,
+    effect: &EffectInstance,
+    index: usize,
+) -> BTreeMap<String, Interval> {
+    use crate::fit::unknowns::Unknown;
+    let linear = &judgement.last.linear;
+    let mut all = BTreeMap::<String, Interval>::new();
+    for (value, parameter) in effect.definition.parameters.iter().enumerate() {
+        let unknown = Unknown::Effect { index, value };
+        let Some(place) = linear.expected.iter().position(|e| e.unknown == unknown) else {
+            continue;
+        };
+        let (middle, half) = (effect.values[value], 1.96 * linear.deviation(place));
+        let own = [(middle - half).max(parameter.lowest), (middle + half).min(parameter.highest)];
+        let entry = match all.remove(parameter.name) {
+            None => Interval::Number(own),
+            Some(Interval::Number(first)) => Interval::Vector(vec![first, own]),
+            Some(Interval::Vector(mut others)) => {
+                others.push(own);
+                Interval::Vector(others)
+            }
+        };
+        all.insert(parameter.name.into(), entry);
+    }
+    all.retain(|name, _| parameters(effect).contains_key(name));
+    all
+}
+
+/// Rivals of a cause that are not ruled out.
+fn of_rivals(
+    subject: &Subject,
+    judgement: &Judgement,
+    named: &Named,
+    index: usize,
+    place: usize,
+) -> Vec<Alternative> {
+    let criteria = &subject.criteria.verdict;
+    let (confirmation, last) = (&judgement.confirmation, &judgement.last);
+    let alternative = |rival: &selection::Rival| {
+        let odds = (criteria.log_likelihood_weight * rival.gain).exp();
+        let probability = (named.probability * odds).min(1.0 - named.probability);
+        let without_v = &confirmation.without[index - subject.known_effects.len()].residual_v;
+        let with_v = &rival.model.residual_v;
+        Alternative {
+            effect: rival.effect.definition.name.into(),
+            joint: subject.outer_joint(rival.effect.joint),
+            probability,
+            confidence: probability,
+            instead_of: Some(place),
+            share: confirmation.worth_of(last, &rival.effect, without_v, with_v).share,
+        }
+    };
+    let mut all: Vec<Alternative> = named.added.rivals.iter().map(alternative).collect();
+    all.retain(|other| other.probability >= criteria.least_alternative);
+    all
+}
+
+/// Effects that the search added and the confirming logs do not confirm.
+fn unconfirmed(subject: &Subject, judgement: &Judgement) -> Vec<Alternative> {
+    let alternative = |(effect, worth, probability): &(EffectInstance, _, f64)| {
+        let worth: &crate::verdict::confirmed::Worth = worth;
+        Alternative {
+            effect: effect.definition.name.into(),
+            joint: subject.outer_joint(effect.joint),
+            probability: *probability,
+            confidence: *probability,
+            instead_of: None,
+            share: worth.share,
+        }
+    };
+    judgement.unconfirmed.iter().map(alternative).collect()
+}
+
+/// What was tried and lost, the best first.
+pub fn rivals(subject: &Subject, judgement: &Judgement) -> Vec<Rival> {
+    let confirmation = &judgement.confirmation;
+    let explained = |effect: &EffectInstance, model_v| {
+        let refitted_v = &confirmation.refitted.residual_v;
+        confirmation.worth_of(&judgement.last, effect, refitted_v, model_v).share
+    };
+    let rival = |effect: &EffectInstance, explained: f64, why: String| Rival {
+        effect: effect.definition.name.into(),
+        joint: subject.outer_joint(effect.joint),
+        parameters: parameters(effect),
+        explained: explained.clamp(0.0, 1.0),
+        why,
+    };
+    let mut all = Vec::new();
+    for (index, named) in judgement.named.iter().enumerate() {
+        let place = subject.known_effects.len() + index;
+        let winner = effect_words(judgement.last.linear.hypothesis.effects[place].definition.name);
+        all.extend(named.added.rivals.iter().map(|other| {
+            let why = format!("a log-likelihood {:.0} below that of {winner}", -other.gain);
+            rival(&other.effect, explained(&other.effect, &other.model.residual_v), why)
+        }));
+    }
+    all.extend(judgement.refused.iter().map(|other| {
+        let why = format!("gains a log-likelihood of {:.0}, which is not enough", other.gain);
+        rival(&other.effect, explained(&other.effect, &other.model.residual_v), why)
+    }));
+    all.extend(judgement.unconfirmed.iter().map(|(effect, worth, _)| {
+        rival(effect, worth.share, "the confirming logs do not confirm it".into())
+    }));
+    all.sort_by(|a, b| b.explained.total_cmp(&a.explained));
+    all
+}

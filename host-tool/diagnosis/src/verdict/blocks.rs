@@ -1,0 +1,81 @@
+//! Squares of the confirming rows block by block, and intervals by drawing blocks again.
+
+use rand_distr::{Distribution, Uniform};
+use rand_pcg::Pcg64Mcg;
+
+use crate::rows::evidence::{Evidence, Rows};
+use files::Role;
+
+/// Blocks of the confirming rows of some joints: what each of several models leaves of them, and
+/// noise last [V^2].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Blocks(Vec<Vec<f64>>);
+
+impl Blocks {
+    /// Of what models leave [V], and of noise, rms in a stretch by joint [V].
+    pub fn of(
+        evidence: &Evidence,
+        joints: &[usize],
+        models: &[&Rows],
+        noise_v: impl Fn(usize, usize) -> f64,
+    ) -> Self {
+        let mut blocks = Vec::new();
+        for &joint in joints {
+            for (s, range) in evidence.ranges(joint).into_iter().enumerate() {
+                if evidence.stretches[s].role != Role::Holdout {
+                    continue;
+                }
+                let length = block_rows(evidence, joint, s);
+                let starts = range.clone().step_by(length);
+                blocks.extend(starts.map(|start| {
+                    let rows = start..(start + length).min(range.end);
+                    let square = |rows: &[f64]| rows.iter().map(|row| row * row).sum::<f64>();
+                    let left = models.iter().map(|model| square(&model[joint][rows.clone()]));
+                    let noise_v2 = rows.len() as f64 * noise_v(joint, s).powi(2);
+                    left.chain([noise_v2]).collect()
+                }));
+            }
+        }
+        Self(blocks)
+    }
+
+    /// A figure of the summed squares, with its 95 % interval.
+    pub fn figure(&self, draws: usize, figure: impl Fn(&[f64]) -> f64) -> (f64, [f64; 2]) {
+        let value = figure(&self.sum(0..self.0.len()));
+        let Ok(any) = Uniform::new(0, self.0.len()) else { return (0.0, [0.0; 2]) };
+        let mut random = Pcg64Mcg::new(1);
+        let mut drawn: Vec<f64> = (0..draws)
+            .map(|_| figure(&self.sum((0..self.0.len()).map(|_| any.sample(&mut random)))))
+            .collect();
+        drawn.sort_by(f64::total_cmp);
+        let quantile = |part: f64| drawn[(part * (draws - 1) as f64).round() as usize];
+        (value, [quantile(0.025), quantile(0.975)])
+    }
+
+    fn sum(&self, indices: impl Iterator<Item = usize>) -> Vec<f64> {
+        let columns = self.0.first().map_or(0, Vec::len);
+        indices.fold(vec![0.0; columns], |mut sum, index| {
+            sum.iter_mut().zip(&self.0[index]).for_each(|(sum, square)| *sum += square);
+            sum
+        })
+    }
+}
+
+fn block_rows(evidence: &Evidence, joint: usize, s: usize) -> usize {
+    let row_period_s = evidence.filter(joint, s).row_period_s();
+    (evidence.criteria.verdict.block_s / row_period_s).ceil().max(1.0) as usize
+}
+
+/// Root mean square of each joint's confirming rows [V].
+pub fn confirming_rms_v(evidence: &Evidence, residual_v: &Rows) -> Vec<f64> {
+    let rms = |&joint: &usize| {
+        let ranges = evidence.ranges(joint).into_iter().enumerate();
+        let (mut square_v2, mut count) = (0.0, 0);
+        for (s, range) in ranges.filter(|(s, _)| evidence.stretches[*s].role == Role::Holdout) {
+            square_v2 += residual_v[joint][range].iter().map(|row| row * row).sum::<f64>();
+            count += evidence.used_rows(joint, s);
+        }
+        (square_v2 / count.max(1) as f64).sqrt()
+    };
+    evidence.joints.iter().map(rms).collect()
+}

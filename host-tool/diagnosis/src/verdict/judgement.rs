@@ -1,0 +1,85 @@
+//! The causes that are named, with what they are worth, and what else was tried.
+
+use super::confirmed::{Confirmation, Worth};
+use super::decision::{is_named, probability};
+use crate::fit::fitted_model::FittedModel;
+use crate::logs::subject::Subject;
+use crate::search::selection::{Added, Rival, Selection};
+use crate::trial::hypothesis::EffectInstance;
+
+/// What the search amounts to.
+pub struct Judgement<'a> {
+    /// The refitted model.
+    pub refitted: FittedModel,
+    /// The model with the causes that are named, and no others.
+    pub last: FittedModel,
+    /// The causes, in the order of the model's.
+    pub named: Vec<Named>,
+    /// Effects that were added by the search but are not confirmed.
+    pub unconfirmed: Vec<(EffectInstance, Worth, f64)>,
+    /// Candidates that were not accepted at the end.
+    pub refused: Vec<Rival>,
+    /// The models on the confirming logs.
+    pub confirmation: Confirmation<'a>,
+}
+
+/// A cause that is named.
+pub struct Named {
+    /// What the search knows of it.
+    pub added: Added,
+    /// What it is worth on the confirming logs.
+    pub worth: Worth,
+    /// Probability that it is a cause.
+    pub probability: f64,
+}
+
+impl<'a> Judgement<'a> {
+    /// Judges a selection; `noise_v` is that of rows, rms by joint and stretch [V].
+    pub fn of(subject: &'a Subject, selection: Selection, noise_v: &[Vec<f64>; 3]) -> Self {
+        let Selection { refitted, mut last, mut added, refused } = selection;
+        let known = subject.known_effects.len();
+        let mut unconfirmed = Vec::new();
+        loop {
+            let confirmation = Confirmation::of(subject, &refitted, &last, noise_v.clone());
+            let judged: Vec<(Worth, f64)> = (0..added.len())
+                .map(|index| judged(subject, &confirmation, &last, &added[index], index))
+                .collect();
+            let fails = |index: &usize| {
+                let (worth, probability) = &judged[*index];
+                !is_named(*probability, worth, &subject.criteria.verdict)
+            };
+            let least = |a: &usize, b: &usize| judged[*a].0.share.total_cmp(&judged[*b].0.share);
+            let worst = (0..added.len()).filter(fails).min_by(least);
+            let without = worst.and_then(|index| {
+                let mut hypothesis = last.linear.hypothesis.clone();
+                let effect = hypothesis.effects.remove(known + index);
+                let steps = subject.criteria.selection.accepted_steps;
+                let model = FittedModel::fitted(&last.evidence, subject, hypothesis, steps)?;
+                Some((index, effect, model))
+            });
+            let Some((index, effect, model)) = without else {
+                let judged = judged.into_iter();
+                let named = added.into_iter().zip(judged);
+                let named = named
+                    .map(|(added, (worth, probability))| Named { added, worth, probability })
+                    .collect();
+                return Self { refitted, last, named, unconfirmed, refused, confirmation };
+            };
+            let (worth, probability) = judged[index];
+            unconfirmed.push((effect, worth, probability));
+            added.remove(index);
+            last = model;
+        }
+    }
+}
+
+fn judged(
+    subject: &Subject,
+    confirmation: &Confirmation,
+    last: &FittedModel,
+    added: &Added,
+    index: usize,
+) -> (Worth, f64) {
+    let worth = confirmation.worth(last, index);
+    (worth, probability(added, &worth, &subject.criteria.verdict))
+}
