@@ -143,8 +143,8 @@ impl Answer {
     /// The causes that the verdict names; none unless it is "effect" or "partial".
     pub fn named(&self) -> &[Cause] {
         match self.report() {
-            Some(report) => &report.causes,
-            None => &[],
+            Some(Report { verdict: Verdict::Effect | Verdict::Partial, causes, .. }) => causes,
+            _ => &[],
         }
     }
 

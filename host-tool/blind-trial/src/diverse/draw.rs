@@ -3,8 +3,7 @@
 use rayon::prelude::*;
 
 use super::clutter::{Typical, draw_clutter};
-use super::evidence::Evidence;
-use super::knowable::{Known, Twins, smallest_part};
+use super::knowable::{Known, Twins, quiet, smallest_part};
 use super::settings::{DiverseSettings, Ranges};
 use super::sizes::scaled;
 use super::world::{draw_model, draw_reality};
@@ -130,11 +129,10 @@ impl<'a> Draw<'a> {
         let mut sized = Sized { effect, joint, values, part: 1.0 };
         let sizes = &self.ranges.sizes;
         for _ in 0..SHRINK_TRIES {
-            let probe = self.base.with_causes(vec![sized.cause(&self.peak_command_v)]);
+            let probe = quiet(&self.base.with_causes(vec![sized.cause(&self.peak_command_v)]));
             let recorded = probe.record_undamaged()?;
             if is_stable(&probe, &recorded) {
-                let evidence = Evidence::of(&probe, &recorded)?;
-                let gain = self.twins.gain(&evidence);
+                let gain = self.twins.gain(&probe, &recorded)?;
                 let least = sizes.least * sized.part * smallest_part(gain, sizes.most);
                 let most = sizes.most * sized.part;
                 sized.part = self.rng.log_uniform(least.min(most), most);

@@ -1,5 +1,5 @@
 //! What the logs of a twin leave of the command under the true model, refitted: how much of it
-//! speaks for a cause, and how much of the gap a cause is.
+//! speaks for a cause.
 
 use model::base::COUNT;
 use nalgebra::{DMatrix, DVector};
@@ -56,6 +56,17 @@ impl Evidence {
         Ok(Self { train: groups(is_train)?, held_out: groups(|plan| !is_train(plan))? })
     }
 
+    /// What it leaves more than another of the same motions, row by row.
+    pub fn less(self, other: &Self) -> Self {
+        let less = |groups: Vec<Group>, others: &[Group]| {
+            groups.into_iter().zip(others).map(|(group, other)| difference(group, other)).collect()
+        };
+        Self {
+            train: less(self.train, &other.train),
+            held_out: less(self.held_out, &other.held_out),
+        }
+    }
+
     /// A refit of the parameters to the logs to train on.
     pub fn refit(&self, weights: &Weights) -> Refit {
         let count = weights.prior.len();
@@ -101,16 +112,14 @@ impl Weights {
         Self { groups: twin.train.iter().map(with_memory).collect(), ..first }
     }
 
-    /// Twice the logarithm by which a cause makes the logs more likely, where `without` it is
-    /// left what it is and with it what the twin leaves, both scaled in size by `part`:
-    /// sum N ln(S without / S with) and the change of the prior's penalty.
-    pub fn gain(&self, without: &Refit, twin: &Refit, part: f64) -> f64 {
-        let squares = without.squares_v2.iter().zip(&twin.squares_v2).zip(&self.groups);
-        let logs = squares.map(|((without, with), weight)| {
-            let excess = without / with.max(1e-18) - 1.0;
-            weight.rows * (part * part * excess).max(-0.99).ln_1p()
+    /// Twice the logarithm by which a cause makes the logs more likely that leaves `alone` of the
+    /// command, made `part` times as large: sum N ln(S without / S with), where the squares of
+    /// the cause come on top of those that the twin leaves with it, and the prior's penalty.
+    pub fn gain(&self, alone: &Refit, part: f64) -> f64 {
+        let logs = alone.squares_v2.iter().zip(&self.groups).map(|(square_v2, weight)| {
+            weight.rows * (part * part * square_v2 / weight.square_v2.max(1e-18)).ln_1p()
         });
-        logs.sum::<f64>() + part * part * (without.penalty - twin.penalty)
+        logs.sum::<f64>() + part * part * alone.penalty
     }
 }
 
@@ -135,6 +144,18 @@ fn with_torque_constants(group: Group) -> Group {
     let mut columns = group.columns.resize_horizontally(known + 3, 0.0);
     columns.set_column(known + group.joint, &-rigid_v);
     Group { columns, ..group }
+}
+
+/// Rows count from the end, since a joint's first row is where its friction is known.
+fn difference(group: Group, other: &Group) -> Group {
+    let rows = group.residual_v.len().min(other.residual_v.len());
+    let skipped = group.residual_v.len() - rows;
+    let theirs = other.residual_v.rows(other.residual_v.len() - rows, rows);
+    Group {
+        residual_v: group.residual_v.rows(skipped, rows) - theirs,
+        columns: group.columns.rows(skipped, rows).into_owned(),
+        ..group
+    }
 }
 
 fn left(group: &Group, change: &DVector<f64>) -> DVector<f64> {

@@ -1,20 +1,22 @@
 //! What somebody could know of a case who knows everything else of its reality.
 //!
-//! Twins of the case are recorded: with each cause alone, without any, and bare of clutter and
-//! odd friction. The true model is refitted to each as far as the model given is in doubt.
+//! Twins of the case are recorded without noise, so that what a cause adds is the difference of two
+//! recordings: with each cause alone, without any, and bare of clutter and odd friction. One with
+//! noise tells what clutter, friction and noise leave. The true model is refitted to each as far as
+//! the model given is in doubt.
 
 use serde::Serialize;
 
 use super::evidence::{Evidence, Refit, Weights};
-use crate::case::Case;
+use crate::case::{Case, Recorded};
 use crate::error::TrialError;
 use rig::effects::{Catalogue, Search};
 
 /// Harmonics that a search tries, each a hypothesis of its own.
 const HARMONICS: f64 = 24.0;
-/// Below this many times the noise squared, an excess has no shares: some hundred independent
-/// rows tell squares to a twentieth.
-const LEAST_EXCESS: f64 = 0.1;
+/// Below this part of what clutter, friction and noise leave, an excess has no shares: some
+/// hundred independent rows tell squares to a twentieth.
+const LEAST_EXCESS: f64 = 0.05;
 
 /// What could be known of one cause.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -29,6 +31,8 @@ pub struct Known {
 /// The twins that causes are judged by.
 pub struct Twins {
     weights: Weights,
+    /// Without causes, with noise.
+    noisy: Twin,
     /// Without causes.
     none: Twin,
     /// Without causes, clutter and friction of another law.
@@ -50,18 +54,30 @@ impl Twins {
         let Some(reality) = &case.reality else {
             return Err(TrialError::NoReality(case.number));
         };
-        let bare = evidence(&none.with_reality(reality.bare()))?;
-        let none = evidence(&none)?;
-        let weights = Weights::of(&none, &reality.model_error);
-        let [none, bare] = [none, bare].map(|evidence| Twin::of(evidence, &weights));
-        Ok(Self { weights, none, bare })
+        let noisy = Evidence::of(&none, &none.record_undamaged()?)?;
+        let weights = Weights::of(&noisy, &reality.model_error);
+        let bare = Twin::of(quiet_evidence(&none.with_reality(reality.bare()))?, &weights);
+        let none = Twin::of(quiet_evidence(&none)?, &weights);
+        Ok(Self { noisy: Twin::of(noisy, &weights), none, bare, weights })
     }
 
-    /// By how much the causes of a case, `part` times as large, make its logs more likely:
-    /// twice the logarithm.
-    pub fn gain(&self, of: &Evidence) -> impl Fn(f64) -> f64 + use<'_> {
-        let refit = of.refit(&self.weights);
-        move |part| self.weights.gain(&refit, &self.none.refit, part)
+    /// By how much a cause that was recorded alone and without noise, `part` times as large,
+    /// makes its logs more likely: twice the logarithm.
+    ///
+    /// # Errors
+    /// Logs too short to be judged.
+    pub fn gain(
+        &self,
+        probe: &Case,
+        recorded: &[Recorded],
+    ) -> Result<impl Fn(f64) -> f64 + use<'_>, TrialError> {
+        let refit = self.added(Evidence::of(probe, recorded)?);
+        Ok(move |part| self.weights.gain(&refit, part))
+    }
+
+    /// A refit to what a cause alone adds to the twin without it.
+    fn added(&self, alone: Evidence) -> Refit {
+        alone.less(&self.none.evidence).refit(&self.weights)
     }
 
     /// What could be known of each cause of a case.
@@ -69,30 +85,24 @@ impl Twins {
     /// # Errors
     /// A recording that fails.
     pub fn known(&self, case: &Case) -> Result<Vec<Known>, TrialError> {
-        let whole = Twin::of(evidence(case)?, &self.weights);
-        let mut known = Vec::new();
-        for cause in &case.causes {
-            let alone = match &case.causes[..] {
-                [_] => &whole,
-                _ => {
-                    let alone = case.with_causes(vec![cause.clone()]);
-                    &Twin::of(evidence(&alone)?, &self.weights)
-                }
-            };
-            let gain = self.weights.gain(&alone.refit, &self.none.refit, 1.0);
-            let share = self.share(&whole, alone, cause.joint);
-            known.push(Known { share, oracle: probability(gain) });
-        }
-        Ok(known)
+        let whole = Twin::of(quiet_evidence(case)?, &self.weights);
+        let known = case.causes.iter().map(|cause| {
+            let alone = quiet_evidence(&case.with_causes(vec![cause.clone()]))?;
+            let alone = Twin::of(alone, &self.weights);
+            let share = self.share(&whole, &alone, cause.joint);
+            let gain = self.weights.gain(&self.added(alone.evidence), 1.0);
+            Ok(Known { share, oracle: probability(gain) })
+        });
+        known.collect()
     }
 
     /// (E without - E with) / (E without any cause - E noise), where what a twin leaves is what
     /// a model leaves that holds everything but its causes.
     fn share(&self, whole: &Twin, alone: &Twin, joint: u8) -> Option<f64> {
-        let [any, without, with, noise] =
-            [whole, alone, &self.none, &self.bare].map(|twin| twin.held_out_v2(joint));
+        let [any, without, with, noise, yardstick] =
+            [whole, alone, &self.none, &self.bare, &self.noisy].map(|twin| twin.held_out_v2(joint));
         let excess = any - noise;
-        (excess > LEAST_EXCESS * noise).then(|| ((without - with) / excess).clamp(-1.0, 2.0))
+        (excess > LEAST_EXCESS * yardstick).then(|| ((without - with) / excess).clamp(-1.0, 2.0))
     }
 }
 
@@ -108,9 +118,16 @@ impl Twin {
     }
 }
 
-/// What a case leaves, before clock and bus touch the logs.
-fn evidence(case: &Case) -> Result<Evidence, TrialError> {
-    Evidence::of(case, &case.record_undamaged()?)
+/// The same case without noise.
+pub fn quiet(case: &Case) -> Case {
+    let reality = case.reality.as_ref().map(|reality| reality.quiet());
+    Case { noise_v: 0.0, reality, ..case.clone() }
+}
+
+/// What a case leaves without noise, before clock and bus touch the logs.
+fn quiet_evidence(case: &Case) -> Result<Evidence, TrialError> {
+    let case = quiet(case);
+    Evidence::of(&case, &case.record_undamaged()?)
 }
 
 /// How many hypotheses somebody chooses among: effects on joints, harmonics one by one.

@@ -12,6 +12,9 @@ use model::Robot;
 use rig::effects::{Effect, EffectError};
 use simulation::{FrictionLaw, SimulatedRobot};
 
+/// The finest encoder that the board takes.
+const FINEST_BITS: u32 = 24;
+
 /// How far the model as given is from the robot.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ModelError {
@@ -50,9 +53,16 @@ impl Reality {
         }
     }
 
-    /// The same with LuGre friction and nothing small: what its noise alone leaves.
+    /// The same with LuGre friction and nothing small.
     pub fn bare(&self) -> Self {
         Self { friction: [JointFriction::LUGRE; 3], clutter: Vec::new(), ..self.clone() }
+    }
+
+    /// The same without noise, encoder steps and jitter.
+    pub fn quiet(&self) -> Self {
+        let coloured_noise = ColouredNoise { rms_v: 0.0, ..self.coloured_noise };
+        let bus = Bus { encoder_bits: FINEST_BITS, sampling_jitter_s: 0.0, ..self.bus };
+        Self { coloured_noise, bus, ..self.clone() }
     }
 
     /// What it adds to a robot's effects; `seed` is the noise's.

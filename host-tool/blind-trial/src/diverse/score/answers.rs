@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::equivalence::{can_be_named, names, names_within};
 use crate::case::Kind;
+use crate::cause::TrueCause;
 use crate::diverse::outcome::{Claim, DiverseOutcome};
 use crate::score::Share;
 
@@ -30,13 +31,18 @@ impl DiverseOutcome {
         truth.is_some_and(is_named)
     }
 
-    /// Whether the first name is that of the largest cause, or of one nearly as large.
+    /// Whether the first name is that of the largest cause, or of one nearly as large; names of
+    /// small effects that are there may stand before it.
     pub fn is_first_right(&self) -> bool {
         let share = |place: usize| self.known.get(place).and_then(|known| known.share);
         let least = NEARLY_LARGEST * share(0).unwrap_or_default().max(0.0);
         let large =
             |place: usize| place == 0 || share(place).is_some_and(|s| s > 0.0 && s >= least);
-        let Some(first) = self.claims.first() else { return false };
+        let is_small = |claim: &&Claim| {
+            let names = |truth: &TrueCause| names_within(claim, truth, &self.truth);
+            self.is_true(claim) && !self.truth.iter().any(names)
+        };
+        let Some(first) = self.claims.iter().find(|claim| !is_small(claim)) else { return false };
         let mut places = (0..self.truth.len()).filter(|&place| large(place));
         places.any(|place| names_within(first, &self.truth[place], &self.truth))
     }

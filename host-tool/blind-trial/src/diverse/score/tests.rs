@@ -80,6 +80,10 @@ fn small_effects_that_are_there_are_no_wrong_names() {
     assert!(found.has_wrong_name());
     found.reality.clutter = vec![cause("dead_zone", 1, &[0.02])];
     assert!(!found.has_wrong_name());
+    found.truth = vec![cause("payload", 0, &[0.3])];
+    assert!(!found.is_first_right());
+    found.claims.push(claim("payload", 0, 0.9));
+    assert!(found.is_first_right());
 }
 
 #[test]
