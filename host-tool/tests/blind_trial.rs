@@ -8,7 +8,7 @@ use assert_cmd::Command;
 use blind_trial::{
     Case, DrawSettings, Kind, Results, RunSettings, SealedTruth, diagnose_case, draw, logs, output,
 };
-use diagnosis::{Cause, Gap, Report, Verdict};
+use diagnosis::{Cause, DataParts, Gap, Report, Verdict};
 use files::RobotFile;
 use rig::effects::Catalogue;
 
@@ -101,15 +101,22 @@ fn fool() -> Report {
         effect: "cogging".into(),
         joint: 3,
         parameters: BTreeMap::new(),
+        parameter_intervals: BTreeMap::new(),
+        probability: 0.9,
         confidence: 0.9,
+        share: 0.5,
+        share_interval: [0.4, 0.6],
         shrinkage: 0.0,
         shrinkage_interval: [0.0, 0.0],
     };
     Report {
-        format: 1,
+        format: 2,
         verdict: Verdict::Effect,
         causes: vec![cause],
         alternatives: Vec::new(),
+        parameters_changed: Vec::new(),
+        remainder: Vec::new(),
+        data: DataParts::default(),
         gap_shares: Vec::new(),
         gap: Gap { refitted_v: vec![0.01; 3], ..Gap::default() },
         untestable: Vec::new(),

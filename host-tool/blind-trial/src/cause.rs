@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::foreign;
+use super::rng::Rng;
 use diagnosis::{Cause, Value};
-use rig::effects::{Definition, Effect, EffectError, Parameter};
+use rig::effects::{Definition, DrawContext, Effect, EffectError, Parameter};
 
 /// An effect as a kind, of the catalogue or foreign to it.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +24,14 @@ impl TrueEffect {
         match self {
             Self::Catalogue(definition) => definition.name,
             Self::Foreign(definition) => definition.name,
+        }
+    }
+
+    /// Values for its parameters, as large as the plain trial draws them.
+    pub fn draw(self, context: &DrawContext, random: &mut Rng) -> Vec<f64> {
+        match self {
+            Self::Catalogue(definition) => (definition.draw)(context, random),
+            Self::Foreign(definition) => (definition.draw)(context.joint, random),
         }
     }
 

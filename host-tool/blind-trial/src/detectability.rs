@@ -17,6 +17,7 @@ use identification::base_parameters::rows::{RowSettings, Rows};
 use recordings::campaign::Known;
 use recordings::motion::Instant;
 use recordings::{Campaign, Trace};
+use rig::Plan;
 use rig::effects::Kind;
 
 /// How a command residual is judged: as far up as the encoder lets accelerations be seen.
@@ -34,13 +35,17 @@ const REFITTED: usize = COUNT + 6;
 /// The residuals of a recording by the true model, and how they change with parameters.
 pub struct Residuals {
     /// One for each log and joint.
-    groups: Vec<Group>,
+    pub(crate) groups: Vec<Group>,
 }
 
-struct Group {
-    residual_v: DVector<f64>,
-    /// By relative changes of the refitted parameters.
-    columns: DMatrix<f64>,
+/// The rows of one joint in an unbroken stretch of a log.
+pub(crate) struct Group {
+    /// The joint, 0 to 2.
+    pub(crate) joint: usize,
+    /// The command less what the true model needs [V].
+    pub(crate) residual_v: DVector<f64>,
+    /// Slopes of that need by relative changes of the refitted parameters [V].
+    pub(crate) columns: DMatrix<f64>,
 }
 
 impl Residuals {
@@ -49,9 +54,21 @@ impl Residuals {
     /// # Errors
     /// A log too short to be judged.
     pub fn of(case: &Case, recorded: &[Recorded]) -> Result<Self, TrialError> {
+        Self::of_logs(case, recorded, is_train)
+    }
+
+    /// Of the logs that are wanted.
+    ///
+    /// # Errors
+    /// A log too short to be judged.
+    pub fn of_logs(
+        case: &Case,
+        recorded: &[Recorded],
+        is_wanted: fn(&Plan) -> bool,
+    ) -> Result<Self, TrialError> {
         let known = known(case)?;
         let mut groups = Vec::new();
-        for Recorded { plan, log } in recorded.iter().filter(|r| is_train(&r.plan)) {
+        for Recorded { plan, log } in recorded.iter().filter(|r| is_wanted(&r.plan)) {
             let counts = f64::from(case.rig().encoder_counts_per_turn);
             let trace = Trace::of_log(log.clone(), plan.entry("csv"), counts);
             for rows in Rows::of(&trace, &known, &case.robot.friction, &ROWS)? {
@@ -109,7 +126,7 @@ impl Group {
         fill(&mut columns, COUNT + 2 * joint + 1, viscous_v.skip(first));
         let needed = columns.column_sum();
         let command = DVector::from_iterator(used, command.iter().skip(first).copied());
-        Self { residual_v: command - needed, columns }
+        Self { joint, residual_v: command - needed, columns }
     }
 }
 

@@ -118,10 +118,7 @@ impl<'a> Draw<'a> {
             peak_command_v: self.peak_command_v,
             joint: index,
         };
-        let values = match kind {
-            TrueEffect::Catalogue(definition) => (definition.draw)(&context, &mut self.rng),
-            TrueEffect::Foreign(definition) => (definition.draw)(index, &mut self.rng),
-        };
+        let values = kind.draw(&context, &mut self.rng);
         TrueCause::new(kind, joint, values)
     }
 
@@ -156,6 +153,7 @@ fn bare_case(
         duration_scale: settings.duration_scale,
         noise_v: settings.noise_v.unwrap_or(drawn_noise_v),
         seed: rng.seed(),
+        reality: None,
     }
 }
 

@@ -30,6 +30,9 @@ pub enum TrialError {
         /// What was drawn.
         what: String,
     },
+    /// A case of the plain trial where one of the diverse trial is needed.
+    #[error("case {0} is of the plain trial and has no reality of its own")]
+    NoReality(u32),
     /// A name that is neither in the catalogue nor among the foreign effects.
     #[error("{0} is no effect, neither of the catalogue nor foreign to it")]
     UnknownEffect(String),

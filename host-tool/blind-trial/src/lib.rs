@@ -15,6 +15,7 @@
 pub mod case;
 pub mod cause;
 pub mod detectability;
+pub mod diverse;
 pub mod draw;
 pub mod error;
 pub mod foreign;
@@ -24,6 +25,7 @@ pub mod outcome;
 pub mod output;
 pub mod plans;
 mod population;
+pub mod reality;
 pub mod results;
 mod rng;
 pub mod robots;

@@ -74,11 +74,11 @@ fn summary(score: &Score) -> String {
     table("Answers", &["what", "cases", "share, 95 % interval"], rows)
 }
 
-fn counted(share: Share) -> String {
+pub(crate) fn counted(share: Share) -> String {
     format!("{} of {}", share.count, share.of)
 }
 
-fn percent(share: Share) -> String {
+pub(crate) fn percent(share: Share) -> String {
     match (share.part(), share.interval()) {
         (Some(part), Some([from, to])) => {
             format!("{:.0} % ({:.0} to {:.0})", 100.0 * part, 100.0 * from, 100.0 * to)
@@ -167,7 +167,7 @@ fn truth(outcome: &Outcome) -> String {
     }
 }
 
-fn with_parameters(cause: &TrueCause) -> String {
+pub(crate) fn with_parameters(cause: &TrueCause) -> String {
     let values =
         cause.parameters.iter().map(|(name, value)| format!("{name} {}", short_value(value)));
     format!("{} ({})", cause.words(), values.collect::<Vec<_>>().join(", "))
@@ -196,7 +196,7 @@ pub fn answer(answer: &Answer) -> String {
 }
 
 /// A table under a heading; nothing where it has no rows.
-fn table<const N: usize>(
+pub(crate) fn table<const N: usize>(
     heading: &str,
     header: &[&str; N],
     rows: impl Iterator<Item = [String; N]>,

@@ -84,7 +84,7 @@ pub fn diagnose_case(
 }
 
 /// The answer, and how long it took [s].
-fn answer_in(
+pub(crate) fn answer_in(
     case: &Case,
     directory: &Path,
     keep_logs: bool,
@@ -143,8 +143,8 @@ impl Answer {
     /// The causes that the verdict names; none unless it is "effect" or "partial".
     pub fn named(&self) -> &[Cause] {
         match self.report() {
-            Some(report) => &report.causes,
-            None => &[],
+            Some(Report { verdict: Verdict::Effect | Verdict::Partial, causes, .. }) => causes,
+            _ => &[],
         }
     }
 

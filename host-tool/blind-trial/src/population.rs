@@ -31,10 +31,12 @@ impl Population {
         }
         let wanted =
             |name: &str| settings.only.is_empty() || settings.only.iter().any(|n| n == name);
+        let named = |d: &&foreign::Definition| settings.only.iter().any(|n| n == d.name);
+        let shapes = foreign::SHAPES.into_iter().filter(named);
         let mut population = Self {
             whole: catalogue.iter().collect(),
             catalogue: catalogue.iter().filter(|d| wanted(d.name)).collect(),
-            foreign: foreign::ALL.into_iter().filter(|d| wanted(d.name)).collect(),
+            foreign: foreign::ALL.into_iter().filter(|d| wanted(d.name)).chain(shapes).collect(),
             kinds: Vec::new(),
         };
         population.kinds = population.kinds(settings.kind, &settings.only);

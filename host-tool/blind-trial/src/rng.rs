@@ -34,6 +34,11 @@ impl Rng {
         }
     }
 
+    /// The generator itself, for distributions of one's own.
+    pub(crate) fn generator(&mut self) -> &mut Pcg64Mcg {
+        &mut self.random
+    }
+
     /// One of several; they must not be empty.
     pub fn pick<'a, T>(&mut self, of: &'a [T]) -> &'a T {
         &of[((self.unit() * of.len() as f64) as usize).min(of.len() - 1)]

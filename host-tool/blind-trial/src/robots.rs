@@ -101,13 +101,16 @@ fn scaled_friction(friction: &Friction<f64>, mut factor: impl FnMut() -> f64) ->
 
 /// What identification made of a robot: each parameter 2 % off, normally distributed.
 pub fn nominal_model(truth: &Robot<f64>, rng: &mut Rng) -> Robot<f64> {
-    let attempt = |rng: &mut Rng| {
-        let mut factor = || 1.0 + MODEL_ERROR * rng.normal_within(MODEL_ERROR_LIMIT);
-        let base = BaseParameters::from_array(truth.base.to_array().map(|p| p * factor()));
-        let friction = truth.friction.map(|friction| scaled_friction(&friction, &mut factor));
-        Robot { base, friction, ..*truth }.checked().ok()
-    };
-    (0..ATTEMPTS).find_map(|_| attempt(rng)).unwrap_or(*truth)
+    (0..ATTEMPTS).find_map(|_| model_off(truth, MODEL_ERROR, rng)).unwrap_or(*truth)
+}
+
+/// A model each of whose base and friction parameters is off by a relative standard deviation;
+/// `None` where no rigid body has what was drawn.
+pub fn model_off(truth: &Robot<f64>, deviation: f64, rng: &mut Rng) -> Option<Robot<f64>> {
+    let mut factor = || 1.0 + deviation * rng.normal_within(MODEL_ERROR_LIMIT);
+    let base = BaseParameters::from_array(truth.base.to_array().map(|p| p * factor()));
+    let friction = truth.friction.map(|friction| scaled_friction(&friction, &mut factor));
+    Robot { base, friction, ..*truth }.checked().ok()
 }
 
 #[cfg(test)]

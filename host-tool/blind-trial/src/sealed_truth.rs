@@ -13,6 +13,7 @@ use super::cause::TrueCause;
 use super::error::TrialError;
 use super::output::write_text;
 use super::plans::Motions;
+use super::reality::Reality;
 use super::visibility::Visibility;
 use files::Problem;
 
@@ -37,6 +38,8 @@ struct CaseTruth<'a> {
     noise_v: f64,
     seed: u32,
     robot: &'a model::Robot<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reality: Option<&'a Reality>,
 }
 
 impl<'a> CaseTruth<'a> {
@@ -51,6 +54,7 @@ impl<'a> CaseTruth<'a> {
             noise_v: case.noise_v,
             seed: case.seed,
             robot: &case.robot,
+            reality: case.reality.as_ref(),
         }
     }
 }

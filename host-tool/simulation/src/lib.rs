@@ -16,6 +16,7 @@
 #![forbid(unsafe_code)]
 
 pub mod board;
+pub mod friction_law;
 mod leapfrog;
 pub mod recording;
 pub mod robot;
@@ -23,6 +24,7 @@ pub mod sensor;
 mod settings;
 pub mod simulated_board;
 
-pub use recording::{Recording, record, record_robot, start_of};
+pub use friction_law::FrictionLaw;
+pub use recording::{Recording, record, record_robot, record_sampled, start_of};
 pub use robot::SimulatedRobot;
 pub use settings::Settings;

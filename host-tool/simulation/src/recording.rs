@@ -38,12 +38,28 @@ pub fn record_robot(
     ticks: u32,
     progress: &mut dyn FnMut(u32),
 ) -> Result<Recording, BoardError> {
+    record_sampled(board, block, &mut robot, ticks, &mut SimulatedRobot::reading_rad, progress)
+}
+
+/// [`record_robot`] with encoders of one's own: `sample` gives the angles [rad] that they read
+/// of the robot at a tick. The robot stays where the record ends.
+///
+/// # Errors
+/// The board refuses the block or does not answer.
+pub fn record_sampled(
+    board: &mut dyn Board,
+    block: &ParameterBlock,
+    robot: &mut SimulatedRobot,
+    ticks: u32,
+    sample: &mut dyn FnMut(&SimulatedRobot) -> [f64; 3],
+    progress: &mut dyn FnMut(u32),
+) -> Result<Recording, BoardError> {
     board.load(block)?;
     board.start()?;
     let period_s = f64::from(block.sample_period_s);
     let mut recording = Recording::with_capacity(period_s, *robot.q_rad(), ticks);
     for tick in 0..ticks {
-        let counts = counts(&robot.reading_rad(), block.encoder_counts_per_turn);
+        let counts = counts(&sample(robot), block.encoder_counts_per_turn);
         let reply = board.tick(&counts.map(|count| count as i32))?;
         let command_v = reply.codes.map(|code| f64::from(code.to_volts()));
         recording.push(&counts, &command_v, &reply);

@@ -6,6 +6,7 @@ use model::{FrictionState, Posture, Robot};
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
 
+use super::friction_law::{FrictionLaw, LuGre};
 use super::leapfrog::Motion;
 pub use super::settings::Settings;
 use rig::effects::{Effect, JointState, Transmission};
@@ -24,6 +25,8 @@ pub struct SimulatedRobot {
     /// What moves with the links.
     links: Robot<f64>,
     transmissions: [Option<Transmission>; 3],
+    /// Dry friction between motors and links [Nm].
+    rubbing_nm: Vector3<f64>,
     effects: Vec<Box<dyn Effect>>,
     step_s: f64,
     substeps: u32,
@@ -33,7 +36,7 @@ pub struct SimulatedRobot {
     link: Motion,
     /// The side of the encoders and of friction; the links' where the joint is stiff.
     motor: Motion,
-    friction: [FrictionState<f64>; 3],
+    friction: [Box<dyn FrictionLaw>; 3],
 }
 
 impl SimulatedRobot {
@@ -60,10 +63,15 @@ impl SimulatedRobot {
             links = transmission.without_motor(joint, &links);
             transmissions[joint] = Some(transmission);
         }
+        let mut rubbing_nm = [0.0; 3];
+        for (joint, level_nm) in effects.iter().filter_map(|e| e.transmission_friction_nm()) {
+            rubbing_nm[joint] += level_nm;
+        }
         Self {
             robot,
             links,
             transmissions,
+            rubbing_nm,
             effects,
             step_s,
             substeps: settings.substeps,
@@ -72,8 +80,22 @@ impl SimulatedRobot {
             time_s: 0.0,
             link: Motion::at_rest(q_rad),
             motor: Motion::at_rest(q_rad),
-            friction: [FrictionState::default(); 3],
+            friction: robot.friction.map(|friction| Box::new(LuGre::new(friction)) as _),
         }
+    }
+
+    /// The same robot with other laws of friction in place of LuGre's; effects scale them alike.
+    pub fn with_friction_laws(mut self, laws: [Box<dyn FrictionLaw>; 3]) -> Self {
+        self.friction = laws;
+        self
+    }
+
+    /// Ends the robot and gives its laws of friction back, for the next log: at rest, but as
+    /// warm as they are.
+    pub fn into_friction_laws(self) -> [Box<dyn FrictionLaw>; 3] {
+        let mut laws = self.friction;
+        laws.iter_mut().for_each(|law| law.rest());
+        laws
     }
 
     /// Puts the robot into motion where it is: velocities, accelerations and bristles.
@@ -87,7 +109,9 @@ impl SimulatedRobot {
             side.qd_rad_per_s = qd_rad_per_s;
             side.qdd_rad_per_s2 = qdd_rad_per_s2;
         }
-        self.friction = friction;
+        for (law, state) in self.friction.iter_mut().zip(friction) {
+            law.set_bristles(state);
+        }
     }
 
     /// Sets the time since the log began [s].
@@ -171,10 +195,9 @@ impl SimulatedRobot {
                 effect.add_voltage(&joint_state, &mut driving_v);
             }
         }
-        let net_v = [0, 1, 2].map(|i| {
-            let friction = &self.robot.friction[i];
-            driving_v[i] - self.friction[i].step_scaled(friction, scale[i], qd[i], self.step_s)
-        });
+        let friction = &mut self.friction;
+        let net_v =
+            [0, 1, 2].map(|i| driving_v[i] - friction[i].step(scale[i], qd[i], self.step_s));
         let mut torque_nm = self.robot.voltage_to_torque(&net_v);
         if !self.effects.is_empty() {
             let joint_state = self.joint_state(qd);
@@ -205,6 +228,16 @@ impl SimulatedRobot {
         Posture::new(q_rad[1], q_rad[2]).forward_dynamics(base, geometry, qd, torque_nm)
     }
 
+    /// Dry friction that the motor passes on to the link as it moves past it [Nm].
+    ///
+    /// Its jump is a slope of 20 mrad/s, or as wide as the step needs to stay stable.
+    fn rubbing(&self, joint: usize, transmission: &Transmission, ahead_rad_per_s: f64) -> f64 {
+        const WIDTH_RAD_PER_S: f64 = 0.02;
+        let level_nm = self.rubbing_nm[joint];
+        let stable = 2.0 * level_nm * self.step_s / transmission.motor_inertia_kg_m2;
+        level_nm * (ahead_rad_per_s / stable.max(WIDTH_RAD_PER_S)).tanh()
+    }
+
     /// Ends a step in which some motors move apart from their links.
     fn advance_elastic(
         &mut self,
@@ -218,7 +251,11 @@ impl SimulatedRobot {
         for i in 0..3 {
             let Some(transmission) = &self.transmissions[i] else { continue };
             let ahead_rad = self.motor.q_rad[i] - self.link.q_rad[i];
-            passed_nm[i] = transmission.torque_nm(ahead_rad, motor_qd[i] - link_qd[i]);
+            let ahead_rad_per_s = motor_qd[i] - link_qd[i];
+            passed_nm[i] = transmission.torque_nm(ahead_rad, ahead_rad_per_s);
+            if self.rubbing_nm[i] != 0.0 {
+                passed_nm[i] += self.rubbing(i, transmission, ahead_rad_per_s);
+            }
             motor_qdd[i] = (motor_torque_nm[i] - passed_nm[i]) / transmission.motor_inertia_kg_m2;
         }
         let link_qdd = self.link_acceleration(link_qd, &passed_nm);

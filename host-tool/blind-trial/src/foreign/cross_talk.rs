@@ -9,6 +9,8 @@ pub(super) const DEFINITION: Definition = Definition {
     name: "cross_talk",
     words: "a part of another joint's command comes through: u + c u of that joint",
     resembles: &["torque_constant", "torque_ripple", "cable_spring"],
+    equivalent: &[],
+    grows: true,
     parameters: &["coefficient", "from_joint"],
     draw: |joint, random| {
         let other = (joint + 1 + usize::from(random.unit() < 0.5)) % 3;

@@ -11,6 +11,11 @@ pub struct Definition {
     pub words: &'static str,
     /// Effects of the catalogue for which it may be taken.
     pub resembles: &'static [&'static str],
+    /// Effects of the catalogue that are as right an answer on its joint: what they hold of it is
+    /// most of it.
+    pub equivalent: &'static [&'static str],
+    /// Whether a larger first parameter is more of it, or less.
+    pub grows: bool,
     /// Its parameters, with units.
     pub parameters: &'static [&'static str],
     /// Values for them, for a joint (0 to 2).

@@ -12,6 +12,8 @@ pub(super) const DEFINITION: Definition = Definition {
     words: "something sticks out at one angle of the turn and pushes away from there: \
             u + A x exp((1 - x^2) / 2), x = (q - q0) / w",
     resembles: &["cogging", "position_friction", "cable_spring"],
+    equivalent: &[],
+    grows: true,
     parameters: &["amplitude_V", "angle_rad", "width_rad"],
     draw: |joint, random| {
         let angle_rad = [0.0, -0.5 * PI, 0.0][joint] + random.uniform(-1.0, 1.0);

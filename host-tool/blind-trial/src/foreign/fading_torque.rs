@@ -9,6 +9,8 @@ pub(super) const DEFINITION: Definition = Definition {
     name: "fading_torque",
     words: "the magnets weaken as they warm: (1 - e (1 - exp(-t/T))) u",
     resembles: &["friction_drift", "torque_constant"],
+    equivalent: &[],
+    grows: true,
     parameters: &["relative_loss", "time_constant_s"],
     draw: |_, random| vec![random.log_uniform(0.05, 0.3), random.uniform(2.0, 10.0)],
     build: |joint, values| {

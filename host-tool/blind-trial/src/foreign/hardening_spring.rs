@@ -11,6 +11,8 @@ pub(super) const DEFINITION: Definition = Definition {
     name: "hardening_spring",
     words: "a rubber buffer hardens as it is pressed: u - k x^3, x = q - q0 beyond a play",
     resembles: &["cable_spring", "cogging"],
+    equivalent: &[],
+    grows: true,
     parameters: &["stiffness_V_per_rad3", "rest_rad", "play_rad"],
     draw: |joint, random| {
         let rest_rad = [0.0, -0.5 * PI, 0.0][joint] + random.uniform(-0.5, 0.5);

@@ -11,6 +11,8 @@ pub(super) const DEFINITION: Definition = Definition {
     name: "hysteresis_spring",
     words: "cables pull back but slip, after Bouc and Wen: u - k z, z' = v - |v| z / z0",
     resembles: &["cable_spring", "position_friction", "asymmetric_friction"],
+    equivalent: &[],
+    grows: true,
     parameters: &["stiffness_V_per_rad", "slip_rad"],
     draw: |_, random| {
         let (slip_rad, level_v) =

@@ -11,6 +11,8 @@ pub(super) const DEFINITION: Definition = Definition {
     name: "mains_hum",
     words: "the supply hums: u + A sin(2 pi f t + phi), whatever the angle",
     resembles: &["cogging", "torque_ripple"],
+    equivalent: &[],
+    grows: true,
     parameters: &["amplitude_V", "frequency_Hz", "phase_rad"],
     draw: |_, random| {
         vec![random.log_uniform(0.03, 0.2), random.uniform(10.0, 50.0), random.phase_rad()]

@@ -9,6 +9,8 @@ pub(super) const DEFINITION: Definition = Definition {
     name: "slew_rate",
     words: "the amplifier follows the command no faster than R: |du'/dt| <= R",
     resembles: &["actuator_lag", "delay", "saturation"],
+    equivalent: &[],
+    grows: false,
     parameters: &["rate_V_per_s"],
     draw: |_, random| vec![random.log_uniform(30.0, 400.0)],
     build: |joint, values| {

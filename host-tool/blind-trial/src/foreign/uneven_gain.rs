@@ -9,6 +9,8 @@ pub(super) const DEFINITION: Definition = Definition {
     name: "uneven_gain",
     words: "positive commands are amplified more than negative ones: (1 +- g) u",
     resembles: &["asymmetric_friction", "torque_constant", "dac_offset"],
+    equivalent: &[],
+    grows: true,
     parameters: &["relative_difference"],
     draw: |_, random| vec![random.signed_log_uniform(0.03, 0.15)],
     build: |joint, values| Box::new(UnevenGain { joint, relative_difference: values[0] }),

@@ -12,6 +12,8 @@ pub(super) const DEFINITION: Definition = Definition {
     words: "a disturbance wanders at random and forgets itself in T: an Ornstein-Uhlenbeck \
             process of A rms",
     resembles: &["friction_drift", "dac_offset", "cable_spring"],
+    equivalent: &[],
+    grows: true,
     parameters: &["rms_V", "correlation_time_s", "seed"],
     draw: |_, random| {
         vec![random.log_uniform(0.03, 0.2), random.log_uniform(0.05, 1.0), f64::from(random.seed())]

@@ -8,7 +8,7 @@ use super::*;
 use crate::case::Kind;
 use crate::cause::{TrueCause, TrueEffect};
 use crate::foreign;
-use diagnosis::{Alternative, Axis, Cause, Gap, GapShare, Report, Value, Verdict};
+use diagnosis::{Alternative, Axis, Cause, DataParts, Gap, GapShare, Report, Value, Verdict};
 use rig::effects::Catalogue;
 
 fn cause(name: &str, joint: u8, values: &[f64]) -> TrueCause {
@@ -29,7 +29,11 @@ fn named(truth: &TrueCause, confidence: f64) -> Cause {
         effect: truth.effect.clone(),
         joint: truth.joint,
         parameters: truth.parameters.clone(),
+        parameter_intervals: BTreeMap::new(),
+        probability: confidence,
         confidence,
+        share: 0.9,
+        share_interval: [0.8, 1.0],
         shrinkage: 0.8,
         shrinkage_interval: [0.7, 0.9],
     }
@@ -49,10 +53,13 @@ fn report(verdict: Verdict, causes: Vec<Cause>, with_effects_v: f64) -> Report {
         ..Gap::default()
     };
     Report {
-        format: 1,
+        format: 2,
         verdict,
         causes,
         alternatives: Vec::new(),
+        parameters_changed: Vec::new(),
+        remainder: Vec::new(),
+        data: DataParts::default(),
         gap_shares: shares.into_iter().collect(),
         gap,
         untestable: Vec::new(),
@@ -185,7 +192,14 @@ fn half_a_pair_is_half_right() {
 fn a_truth_that_was_not_ruled_out_is_told_apart() {
     let mut wrong = fool(Kind::Single, vec![cogging()]);
     if let Answer::Report(report) = &mut wrong.answer {
-        let right = Alternative { effect: "cogging".into(), joint: 3, confidence: 0.1 };
+        let right = Alternative {
+            effect: "cogging".into(),
+            joint: 3,
+            probability: 0.1,
+            confidence: 0.1,
+            instead_of: Some(0),
+            share: 0.3,
+        };
         report.alternatives.push(right);
     }
     let singles = score_of(&[wrong]).singles;

@@ -55,4 +55,10 @@ pub trait Effect: Debug + Send {
     fn transmission(&self) -> Option<(usize, Transmission)> {
         None
     }
+
+    /// Dry friction between motor and link [Nm], and at which joint (0 to 2); it acts only where
+    /// a transmission stands there.
+    fn transmission_friction_nm(&self) -> Option<(usize, f64)> {
+        None
+    }
 }

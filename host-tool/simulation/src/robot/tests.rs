@@ -35,3 +35,36 @@ fn friction_holds_the_arm_below_its_static_level() {
     let moved = (0..3).map(|i| (robot.q_rad()[i] - start[i]).abs()).fold(0.0, f64::max);
     assert!(moved < 3e-3, "{moved} rad is bristle deflection, not sliding");
 }
+
+/// A soft spring on joint 3 that rubs.
+#[derive(Debug)]
+struct RubbingSpring(f64);
+
+impl Effect for RubbingSpring {
+    fn transmission(&self) -> Option<(usize, Transmission)> {
+        let transmission = Transmission {
+            gap_rad: 0.02,
+            stiffness_nm_per_rad: 100.0,
+            damping_nm_s_per_rad: 0.02,
+            motor_inertia_kg_m2: 0.01,
+        };
+        Some((2, transmission))
+    }
+
+    fn transmission_friction_nm(&self) -> Option<(usize, f64)> {
+        Some((2, self.0))
+    }
+}
+
+#[test]
+fn dry_friction_in_a_gap_calms_the_link() {
+    let restless = |level_nm: f64| {
+        let settings = Settings { noise_v: 0.0, ..Settings::default() };
+        let effects: Vec<Box<dyn Effect>> = vec![Box::new(RubbingSpring(level_nm))];
+        let start = [0.0, -std::f64::consts::FRAC_PI_2, 0.3];
+        let mut robot = SimulatedRobot::with_effects(reference_robot(), effects, start, &settings);
+        (0..1000).for_each(|_| robot.advance(&[0.0; 3]));
+        (robot.link.qd_rad_per_s[2] - robot.motor.qd_rad_per_s[2]).abs()
+    };
+    assert!(restless(0.3) < 0.1 * restless(0.0));
+}

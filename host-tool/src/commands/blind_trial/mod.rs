@@ -1,14 +1,18 @@
 //! `rrr blind-trial`: how well the diagnosis does on robots with hidden effects.
 
+mod diverse;
+mod workers;
+
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
-use std::thread::ScopedJoinHandle;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use clap::Args;
 
+use self::workers::on_all_cores;
 use crate::failure::Failure;
 use crate::output_files::create_directory;
 use crate::terminal::progress::Progress;
+use blind_trial::diverse::{DiverseSettings, Ranges};
 use blind_trial::{
     Case, DrawSettings, Kind, Outcome, Results, RunSettings, SealedTruth, TrialError,
     diagnose_case, draw, logs, markdown, output, sealed_truth,
@@ -19,6 +23,10 @@ use rig::effects::Catalogue;
 /// Arguments of `rrr blind-trial`.
 #[derive(Debug, Args)]
 pub struct Arguments {
+    /// Draw robots that do not share friction, effects and noise with the diagnosis: other laws
+    /// of friction, causes of other shapes and any size, small effects everywhere, damaged logs.
+    #[arg(long, conflicts_with_all = ["noise_mv", "only", "ceiling"])]
+    pub diverse: bool,
     /// How many cases to draw.
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub cases: u32,
@@ -62,6 +70,9 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let settings = arguments.draw_settings()?;
     create_directory(&arguments.out)?;
+    if arguments.diverse {
+        return arguments.run_diverse();
+    }
     let catalogue = Catalogue::standard();
     let cases = drawn(&settings, &catalogue)?;
     let truth = SealedTruth::new(&cases);
@@ -97,42 +108,49 @@ impl Arguments {
         })
     }
 
+    /// The diverse trial's draw: all kinds, or the one that is asked for.
+    fn diverse_settings(&self) -> DiverseSettings {
+        let mut ranges = Ranges::default();
+        for (kind, part) in &mut ranges.kinds {
+            if self.kind.is_some_and(|wanted| wanted != *kind) {
+                *part = 0.0;
+            }
+        }
+        DiverseSettings {
+            seed: self.seed,
+            first: self.first,
+            cases: self.cases,
+            duration_scale: self.duration_scale,
+            ranges,
+        }
+    }
+
+    fn run_diverse(&self) -> Result<(), Failure> {
+        let settings = self.diverse_settings();
+        if self.draw_only {
+            return diverse::draw_only(&settings, &self.out);
+        }
+        diverse::run(&settings, &self.run_settings())
+    }
+
+    fn run_settings(&self) -> RunSettings {
+        RunSettings { out: self.out.clone(), keep_logs: self.keep_logs, ceiling: self.ceiling }
+    }
+
     /// Diagnoses the cases, one on each core, and prints each answer as it comes.
     fn diagnose_all(&self, cases: &[Case]) -> Result<Vec<Outcome>, Failure> {
-        let workers = std::thread::available_parallelism().map_or(1, usize::from);
-        let next = AtomicUsize::new(0);
-        let all = std::thread::scope(|scope| {
-            let begin = |_| scope.spawn(|| self.diagnose_some(cases, &next));
-            let workers: Vec<_> = (0..workers).map(begin).collect();
-            workers.into_iter().map(ScopedJoinHandle::join).collect::<Vec<_>>()
-        });
-        let mut outcomes = Vec::with_capacity(cases.len());
-        for some in all {
-            let stopped = |_| Failure::new("a diagnosis was aborted", "");
-            outcomes.extend(some.map_err(stopped)??);
-        }
+        let mut outcomes = on_all_cores(cases, &|case| {
+            let outcome = self.diagnose_one(case)?;
+            let answer = markdown::answer(&outcome.answer);
+            println!("case {:03}: {answer}, {:.0} s", case.number, outcome.seconds);
+            Ok(outcome)
+        })?;
         outcomes.sort_by_key(|outcome| outcome.case);
         Ok(outcomes)
     }
 
-    /// What one core does: a diagnosis after the other, without help of the others.
-    fn diagnose_some(&self, cases: &[Case], next: &AtomicUsize) -> Result<Vec<Outcome>, Failure> {
-        let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build();
-        let alone = alone.map_err(|error| Failure::new(error.to_string(), ""))?;
-        let mut outcomes = Vec::new();
-        while let Some(case) = cases.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let outcome = alone.install(|| self.diagnose_one(case))?;
-            let answer = markdown::answer(&outcome.answer);
-            println!("case {:03}: {answer}, {:.0} s", case.number, outcome.seconds);
-            outcomes.push(outcome);
-        }
-        Ok(outcomes)
-    }
-
     fn diagnose_one(&self, case: &Case) -> Result<Outcome, Failure> {
-        let settings =
-            RunSettings { out: self.out.clone(), keep_logs: self.keep_logs, ceiling: self.ceiling };
-        let outcome = diagnose_case(case, &settings, &|campaign| {
+        let outcome = diagnose_case(case, &self.run_settings(), &|campaign| {
             let diagnosis =
                 diagnose(campaign, &Catalogue::standard(), &Criteria::default(), &|_| ());
             diagnosis.map(|found| found.report).map_err(|error| error.to_string())

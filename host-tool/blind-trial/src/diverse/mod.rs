@@ -1,0 +1,28 @@
+//! The diverse trial: robots that do not share friction, effects and noise with the diagnosis.
+
+mod clutter;
+mod draw;
+mod evidence;
+mod knowable;
+mod outcome;
+mod output;
+mod page;
+mod results;
+mod run;
+mod score;
+mod settings;
+mod sizes;
+mod world;
+
+pub use draw::{DiverseCase, draw_diverse};
+pub use knowable::Known;
+pub use outcome::{Claim, DiverseOutcome};
+pub use output::{write, write_known};
+pub use page::{answer, page, short};
+pub use results::DiverseResults;
+pub use run::diagnose_diverse;
+pub use score::DiverseScore;
+pub use settings::{DiverseSettings, Ranges};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,55 @@
+//! What a diagnosis made of a diverse case, beside the truth.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use super::knowable::Known;
+use crate::case::Kind;
+use crate::cause::TrueCause;
+use crate::reality::Reality;
+use diagnosis::{Report, Value};
+
+/// A cause that was named.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Claim {
+    /// The effect.
+    pub effect: String,
+    /// Joint, 1 to 3; 0 for the whole robot.
+    pub joint: u8,
+    /// Its parameters by name.
+    pub parameters: BTreeMap<String, Value>,
+    /// How sure the diagnosis is.
+    pub probability: f64,
+    /// 95 % interval of its share of the gap.
+    pub share_interval: [f64; 2],
+    /// 95 % intervals of its parameters, component by component.
+    pub parameter_intervals: BTreeMap<String, Vec<[f64; 2]>>,
+}
+
+/// A diverse case's truth and the answer.
+#[derive(Clone, Debug, Serialize)]
+pub struct DiverseOutcome {
+    /// Number of the case.
+    pub case: u32,
+    /// What kind of truth it has.
+    pub kind: Kind,
+    /// The true causes, the largest first.
+    pub truth: Vec<TrueCause>,
+    /// What could be known of each.
+    pub known: Vec<Known>,
+    /// The rest of the robot, with its small effects.
+    pub reality: Reality,
+    /// The verdict, or "failed".
+    pub verdict: String,
+    /// Why there is no report, where there is none.
+    pub failure: Option<String>,
+    /// The causes named, in the report's order.
+    pub claims: Vec<Claim>,
+    /// How long the diagnosis took [s].
+    pub seconds: f64,
+    /// Processor time of it [s].
+    pub processor_seconds: f64,
+    /// All that it said.
+    pub report: Option<Report>,
+}

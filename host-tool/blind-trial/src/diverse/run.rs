@@ -1,0 +1,83 @@
+//! Has diverse cases diagnosed.
+
+use std::cell::Cell;
+use std::time::Duration;
+
+use nix::time::{ClockId, clock_gettime};
+
+use super::draw::DiverseCase;
+use super::outcome::{Claim, DiverseOutcome};
+use crate::error::TrialError;
+use crate::logs;
+use crate::outcome::{Answer, Diagnose, RunSettings, answer_in};
+use diagnosis::{Cause, Interval};
+
+/// Writes the logs of a case, reads them back and diagnoses them; the diagnosis sees nothing
+/// else. Processor time is this thread's, which must do all the work.
+///
+/// # Errors
+/// Logs that cannot be recorded, written or read back. A diagnosis that fails is an answer.
+pub fn diagnose_diverse(
+    DiverseCase { case, known }: &DiverseCase,
+    settings: &RunSettings,
+    diagnose: Diagnose,
+) -> Result<DiverseOutcome, TrialError> {
+    let directory = logs::directory(&settings.out, case.number);
+    let processor_s = Cell::new(0.0);
+    let (answer, seconds) = answer_in(case, &directory, settings.keep_logs, &|campaign| {
+        let began = thread_time();
+        let answer = diagnose(campaign);
+        processor_s.set(thread_time().saturating_sub(began).as_secs_f64());
+        answer
+    })?;
+    let Some(reality) = case.reality.clone() else {
+        return Err(TrialError::NoReality(case.number));
+    };
+    Ok(DiverseOutcome {
+        case: case.number,
+        kind: case.kind,
+        truth: case.causes.clone(),
+        known: known.clone(),
+        reality,
+        verdict: verdict(&answer),
+        failure: match &answer {
+            Answer::Failed(why) => Some(why.clone()),
+            Answer::Report(_) => None,
+        },
+        claims: answer.named().iter().map(claim).collect(),
+        seconds,
+        processor_seconds: processor_s.get(),
+        report: answer.report().cloned(),
+    })
+}
+
+/// What this thread has computed for so far.
+fn thread_time() -> Duration {
+    clock_gettime(ClockId::CLOCK_THREAD_CPUTIME_ID).map_or(Duration::ZERO, Duration::from)
+}
+
+/// The verdict as `report.json` writes it.
+fn verdict(answer: &Answer) -> String {
+    let verdict = answer.report().map(|report| serde_json::json!(report.verdict));
+    verdict.as_ref().and_then(|word| word.as_str()).unwrap_or("failed").to_owned()
+}
+
+fn claim(cause: &Cause) -> Claim {
+    let intervals = cause.parameter_intervals.iter();
+    Claim {
+        effect: cause.effect.clone(),
+        joint: cause.joint,
+        parameters: cause.parameters.clone(),
+        probability: cause.probability,
+        share_interval: cause.share_interval,
+        parameter_intervals: intervals.map(|(name, each)| (name.clone(), sides(each))).collect(),
+    }
+}
+
+/// The interval of each component.
+fn sides(interval: &Interval) -> Vec<[f64; 2]> {
+    match interval {
+        Interval::Number(sides) => vec![*sides],
+        Interval::Vector(components) => components.clone(),
+    }
+}

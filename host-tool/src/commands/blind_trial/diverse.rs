@@ -1,0 +1,73 @@
+//! `rrr blind-trial --diverse`: robots that do not share friction, effects and noise with the
+//! diagnosis.
+
+use std::path::Path;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use super::workers::on_all_cores;
+use crate::failure::Failure;
+use crate::terminal::progress::Progress;
+use blind_trial::diverse::{
+    self, DiverseCase, DiverseOutcome, DiverseResults, DiverseSettings, diagnose_diverse,
+    draw_diverse,
+};
+use blind_trial::{RunSettings, SealedTruth, logs, sealed_truth};
+use diagnosis::{Criteria, diagnose};
+use rig::effects::Catalogue;
+
+/// Draws, seals, has diagnosed, and scores.
+pub(super) fn run(settings: &DiverseSettings, run: &RunSettings) -> Result<(), Failure> {
+    let (cases, truth) = sealed(settings, &run.out)?;
+    let mut outcomes = on_all_cores(&cases, &|case| diagnose_one(case, run))?;
+    outcomes.sort_by_key(|outcome| outcome.case);
+    truth.reveal(&run.out)?;
+    println!("SHA-256 of the truth, opened: {}\n", truth.hash());
+    let results = DiverseResults::new(settings, truth.hash(), outcomes);
+    diverse::write(&results, &run.out)?;
+    println!("{}", diverse::short(&results));
+    println!("Cases: {}", run.out.join("diverse-trial.md").display());
+    Ok(())
+}
+
+/// Writes the logs of all cases with their truth, without a diagnosis.
+pub(super) fn draw_only(settings: &DiverseSettings, out: &Path) -> Result<(), Failure> {
+    let (cases, truth) = sealed(settings, out)?;
+    let progress = Progress::new("recording", cases.len() as u64);
+    for (done, DiverseCase { case, known }) in (1..).zip(&cases) {
+        let directory = logs::directory(out, case.number);
+        logs::write(case, &directory)?;
+        sealed_truth::write_truth(case, &directory)?;
+        diverse::write_known(known, &directory)?;
+        progress.at(done);
+    }
+    progress.finish();
+    truth.reveal(out)?;
+    println!("{} cases in {}", cases.len(), out.display());
+    Ok(())
+}
+
+/// The cases, and their truth, whose hash is told.
+fn sealed(
+    settings: &DiverseSettings,
+    out: &Path,
+) -> Result<(Vec<DiverseCase>, SealedTruth), Failure> {
+    let progress = Progress::new("drawing cases", u64::from(settings.cases));
+    let done = AtomicU64::new(0);
+    let one_more = || progress.at(done.fetch_add(1, Ordering::Relaxed) + 1);
+    let cases = draw_diverse(settings, &one_more)?;
+    progress.finish();
+    let truth = SealedTruth::new(&cases.iter().map(|c| c.case.clone()).collect::<Vec<_>>());
+    println!("SHA-256 of the truth: {}", truth.hash());
+    truth.write_hash(out)?;
+    Ok((cases, truth))
+}
+
+fn diagnose_one(case: &DiverseCase, run: &RunSettings) -> Result<DiverseOutcome, Failure> {
+    let outcome = diagnose_diverse(case, run, &|campaign| {
+        let diagnosis = diagnose(campaign, &Catalogue::standard(), &Criteria::default(), &|_| ());
+        diagnosis.map(|found| found.report).map_err(|error| error.to_string())
+    })?;
+    let answer = diverse::answer(&outcome);
+    println!("case {:03}: {answer}, {:.0} s", outcome.case, outcome.seconds);
+    Ok(outcome)
+}
