@@ -46,6 +46,15 @@ impl Misfit {
         Self { pieces: [0, 1, 2].map(of_joint) }
     }
 
+    /// The same size with rows as independent as in this one or another, whichever is more.
+    pub fn at_least_as_independent(mut self, other: &Self) -> Self {
+        let own = self.pieces.iter_mut().flatten();
+        for (piece, other) in own.zip(other.pieces.iter().flatten()) {
+            piece.correlation = piece.correlation.min(other.correlation);
+        }
+        self
+    }
+
     /// Weights of a joint's rows in a train stretch [1/V].
     pub fn weights(&self, joint: usize, s: usize) -> impl Iterator<Item = f64> {
         let piece = &self.pieces[joint][s];
@@ -57,12 +66,7 @@ impl Misfit {
     /// Log-likelihood of residuals in volts whose size is free in each class of each log, rows
     /// counted as independent as in this misfit; `gain` tells, by train stretch and joint, in
     /// which unit they count.
-    pub fn log_likelihood(
-        &self,
-        evidence: &Evidence,
-        residual_v: &Rows,
-        gain: &[[f64; 3]],
-    ) -> f64 {
+    pub fn log_likelihood(&self, evidence: &Evidence, residual_v: &Rows, gain: &[[f64; 3]]) -> f64 {
         let of_joint = |&joint: &usize| -> f64 {
             let ranges = evidence.ranges(joint).into_iter();
             let pieces = self.pieces[joint].iter().zip(ranges).enumerate();

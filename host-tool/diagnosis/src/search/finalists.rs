@@ -45,6 +45,19 @@ pub fn finalists(subject: &Subject, before: &FittedModel, now: &Linearisation) -
         let batch = overlooked(subject, before, now, &finalists);
         finalists.extend(refitted(subject, before, now, batch));
     }
+    ranked(before, finalists)
+}
+
+/// Finalists, the best first; rows of all of them count as independent as in what that one leaves
+/// that lasts least.
+fn ranked(before: &FittedModel, mut finalists: Vec<Finalist>) -> Vec<Finalist> {
+    let misfits = finalists.iter().map(|finalist| finalist.model.misfit());
+    let common =
+        misfits.fold(before.misfit(), |common, misfit| common.at_least_as_independent(&misfit));
+    let without = before.log_likelihood(&common);
+    for finalist in &mut finalists {
+        finalist.gain = finalist.model.log_likelihood(&common) - without;
+    }
     finalists.sort_by(|a, b| b.gain.total_cmp(&a.gain));
     finalists
 }

@@ -34,12 +34,11 @@ pub fn is_accepted(before: &FittedModel, after: &FittedModel, criteria: &Criteri
         && gain(before, after) > criteria.selection.least_log_likelihood
 }
 
-/// Log-likelihood that a model gains over another, rows as independent as what the better of them
-/// leaves: what is left of a missing effect is no noise that lasts.
-pub fn gain(before: &FittedModel, after: &FittedModel) -> f64 {
-    let by = |misfit: &Misfit| after.log_likelihood(misfit) - before.log_likelihood(misfit);
-    let gain = by(&after.misfit());
-    if gain > 0.0 { gain } else { by(&before.misfit()) }
+/// Log-likelihood that a model gains over another. Rows count as independent as in what that one
+/// of them leaves that lasts less: what is left of a missing effect is no noise that lasts.
+pub fn gain(over: &FittedModel, model: &FittedModel) -> f64 {
+    let misfit = model.misfit().at_least_as_independent(&over.misfit());
+    model.log_likelihood(&misfit) - over.log_likelihood(&misfit)
 }
 
 /// An effect that takes away every command, a wide dead zone say, "explains" any motion once the

@@ -32,7 +32,16 @@ pub(super) const DEFINITION: Definition = Definition {
     ],
     couples_joints: true,
     touches: Touches::DRIVE,
-    search: Search::From(|_| vec![vec![0.02, 0.02, 0.1, 0.1]]),
+    search: Search::From(|_| {
+        // Along either axis and between them, and with what no base parameter holds.
+        vec![
+            vec![0.02, 0.02, 0.1, 0.1],
+            vec![0.02, 0.0, 0.0, 0.0],
+            vec![0.0, 0.02, 0.0, 0.0],
+            vec![0.02, -0.02, 0.1, -0.1],
+            vec![0.02, 0.02, -0.3, 0.3],
+        ]
+    }),
     size: Size::grows(|_| 0.2),
     draw: |_, random| {
         let size_rad = random.log_uniform(0.01, 0.1);
