@@ -22,8 +22,12 @@ criteria! {
         highest_probability: f64 = 0.98,
         /// Least probability of a cause that is named.
         least_probability: f64 = 0.5,
-        /// Part of what is left above the noise without it that a cause must take away to be named.
+        /// A cause takes this share of the gap to be named,
+        least_share: f64 = 0.1,
+        /// and this part of what is left above the noise without it;
         least_part_of_left: f64 = 0.15,
+        /// or, however small its share, this part of what is left.
+        most_of_left: f64 = 0.5,
         /// Least probability of an alternative that is listed.
         least_alternative: f64 = 0.02,
         /// A refitted model that leaves a larger part of a command is that of another robot.

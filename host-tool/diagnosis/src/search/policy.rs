@@ -7,7 +7,6 @@ use crate::fit::fitted_model::FittedModel;
 use crate::fit::residual_stats::ResidualStats;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
-use crate::rows::misfit::Misfit;
 use crate::trial::hypothesis::EffectInstance;
 use files::Role;
 

@@ -27,8 +27,16 @@ fn confirmed(worth: &Worth, criteria: &VerdictCriteria) -> f64 {
 /// Whether a cause is named.
 pub fn is_named(probability: f64, worth: &Worth, criteria: &VerdictCriteria) -> bool {
     probability >= criteria.least_probability
-        && worth.part_of_left >= criteria.least_part_of_left
+        && is_large(worth, criteria)
         && worth.share_interval[0] > 0.0
+}
+
+/// Whether a cause is more than what nobody's formula leaves: a good part of the gap, or most of
+/// what is left without it.
+fn is_large(worth: &Worth, criteria: &VerdictCriteria) -> bool {
+    let of_gap = worth.share >= criteria.least_share
+        && worth.part_of_left >= criteria.least_part_of_left;
+    of_gap || worth.part_of_left >= criteria.most_of_left
 }
 
 /// The verdict in one word; `last` has just the causes that are named.
