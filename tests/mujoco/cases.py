@@ -25,6 +25,8 @@ LAWS = {
     "lugre": "MuJoCo's LuGre friction (dcmotor), all of the true robot's parameters",
     "tanh": "alpha0 tanh(qd / w) + alpha2 qd; w in friction_width_rad_per_s",
 }
+LAW_PARTS = {"joint": 0.6, "lugre": 0.2, "tanh": 0.2}
+"""How often `mixed` draws each law."""
 TRIES, ATTEMPTS = 4, 8
 """Draws of sizes before another robot with other joints is drawn, and draws of those."""
 LEAST_GAP_V = 0.012
@@ -38,7 +40,7 @@ class Case:
         self.options, self.number = options, number
         self.rng = np.random.default_rng([options.seed, number] + [attempt + 1] * (attempt > 0))
         self.kind = self._choose(options.kind, "mixed", KINDS)
-        self.law = self._choose(options.friction, "mixed", dict.fromkeys(LAWS, 1 / 3))
+        self.law = self._choose(options.friction, "mixed", LAW_PARTS)
         self.places = self._draw_places()
         self.robot = draw_robot(self.rng)
         for name, joint in self.places:
