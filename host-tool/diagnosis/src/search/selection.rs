@@ -9,6 +9,7 @@ use super::restart::restarted;
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::fit::preparation::as_given;
+use crate::fit::unknowns::kept_physical;
 use crate::logs::subject::Subject;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 
@@ -230,5 +231,6 @@ fn with_given_parameters(subject: &Subject, refitted: &FittedModel) -> Option<Li
     for expected in expected.iter().filter(|expected| expected.unknown.shapes_friction()) {
         expected.unknown.set(&mut start, expected.unknown.get(hypothesis));
     }
+    kept_physical(&mut start, subject);
     Linearisation::of(&refitted.evidence, start, expected.clone())
 }
