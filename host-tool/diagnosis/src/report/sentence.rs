@@ -198,12 +198,10 @@ mod tests {
                 ("harmonic", 8.0),
                 ("phase_rad", 0.9),
             ]),
-            confidence: 0.97,
-            shrinkage: 0.83,
-            shrinkage_interval: [0.79, 0.86],
+            ..crate::synthetic::cogging()
         };
         let said = cause_words(&Catalogue::standard(), &cause);
-        assert_eq!(said, "Joint 3: cogging, 8 per turn, 0.11 V, explains 83 % of the gap.");
+        assert_eq!(said, "Joint 3: cogging, 8 per turn, 0.11 V, explains 95 % of the gap.");
     }
 
     #[test]
