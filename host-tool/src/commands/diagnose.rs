@@ -145,9 +145,9 @@ pub fn in_words(diagnosis: &Diagnosis) -> String {
 
 fn table(diagnosis: &Diagnosis) -> String {
     let line = |cells: &[&str]| match cells {
-        [cause, joint, confidence, shrinkage, parameters] => {
-            format!("  {cause:22} {joint:>5} {confidence:>11} {shrinkage:>18}  {parameters}\n")
-        }
+        [cause, joint, share, probability, shrinkage, parameters] => format!(
+            "  {cause:22} {joint:>5}  {share:18}  {probability:>11}  {shrinkage:18}  {parameters}\n"
+        ),
         cells => cells.join("  "),
     };
     let rows = cause_rows(diagnosis);
