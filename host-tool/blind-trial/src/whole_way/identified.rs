@@ -1,5 +1,7 @@
 //! A robot's campaign, and the model that comes of it.
 
+use std::path::Path;
+
 use files::RobotFile;
 use identification::procedure::{Identified, identify, model_file};
 use model::Robot;
@@ -8,6 +10,7 @@ use rig::Recipe;
 
 use crate::case::Case;
 use crate::error::TrialError;
+use crate::logs;
 
 /// A model as `rrr identify` writes it.
 #[derive(Clone, Debug)]
@@ -22,19 +25,24 @@ pub(super) struct IdentifiedModel {
     pub remarks: Vec<String>,
 }
 
-/// Records the experiments of `rrr simulate --dataset campaign` and identifies the robot.
+/// Records the experiments of `rrr simulate --dataset campaign` and identifies the robot; the logs
+/// are written where `keep` says.
 ///
 /// # Errors
 /// The board refuses its block, or the logs do not determine a model.
-pub(super) fn identified(case: &Case) -> Result<IdentifiedModel, TrialError> {
+pub(super) fn identified(case: &Case, keep: Option<&Path>) -> Result<IdentifiedModel, TrialError> {
     let Some(recipe) = Recipe::by_name("campaign") else {
         return Err(TrialError::NoRecipe("campaign"));
     };
     let rig = case.rig();
     let counts = f64::from(rig.encoder_counts_per_turn);
     let recorded = case.record_plans(recipe.plans(&rig, case.seed % NOISE_SEEDS))?;
-    let traces = recorded.into_iter().map(|r| Trace::of_log(r.log, r.plan.entry("csv"), counts));
     let file = manufacturers_data(case);
+    if let Some(directory) = keep {
+        logs::write_recorded(&recorded, counts, directory)?;
+        file.write(directory.join("robot.toml"))?;
+    }
+    let traces = recorded.into_iter().map(|r| Trace::of_log(r.log, r.plan.entry("csv"), counts));
     let campaign = Campaign::new(file.clone(), Some(counts), traces.collect())?;
     let found = identify(&campaign, &|_| ())?;
     found.robot.checked().map_err(|error| TrialError::NoModel {

@@ -47,11 +47,12 @@ pub fn walk(
     run: &RunSettings,
     diagnose: Diagnose,
 ) -> Result<WholeWayOutcome, TrialError> {
-    let found = identified(robot)?;
+    let directory = logs::directory(&run.out, robot.number);
+    let campaign = directory.join("campaign");
+    let found = identified(robot, run.keep_logs.then_some(campaign.as_path()))?;
     let mut rng = numbers(settings.seed, robot.number, 1);
     let after = Case { nominal: found.robot, seed: robot.seed ^ AFTER, ..robot.clone() };
     let case = changed(&after, &settings.only, &mut rng)?;
-    let directory = logs::directory(&run.out, case.number);
     logs::write(&case, &directory)?;
     found.file.write(directory.join(logs::MODEL_NAME))?;
     if run.keep_logs {
