@@ -131,8 +131,16 @@ impl Case {
     /// # Errors
     /// As of [`Self::record`].
     pub fn record_undamaged(&self) -> Result<Vec<Recorded>, TrialError> {
+        self.record_plans(self.plans())
+    }
+
+    /// Records other plans than its own, one after the other.
+    ///
+    /// # Errors
+    /// As of [`Self::record`].
+    pub fn record_plans(&self, plans: Vec<Plan>) -> Result<Vec<Recorded>, TrialError> {
         let mut laws = self.reality.as_ref().map(|reality| reality.friction_laws(&self.robot));
-        let plans = self.plans().into_iter().enumerate();
+        let plans = plans.into_iter().enumerate();
         plans.map(|(index, plan)| self.record_plan(index, plan, &mut laws)).collect()
     }
 

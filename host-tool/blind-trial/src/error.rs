@@ -33,6 +33,17 @@ pub enum TrialError {
     /// A case of the plain trial where one of the diverse trial is needed.
     #[error("case {0} is of the plain trial and has no reality of its own")]
     NoReality(u32),
+    /// A data set that cannot be recorded by name.
+    #[error("there is no recipe for the data set {0}")]
+    NoRecipe(&'static str),
+    /// What was identified is no robot.
+    #[error("robot {case} was identified as what no robot can be: {what}")]
+    NoModel {
+        /// The robot.
+        case: u32,
+        /// What is wrong.
+        what: String,
+    },
     /// A name that is neither in the catalogue nor among the foreign effects.
     #[error("{0} is no effect, neither of the catalogue nor foreign to it")]
     UnknownEffect(String),

@@ -8,6 +8,8 @@
 //! | [`sealed_truth`] | the truth: its hash is printed before, its text written after |
 //! | [`outcome`] | writes a case's logs, has them diagnosed |
 //! | [`score`] | how well the answers fit |
+//! | [`diverse`] | robots that share neither friction nor noise with the diagnosis |
+//! | [`whole_way`] | record, identify, a change, record, diagnose |
 //! | [`results`], [`markdown`], [`output`] | what is printed and written |
 
 #![forbid(unsafe_code)]
@@ -33,6 +35,7 @@ pub mod score;
 pub mod sealed_truth;
 mod settings;
 pub mod visibility;
+pub mod whole_way;
 
 pub use case::{Case, Kind};
 pub use cause::{TrueCause, TrueEffect};

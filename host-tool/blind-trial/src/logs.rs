@@ -20,20 +20,31 @@ pub fn directory(out: &Path, number: u32) -> PathBuf {
 /// # Errors
 /// The board refuses the model, or the directory cannot be written.
 pub fn write(case: &Case, directory: &Path) -> Result<(), TrialError> {
-    make(directory)?;
-    let recorded = case.record()?;
-    for Recorded { plan, log } in &recorded {
-        log.write(directory.join(plan.entry("csv.gz").file))?;
-    }
-    let rig = case.rig();
-    let dataset = Dataset {
-        directory: directory.to_owned(),
-        encoder_counts_per_rev: Some(f64::from(rig.encoder_counts_per_turn)),
-        entries: recorded.iter().map(|recorded| recorded.plan.entry("csv.gz")).collect(),
-    };
-    dataset.write(directory)?;
+    let counts_per_turn = f64::from(case.rig().encoder_counts_per_turn);
+    write_recorded(&case.record()?, counts_per_turn, directory)?;
     model_file(case).write(directory.join(MODEL_NAME))?;
     Ok(())
+}
+
+/// Writes logs and their list.
+///
+/// # Errors
+/// The directory cannot be written.
+pub(crate) fn write_recorded(
+    recorded: &[Recorded],
+    encoder_counts_per_turn: f64,
+    directory: &Path,
+) -> Result<(), TrialError> {
+    make(directory)?;
+    for Recorded { plan, log } in recorded {
+        log.write(directory.join(plan.entry("csv.gz").file))?;
+    }
+    let dataset = Dataset {
+        directory: directory.to_owned(),
+        encoder_counts_per_rev: Some(encoder_counts_per_turn),
+        entries: recorded.iter().map(|recorded| recorded.plan.entry("csv.gz")).collect(),
+    };
+    Ok(dataset.write(directory)?)
 }
 
 fn model_file(case: &Case) -> RobotFile {

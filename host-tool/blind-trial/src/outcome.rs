@@ -91,6 +91,15 @@ pub(crate) fn answer_in(
     diagnose: Diagnose,
 ) -> Result<(Answer, f64), TrialError> {
     logs::write(case, directory)?;
+    answer_to(directory, keep_logs, diagnose)
+}
+
+/// The answer to logs that are already written, and how long it took [s].
+pub(crate) fn answer_to(
+    directory: &Path,
+    keep_logs: bool,
+    diagnose: Diagnose,
+) -> Result<(Answer, f64), TrialError> {
     let campaign = logs::read(directory)?;
     let began = Instant::now();
     let answer = answer(&campaign, diagnose);

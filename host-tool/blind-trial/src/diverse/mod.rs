@@ -21,8 +21,11 @@ pub use output::{write, write_known};
 pub use page::{answer, page, short};
 pub use results::DiverseResults;
 pub use run::diagnose_diverse;
+pub(crate) use run::diagnose_written;
 pub use score::DiverseScore;
-pub use settings::{DiverseSettings, Ranges};
+pub use settings::{DiverseSettings, FrictionRanges, Ranges};
+pub(crate) use sizes::scaled;
+pub(crate) use world::draw_law_among;
 
 #[cfg(test)]
 mod tests;

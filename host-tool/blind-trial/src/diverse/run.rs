@@ -1,6 +1,7 @@
 //! Has diverse cases diagnosed.
 
 use std::cell::Cell;
+use std::path::Path;
 use std::time::Duration;
 
 use nix::time::{ClockId, clock_gettime};
@@ -9,7 +10,7 @@ use super::draw::DiverseCase;
 use super::outcome::{Claim, DiverseOutcome};
 use crate::error::TrialError;
 use crate::logs;
-use crate::outcome::{Answer, Diagnose, RunSettings, answer_in};
+use crate::outcome::{Answer, Diagnose, RunSettings, answer_to};
 use diagnosis::{Cause, Interval};
 
 /// Writes the logs of a case, reads them back and diagnoses them; the diagnosis sees nothing
@@ -18,13 +19,27 @@ use diagnosis::{Cause, Interval};
 /// # Errors
 /// Logs that cannot be recorded, written or read back. A diagnosis that fails is an answer.
 pub fn diagnose_diverse(
-    DiverseCase { case, known }: &DiverseCase,
+    case: &DiverseCase,
     settings: &RunSettings,
     diagnose: Diagnose,
 ) -> Result<DiverseOutcome, TrialError> {
-    let directory = logs::directory(&settings.out, case.number);
+    let directory = logs::directory(&settings.out, case.case.number);
+    logs::write(&case.case, &directory)?;
+    diagnose_written(case, &directory, settings.keep_logs, diagnose)
+}
+
+/// Diagnoses the logs of a case that are in a directory, with the model beside them.
+///
+/// # Errors
+/// Logs that cannot be read. A diagnosis that fails is an answer.
+pub(crate) fn diagnose_written(
+    DiverseCase { case, known }: &DiverseCase,
+    directory: &Path,
+    keep_logs: bool,
+    diagnose: Diagnose,
+) -> Result<DiverseOutcome, TrialError> {
     let processor_s = Cell::new(0.0);
-    let (answer, seconds) = answer_in(case, &directory, settings.keep_logs, &|campaign| {
+    let (answer, seconds) = answer_to(directory, keep_logs, &|campaign| {
         let began = thread_time();
         let answer = diagnose(campaign);
         processor_s.set(thread_time().saturating_sub(began).as_secs_f64());

@@ -58,6 +58,16 @@ fn draw_law(ranges: &FrictionRanges, rng: &mut Rng) -> usize {
     chosen.unwrap_or(0)
 }
 
+/// A law for each joint, one of those at these places of [`FrictionRanges::laws`] for the robot.
+pub(crate) fn draw_law_among(
+    places: &[usize],
+    ranges: &FrictionRanges,
+    rng: &mut Rng,
+) -> [JointFriction; 3] {
+    let place = *rng.pick(places);
+    [(); 3].map(|()| JointFriction { law: parameters_of(place, ranges, rng), heat: None })
+}
+
 fn parameters_of(law: usize, ranges: &FrictionRanges, rng: &mut Rng) -> Law {
     match law {
         1 => Law::Tanh { width_rad_per_s: within(rng, ranges.width_rad_per_s) },

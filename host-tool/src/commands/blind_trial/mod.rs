@@ -1,6 +1,7 @@
 //! `rrr blind-trial`: how well the diagnosis does on robots with hidden effects.
 
 mod diverse;
+mod whole_way;
 mod workers;
 
 use std::path::PathBuf;
@@ -13,6 +14,7 @@ use crate::failure::Failure;
 use crate::output_files::create_directory;
 use crate::terminal::progress::Progress;
 use blind_trial::diverse::{DiverseSettings, Ranges};
+use blind_trial::whole_way::WholeWaySettings;
 use blind_trial::{
     Case, DrawSettings, Kind, Outcome, Results, RunSettings, SealedTruth, TrialError,
     diagnose_case, draw, logs, markdown, output, sealed_truth,
@@ -27,8 +29,12 @@ pub struct Arguments {
     /// of friction, causes of other shapes and any size, small effects everywhere, damaged logs.
     #[arg(long, conflicts_with_all = ["noise_mv", "only", "ceiling"])]
     pub diverse: bool,
+    /// The whole way of a user: draw robots with five laws of friction in turn, record their
+    /// campaigns, identify them, change one thing, record again, diagnose.
+    #[arg(long, conflicts_with_all = ["diverse", "noise_mv", "kind", "ceiling", "draw_only"])]
+    pub whole_way: bool,
     /// How many cases to draw.
-    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    #[arg(long, visible_alias = "robots", value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub cases: u32,
     /// Number of the first case; a case depends on its number and the seed alone.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
@@ -72,6 +78,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     create_directory(&arguments.out)?;
     if arguments.diverse {
         return arguments.run_diverse();
+    }
+    if arguments.whole_way {
+        return whole_way::run(&arguments.whole_way_settings(), &arguments.run_settings());
     }
     let catalogue = Catalogue::standard();
     let cases = drawn(&settings, &catalogue)?;
@@ -122,6 +131,14 @@ impl Arguments {
             cases: self.cases,
             duration_scale: self.duration_scale,
             ranges,
+        }
+    }
+
+    fn whole_way_settings(&self) -> WholeWaySettings {
+        WholeWaySettings {
+            duration_scale: self.duration_scale,
+            only: self.only.clone(),
+            ..WholeWaySettings::new(self.seed, self.first, self.cases)
         }
     }
 

@@ -1,0 +1,88 @@
+//! One robot from its first record to the answer.
+
+use serde::Serialize;
+
+use super::change::changed;
+use super::draw::numbers;
+use super::identified::{IdentifiedModel, identified};
+use super::settings::WholeWaySettings;
+use crate::case::Case;
+use crate::diverse::{DiverseCase, DiverseOutcome, Known, diagnose_written};
+use crate::error::TrialError;
+use crate::logs;
+use crate::outcome::{Diagnose, RunSettings};
+use crate::sealed_truth;
+use crate::visibility::Visibility;
+use model::Friction;
+
+/// What became of one robot.
+#[derive(Clone, Debug, Serialize)]
+pub struct WholeWayOutcome {
+    /// The robot's own friction parameters.
+    pub friction: [Friction<f64>; 3],
+    /// The friction that was identified.
+    pub identified_friction: [Friction<f64>; 3],
+    /// What the identified model leaves of the command on the campaign's logs held out, rms of
+    /// the worst log of each joint [V].
+    #[serde(rename = "held_out_V")]
+    pub held_out_v: [f64; 3],
+    /// What identification had to remark.
+    pub remarks: Vec<String>,
+    /// How much the change shows, in parts of what the identified model leaves.
+    pub visibility: Option<Visibility>,
+    /// Truth and answer.
+    #[serde(flatten)]
+    pub outcome: DiverseOutcome,
+}
+
+/// Records a robot's campaign, identifies it, changes it, records again and has it diagnosed;
+/// the diagnosis sees the later logs and the identified model alone.
+///
+/// # Errors
+/// A robot that cannot be identified, or on which no change is noticed; files that cannot be
+/// written. A diagnosis that fails is an answer.
+pub fn walk(
+    robot: &Case,
+    settings: &WholeWaySettings,
+    run: &RunSettings,
+    diagnose: Diagnose,
+) -> Result<WholeWayOutcome, TrialError> {
+    let directory = logs::directory(&run.out, robot.number);
+    let campaign = directory.join("campaign");
+    let found = identified(robot, run.keep_logs.then_some(campaign.as_path()))?;
+    let mut rng = numbers(settings.seed, robot.number, 1);
+    let after = Case { nominal: found.robot, seed: robot.seed ^ AFTER, ..robot.clone() };
+    let case = changed(&after, &settings.only, &mut rng)?;
+    logs::write(&case, &directory)?;
+    found.file.write(directory.join(logs::MODEL_NAME))?;
+    if run.keep_logs {
+        sealed_truth::write_truth(&case, &directory)?;
+    }
+    // The one change is the whole of what can be known.
+    let known = vec![Known { share: Some(1.0), oracle: 1.0 }];
+    let visibility = case.visibility;
+    let diverse = DiverseCase { case, known };
+    let outcome = diagnose_written(&diverse, &directory, run.keep_logs, diagnose)?;
+    Ok(WholeWayOutcome::of(robot, found, visibility, outcome))
+}
+
+/// Makes the noise after the change another than before.
+const AFTER: u32 = 0x5A5A_5A5A;
+
+impl WholeWayOutcome {
+    fn of(
+        robot: &Case,
+        found: IdentifiedModel,
+        visibility: Option<Visibility>,
+        outcome: DiverseOutcome,
+    ) -> Self {
+        Self {
+            friction: robot.robot.friction,
+            identified_friction: found.robot.friction,
+            held_out_v: found.held_out_v,
+            remarks: found.remarks,
+            visibility,
+            outcome,
+        }
+    }
+}
