@@ -39,6 +39,7 @@ fn named(diagnosis: &Diagnosis) -> String {
     let mut parts: Vec<String> =
         report.causes.iter().map(|cause| cause_words(diagnosis, cause)).collect();
     parts.extend(not_ruled_out(diagnosis));
+    parts.extend(not_confirmed(diagnosis));
     parts.extend(refitted(diagnosis));
     parts.extend(remaining(&report.remainder, rest_part(&report.gap)));
     parts.join(" ")
@@ -62,22 +63,29 @@ fn cause_words(diagnosis: &Diagnosis, cause: &Cause) -> String {
     )
 }
 
+/// What could stand in the place of a cause.
 fn not_ruled_out(diagnosis: &Diagnosis) -> Option<String> {
     let report = &diagnosis.report;
     let words = |other: &Alternative| {
-        let place = other.instead_of.and_then(|index| report.causes.get(index));
-        format!(
-            "{} on {}{} ({} %)",
-            effect_words(&other.effect),
-            joint_words(other.joint),
-            place.map_or_else(String::new, |cause| {
-                format!(" in place of {}", effect_words(&cause.effect))
-            }),
-            percent(other.probability)
-        )
+        let cause = report.causes.get(other.instead_of?)?;
+        let (effect, joint) = (effect_words(&other.effect), joint_words(other.joint));
+        let place = effect_words(&cause.effect);
+        Some(format!("{effect} on {joint} in place of {place} ({} %)", percent(other.probability)))
     };
-    let said: Vec<String> = report.alternatives.iter().take(MOST_SAID).map(words).collect();
+    let said: Vec<String> = report.alternatives.iter().filter_map(words).take(MOST_SAID).collect();
     (!said.is_empty()).then(|| format!("Not ruled out: {}.", said.join("; ")))
+}
+
+/// What takes a part of the gap besides, but not surely enough to be named.
+fn not_confirmed(diagnosis: &Diagnosis) -> Option<String> {
+    let others = diagnosis.report.alternatives.iter();
+    let is_said = |other: &&Alternative| other.instead_of.is_none() && other.share >= SAID_NEAREST;
+    let words = |other: &Alternative| {
+        let (effect, joint) = (effect_words(&other.effect), joint_words(other.joint));
+        format!("{effect} on {joint}, {} %", percent(other.share))
+    };
+    let said: Vec<String> = others.filter(is_said).take(MOST_SAID).map(words).collect();
+    (!said.is_empty()).then(|| format!("Besides, not confirmed: {}.", said.join("; ")))
 }
 
 /// Parameters that take a good part of what refitting gains, where that is much.
@@ -217,6 +225,10 @@ mod tests {
         let said = sentence(&found);
         let words = "Not ruled out: torque ripple on joint 3 in place of cogging (12 %).";
         assert!(said.contains(words), "{said}");
+        let other = &mut found.report.alternatives[0];
+        (other.instead_of, other.share) = (None, 0.03);
+        let said = sentence(&found);
+        assert!(said.contains("Besides, not confirmed: torque ripple on joint 3, 3 %."), "{said}");
     }
 
     #[test]
