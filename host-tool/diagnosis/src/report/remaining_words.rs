@@ -35,13 +35,18 @@ fn elsewhere(remainder: &[Remainder], rest: f64) -> Option<String> {
     is_said.then(|| format!("{} % along no axis", percent(left)))
 }
 
-/// Joint, axis and course; the axis is not said twice.
+/// Joint, axis and course of an entry.
 pub fn place_words(entry: &Remainder) -> String {
-    let axis = axis_words(entry.axis);
-    if entry.axis == Axis::Offset || entry.detail.contains(axis) {
-        return format!("joint {}, {}", entry.joint, entry.detail);
+    along(entry.joint, entry.axis, &entry.detail)
+}
+
+/// Joint, axis and course; the axis is not said twice.
+pub fn along(joint: u8, axis: Axis, detail: &str) -> String {
+    let word = axis_words(axis);
+    if axis == Axis::Offset || detail.contains(word) {
+        return format!("joint {joint}, {detail}");
     }
-    format!("joint {} over {axis}, {}", entry.joint, entry.detail)
+    format!("joint {joint} over {word}, {detail}")
 }
 
 /// Part of the squares above the noise that all causes together leave, on the confirming logs.

@@ -1,6 +1,6 @@
 //! A diagnosis in a few sentences.
 
-use super::remaining_words::{remaining, rest_part};
+use super::remaining_words::{along, remaining, rest_part};
 use super::words::{
     axis_words, capitalised, certainty_words, change_words, model_parameter_words, parameter_words,
     percent,
@@ -100,7 +100,24 @@ fn refitted(diagnosis: &Diagnosis) -> Option<String> {
         format!("{place}, {name} {}: {} %{of}", change_words(change), percent(change.share))
     };
     let said: Vec<String> = large.take(MOST_SAID).enumerate().map(words).collect();
-    (is_worth && !said.is_empty()).then(|| format!("Model refitted: {}.", said.join("; ")))
+    match said.as_slice() {
+        _ if !is_worth => None,
+        [] => by_many(diagnosis),
+        said => Some(format!("Model refitted: {}.", said.join("; "))),
+    }
+}
+
+/// What refitting gains where no parameter takes a good part of it; said already where there is
+/// no gap.
+fn by_many(diagnosis: &Diagnosis) -> Option<String> {
+    let gap = &diagnosis.report.gap;
+    let (index, _) = largest_excess(&gap.as_given_v, &gap.refitted_v)?;
+    let joint = *joint_numbers(diagnosis).get(index)?;
+    let (from, to) = (volts(gap.as_given_v[index]), volts(gap.refitted_v[index]));
+    let is_said = diagnosis.report.verdict == Verdict::None;
+    (!is_said).then(|| {
+        format!("Model refitted: many parameters together take joint {joint} from {from} to {to}.")
+    })
 }
 
 fn no_gap(diagnosis: &Diagnosis) -> String {
@@ -143,11 +160,24 @@ fn unexplained(diagnosis: &Diagnosis) -> String {
     let mut parts = vec![format!(
         "A gap of {} on joint {joint} that nothing in the catalogue explains{}.",
         volts(excess_v),
-        share.map_or_else(String::new, |share| format!("; {}", varies(share)))
+        share.map_or_else(String::new, |share| {
+            format!("; {}, {} % of the gap", varies(share), percent(share.share))
+        })
     )];
+    parts.extend(elsewhere(&report.gap_shares, share));
     parts.extend(nearest(diagnosis, joint));
     parts.extend(refitted(diagnosis));
     parts.join(" ")
+}
+
+/// Where else the gap lies.
+fn elsewhere(shares: &[GapShare], said: Option<&GapShare>) -> Option<String> {
+    let others = shares.iter().filter(|share| Some(*share) != said).take(MOST_SAID);
+    let words = |share: &GapShare| {
+        format!("{}, {} %", along(share.joint, share.axis, &share.detail), percent(share.share))
+    };
+    let others: Vec<String> = others.map(words).collect();
+    (!others.is_empty()).then(|| format!("Elsewhere: {}.", others.join("; ")))
 }
 
 /// The effect on a joint that takes most of its gap, and what it lacks.
@@ -229,6 +259,15 @@ mod tests {
         (other.instead_of, other.share) = (None, 0.03);
         let said = sentence(&found);
         assert!(said.contains("Besides, not confirmed: torque ripple on joint 3, 3 %."), "{said}");
+    }
+
+    #[test]
+    fn a_refit_of_many_parameters_is_said_by_what_it_gains() {
+        let mut unknown = diagnosis(Verdict::Unknown, vec![], |at| 0.05 * at.qd);
+        unknown.report.gap.as_given_v = vec![0.01, 0.081, 0.1];
+        unknown.report.gap.refitted_v = vec![0.01, 0.0148, 0.09];
+        let words = "Model refitted: many parameters together take joint 2 from 81 mV to 14.8 mV.";
+        assert!(sentence(&unknown).ends_with(words), "{}", sentence(&unknown));
     }
 
     #[test]
