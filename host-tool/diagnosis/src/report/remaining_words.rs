@@ -7,30 +7,46 @@ use crate::result::{Axis, Gap, Remainder};
 const MOST_SAID: usize = 3;
 /// Part of the gap from which something is said.
 const SAID: f64 = 0.005;
+/// Part of the rest along no axis from which that is said.
+const ELSEWHERE: f64 = 0.25;
 
 /// "The rest, 4 %: joint 2 over velocity, friction below 0.02 rad/s."; none where it is nothing.
 pub(super) fn remaining(remainder: &[Remainder], rest: f64) -> Option<String> {
     let large: Vec<&Remainder> =
         remainder.iter().filter(|entry| entry.share >= SAID).take(MOST_SAID).collect();
     let words = |entry: &&Remainder| match large.len() {
-        1 => place_words(entry),
+        1 if elsewhere(remainder, rest).is_none() => place_words(entry),
         _ => format!("{} ({} %)", place_words(entry), percent(entry.share)),
     };
-    let said: Vec<String> = large.iter().map(words).collect();
+    let mut said: Vec<String> = large.iter().map(words).collect();
+    said.extend(elsewhere(remainder, rest).filter(|_| !large.is_empty()));
     match said.as_slice() {
         _ if rest < SAID => None,
-        [] => Some(format!("The rest, {} %, varies with none of the axes.", percent(rest))),
+        [] => Some(format!("The rest, {} %, along no axis.", percent(rest))),
         said => Some(format!("The rest, {} %: {}.", percent(rest), said.join("; "))),
     }
 }
 
-/// Joint, axis and course; the axis is not said twice.
+/// "12 % along no axis", where the axes leave a good part of the rest.
+fn elsewhere(remainder: &[Remainder], rest: f64) -> Option<String> {
+    let along_axes: f64 = remainder.iter().map(|entry| entry.share).sum();
+    let left = rest - along_axes;
+    let is_said = left > ELSEWHERE * rest && left >= 2.0 * SAID;
+    is_said.then(|| format!("{} % along no axis", percent(left)))
+}
+
+/// Joint, axis and course of an entry.
 pub fn place_words(entry: &Remainder) -> String {
-    let axis = axis_words(entry.axis);
-    if entry.axis == Axis::Offset || entry.detail.contains(axis) {
-        return format!("joint {}, {}", entry.joint, entry.detail);
+    along(entry.joint, entry.axis, &entry.detail)
+}
+
+/// Joint, axis and course; the axis is not said twice.
+pub fn along(joint: u8, axis: Axis, detail: &str) -> String {
+    let word = axis_words(axis);
+    if axis == Axis::Offset || detail.contains(word) {
+        return format!("joint {joint}, {detail}");
     }
-    format!("joint {} over {axis}, {}", entry.joint, entry.detail)
+    format!("joint {joint} over {word}, {detail}")
 }
 
 /// Part of the squares above the noise that all causes together leave, on the confirming logs.
@@ -61,7 +77,9 @@ mod tests {
         };
         let said = remaining(&[slow_friction(), offset], 0.06).unwrap();
         assert!(said.ends_with("0.02 rad/s (4 %); joint 1, constant, 3 mV (1 %)."), "{said}");
-        assert!(remaining(&[], 0.06).unwrap().contains("none of the axes"));
+        let said = remaining(&[slow_friction()], 0.16).unwrap();
+        assert!(said.ends_with("0.02 rad/s (4 %); 12 % along no axis."), "{said}");
+        assert!(remaining(&[], 0.06).unwrap().ends_with("along no axis."));
         assert_eq!(remaining(&[], 0.001), None);
     }
 

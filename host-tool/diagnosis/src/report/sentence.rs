@@ -1,6 +1,6 @@
 //! A diagnosis in a few sentences.
 
-use super::remaining_words::{remaining, rest_part};
+use super::remaining_words::{along, remaining, rest_part};
 use super::words::{
     axis_words, capitalised, certainty_words, change_words, model_parameter_words, parameter_words,
     percent,
@@ -39,6 +39,7 @@ fn named(diagnosis: &Diagnosis) -> String {
     let mut parts: Vec<String> =
         report.causes.iter().map(|cause| cause_words(diagnosis, cause)).collect();
     parts.extend(not_ruled_out(diagnosis));
+    parts.extend(not_confirmed(diagnosis));
     parts.extend(refitted(diagnosis));
     parts.extend(remaining(&report.remainder, rest_part(&report.gap)));
     parts.join(" ")
@@ -62,22 +63,29 @@ fn cause_words(diagnosis: &Diagnosis, cause: &Cause) -> String {
     )
 }
 
+/// What could stand in the place of a cause.
 fn not_ruled_out(diagnosis: &Diagnosis) -> Option<String> {
     let report = &diagnosis.report;
     let words = |other: &Alternative| {
-        let place = other.instead_of.and_then(|index| report.causes.get(index));
-        format!(
-            "{} on {}{} ({} %)",
-            effect_words(&other.effect),
-            joint_words(other.joint),
-            place.map_or_else(String::new, |cause| {
-                format!(" in place of {}", effect_words(&cause.effect))
-            }),
-            percent(other.probability)
-        )
+        let cause = report.causes.get(other.instead_of?)?;
+        let (effect, joint) = (effect_words(&other.effect), joint_words(other.joint));
+        let place = effect_words(&cause.effect);
+        Some(format!("{effect} on {joint} in place of {place} ({} %)", percent(other.probability)))
     };
-    let said: Vec<String> = report.alternatives.iter().take(MOST_SAID).map(words).collect();
+    let said: Vec<String> = report.alternatives.iter().filter_map(words).take(MOST_SAID).collect();
     (!said.is_empty()).then(|| format!("Not ruled out: {}.", said.join("; ")))
+}
+
+/// What takes a part of the gap besides, but not surely enough to be named.
+fn not_confirmed(diagnosis: &Diagnosis) -> Option<String> {
+    let others = diagnosis.report.alternatives.iter();
+    let is_said = |other: &&Alternative| other.instead_of.is_none() && other.share >= SAID_NEAREST;
+    let words = |other: &Alternative| {
+        let (effect, joint) = (effect_words(&other.effect), joint_words(other.joint));
+        format!("{effect} on {joint}, {} %", percent(other.share))
+    };
+    let said: Vec<String> = others.filter(is_said).take(MOST_SAID).map(words).collect();
+    (!said.is_empty()).then(|| format!("Besides, not confirmed: {}.", said.join("; ")))
 }
 
 /// Parameters that take a good part of what refitting gains, where that is much.
@@ -92,7 +100,24 @@ fn refitted(diagnosis: &Diagnosis) -> Option<String> {
         format!("{place}, {name} {}: {} %{of}", change_words(change), percent(change.share))
     };
     let said: Vec<String> = large.take(MOST_SAID).enumerate().map(words).collect();
-    (is_worth && !said.is_empty()).then(|| format!("Model refitted: {}.", said.join("; ")))
+    match said.as_slice() {
+        _ if !is_worth => None,
+        [] => by_many(diagnosis),
+        said => Some(format!("Model refitted: {}.", said.join("; "))),
+    }
+}
+
+/// What refitting gains where no parameter takes a good part of it; said already where there is
+/// no gap.
+fn by_many(diagnosis: &Diagnosis) -> Option<String> {
+    let gap = &diagnosis.report.gap;
+    let (index, _) = largest_excess(&gap.as_given_v, &gap.refitted_v)?;
+    let joint = *joint_numbers(diagnosis).get(index)?;
+    let (from, to) = (volts(gap.as_given_v[index]), volts(gap.refitted_v[index]));
+    let is_said = diagnosis.report.verdict == Verdict::None;
+    (!is_said).then(|| {
+        format!("Model refitted: many parameters together take joint {joint} from {from} to {to}.")
+    })
 }
 
 fn no_gap(diagnosis: &Diagnosis) -> String {
@@ -135,11 +160,24 @@ fn unexplained(diagnosis: &Diagnosis) -> String {
     let mut parts = vec![format!(
         "A gap of {} on joint {joint} that nothing in the catalogue explains{}.",
         volts(excess_v),
-        share.map_or_else(String::new, |share| format!("; {}", varies(share)))
+        share.map_or_else(String::new, |share| {
+            format!("; {}, {} % of the gap", varies(share), percent(share.share))
+        })
     )];
+    parts.extend(elsewhere(&report.gap_shares, share));
     parts.extend(nearest(diagnosis, joint));
     parts.extend(refitted(diagnosis));
     parts.join(" ")
+}
+
+/// Where else the gap lies.
+fn elsewhere(shares: &[GapShare], said: Option<&GapShare>) -> Option<String> {
+    let others = shares.iter().filter(|share| Some(*share) != said).take(MOST_SAID);
+    let words = |share: &GapShare| {
+        format!("{}, {} %", along(share.joint, share.axis, &share.detail), percent(share.share))
+    };
+    let others: Vec<String> = others.map(words).collect();
+    (!others.is_empty()).then(|| format!("Elsewhere: {}.", others.join("; ")))
 }
 
 /// The effect on a joint that takes most of its gap, and what it lacks.
@@ -217,6 +255,19 @@ mod tests {
         let said = sentence(&found);
         let words = "Not ruled out: torque ripple on joint 3 in place of cogging (12 %).";
         assert!(said.contains(words), "{said}");
+        let other = &mut found.report.alternatives[0];
+        (other.instead_of, other.share) = (None, 0.03);
+        let said = sentence(&found);
+        assert!(said.contains("Besides, not confirmed: torque ripple on joint 3, 3 %."), "{said}");
+    }
+
+    #[test]
+    fn a_refit_of_many_parameters_is_said_by_what_it_gains() {
+        let mut unknown = diagnosis(Verdict::Unknown, vec![], |at| 0.05 * at.qd);
+        unknown.report.gap.as_given_v = vec![0.01, 0.081, 0.1];
+        unknown.report.gap.refitted_v = vec![0.01, 0.0148, 0.09];
+        let words = "Model refitted: many parameters together take joint 2 from 81 mV to 14.8 mV.";
+        assert!(sentence(&unknown).ends_with(words), "{}", sentence(&unknown));
     }
 
     #[test]

@@ -14,14 +14,16 @@ pub(super) const CAPTION: &str = "Mean of what the model with its causes leaves,
     two standard deviations of that mean. Where the band stays clear of zero, something acts there \
     that has no name; the amended model carries it as a table where that pays.";
 
+/// Share of the gap from which an entry is drawn; the table has all.
+const DRAWN: f64 = 0.01;
 /// Standard deviations of half the band.
 const BAND: f64 = 2.0;
 const COLOUR: usize = 2;
 const ZERO: usize = 3;
 
-/// A chart per entry that has a curve.
+/// A chart per entry that has a curve and a share to look at.
 pub(super) fn charts(remainder: &[Remainder]) -> Vec<Chart> {
-    remainder.iter().filter_map(chart).collect()
+    remainder.iter().filter(|entry| entry.share >= DRAWN).filter_map(chart).collect()
 }
 
 fn chart(entry: &Remainder) -> Option<Chart> {
