@@ -34,8 +34,8 @@ pub fn is_named(probability: f64, worth: &Worth, criteria: &VerdictCriteria) -> 
 /// Whether a cause is more than what nobody's formula leaves: a good part of the gap, or most of
 /// what is left without it.
 fn is_large(worth: &Worth, criteria: &VerdictCriteria) -> bool {
-    let of_gap = worth.share >= criteria.least_share
-        && worth.part_of_left >= criteria.least_part_of_left;
+    let of_gap =
+        worth.share >= criteria.least_share && worth.part_of_left >= criteria.least_part_of_left;
     of_gap || worth.part_of_left >= criteria.most_of_left
 }
 

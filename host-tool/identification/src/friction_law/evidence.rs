@@ -85,11 +85,7 @@ pub(super) fn carried_by(
     folds.par_iter().map(one).collect()
 }
 
-fn fitted(
-    traces: &[Trace],
-    known: &Known,
-    friction: &[FrictionEstimate; 3],
-) -> Option<Robot<f64>> {
+fn fitted(traces: &[Trace], known: &Known, friction: &[FrictionEstimate; 3]) -> Option<Robot<f64>> {
     let traces: Vec<&Trace> = traces.iter().collect();
     let found = refine(&traces, known, friction, &refinement::Settings::default()).ok()?;
     Some(Robot {

@@ -160,10 +160,8 @@ pub(crate) fn choose(
     presliding: &[Presliding],
 ) -> ([FrictionLaw; 3], [FrictionEstimate; 3]) {
     let folds = halves(excitations);
-    let (by_lugre, by_static) = rayon::join(
-        || carried_by(&folds, known, lugre),
-        || carried_by(&folds, known, still),
-    );
+    let (by_lugre, by_static) =
+        rayon::join(|| carried_by(&folds, known, lugre), || carried_by(&folds, known, still));
     let evidence = |i: usize| {
         let (lugre, still) = (by_lugre.as_ref()?, by_static.as_ref()?);
         Evidence::of(&blocks_of(lugre, i), &blocks_of(still, i))
@@ -180,9 +178,7 @@ pub(crate) fn choose(
         FrictionLaw::of(joint, evidence(i), frf, &friction, known.encoder_step_rad)
     });
     let stands = |i: usize| laws[i].law == Law::Static;
-    let stiffness = by_static
-        .filter(|_| (0..3).any(stands))
-        .map(|fitted| softest(&folds, &fitted));
+    let stiffness = by_static.filter(|_| (0..3).any(stands)).map(|fitted| softest(&folds, &fitted));
     let friction = [0, 1, 2].map(|i| match (stands(i), &stiffness) {
         (true, Some(stiffness)) => static_friction::with_stiffness(&still[i], stiffness[i]),
         (true, None) => still[i],

@@ -59,8 +59,7 @@ pub fn identify(campaign: &Campaign, progress: &dyn Fn(&str)) -> Result<Identifi
     let statics = separated(statics, &mut missing);
     let [filtered] = separated([filtered], &mut missing);
     let filtered_of = |i: usize| filtered.as_ref().filter(|f| usize::from(f.joint) == i + 1);
-    let mut friction =
-        [0, 1, 2].map(|i| priors::of_joint(statics[i].as_ref(), filtered_of(i)));
+    let mut friction = [0, 1, 2].map(|i| priors::of_joint(statics[i].as_ref(), filtered_of(i)));
     let still = [0, 1, 2].map(|i| priors::without_bristles(statics[i].as_ref(), filtered_of(i)));
     progress("base parameters");
     let excitations: Vec<&Trace> =
