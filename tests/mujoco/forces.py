@@ -16,7 +16,7 @@ VOLTAGES = {
 
 
 def _asymmetry(p, q, v, load, time):
-    factor = 1 + math.copysign(p["relative_asymmetry"], v)
+    factor = 1 + p["relative_asymmetry"] * math.copysign(1.0, v)
     return factor, 0.0, factor
 
 

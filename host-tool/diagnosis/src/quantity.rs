@@ -1,12 +1,14 @@
 //! Numbers with units for readers: three digits, and thousandths where they are small.
 
 /// Unit suffixes of names, as they are written and as they are said; longest first.
-const UNITS: [(&str, &str); 14] = [
+const UNITS: [(&str, &str); 16] = [
     ("_V_s2_per_rad2", "V s^2/rad^2"),
     ("_Nm_s_per_rad", "Nm s/rad"),
     ("_Nm_per_rad", "Nm/rad"),
+    ("_V_s_per_rad", "V s/rad"),
     ("_V_per_rad", "V/rad"),
     ("_V_per_Nm", "V/Nm"),
+    ("_rad_per_s", "rad/s"),
     ("_kg_m2", "kg m^2"),
     ("_rad", "rad"),
     ("_kg", "kg"),
@@ -26,13 +28,19 @@ pub fn split_unit(name: &str) -> (&str, &'static str) {
 
 /// A value with its unit; small volts, seconds, radians and metres in thousandths.
 pub fn quantity(value: f64, unit: &str) -> String {
+    let scaled = number(scale(value, unit) * value);
+    match unit {
+        "" => scaled,
+        unit if scale(value, unit) > 1.0 => format!("{scaled} m{unit}"),
+        unit => format!("{scaled} {unit}"),
+    }
+}
+
+/// By what a value is multiplied before it is said: 1000 where that is in thousandths, else 1.
+pub fn scale(value: f64, unit: &str) -> f64 {
     const SMALL: f64 = 0.1;
     let in_thousandths = matches!(unit, "V" | "s" | "rad" | "m") && value.abs() < SMALL;
-    match (unit, in_thousandths && value != 0.0) {
-        ("", _) => number(value),
-        (unit, true) => format!("{} m{unit}", number(1e3 * value)),
-        (unit, false) => format!("{} {unit}", number(value)),
-    }
+    if in_thousandths && value != 0.0 { 1e3 } else { 1.0 }
 }
 
 /// Volts, always of two or three digits.

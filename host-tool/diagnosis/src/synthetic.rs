@@ -10,8 +10,9 @@ use rand_pcg::Pcg64Mcg;
 use crate::criteria::Criteria;
 use crate::gap_by_axis::gap_by_axis;
 use crate::result::{
-    Cause, Detectable, Diagnosis, Gap, JointResiduals, Level, LogResiduals, Report, Rival,
-    Untestable, Value, Verdict,
+    Axis, Cause, DataParts, Detectable, Diagnosis, Gap, Interval, JointResiduals, Level,
+    LogResiduals, ParameterChange, Remainder, RemainderCurve, Report, Rival, Untestable, Value,
+    Verdict,
 };
 use files::{RobotFile, Role};
 use rig::effects::Catalogue;
@@ -106,6 +107,7 @@ pub fn diagnosis(
         as_given_v: rms(|joint| &joint.given_v),
         refitted_v: rms(|joint| &joint.refitted_v),
         with_effects_v: if causes.is_empty() { vec![] } else { rms(|joint| &joint.with_effects_v) },
+        with_tables_v: rms(|joint| &joint.with_effects_v),
         noise_floor_v: vec![FLOOR_V; 3],
         refitted_rad: vec![0.4e-3, 0.2e-3, 3.1e-3],
         with_effects_rad: vec![0.4e-3, 0.2e-3, 0.3e-3],
@@ -117,14 +119,18 @@ pub fn diagnosis(
         let name = format!("with {}, joint {}", cause.effect, cause.joint);
         waterfall.push(level(&name, &gap.with_effects_v));
     }
-    waterfall.push(level("noise floor", &gap.noise_floor_v));
+    waterfall.push(level("with tables", &gap.with_tables_v));
+    waterfall.push(level("noise", &gap.noise_floor_v));
     let report = Report {
-        format: 1,
+        format: 2,
         verdict,
         causes,
         alternatives: vec![],
+        parameters_changed: vec![],
+        remainder: vec![],
         gap_shares: gap_by_axis(&logs, &criteria.axes),
         gap,
+        data: data(),
         untestable: vec![Untestable {
             effect: "delay".into(),
             joint: 2,
@@ -144,10 +150,66 @@ pub fn cogging() -> Cause {
         effect: "cogging".into(),
         joint: 3,
         parameters: numbers(&[("amplitude_V", 0.11), ("harmonic", 8.0), ("phase_rad", 0.9)]),
+        parameter_intervals: [("amplitude_V", [0.106, 0.114]), ("phase_rad", [0.86, 0.94])]
+            .map(|(name, interval)| (name.to_owned(), Interval::Number(interval)))
+            .into(),
+        probability: 0.97,
         confidence: 0.97,
-        shrinkage: 0.95,
-        shrinkage_interval: [0.93, 0.96],
+        share: 0.95,
+        share_interval: [0.93, 0.96],
+        shrinkage: 0.78,
+        shrinkage_interval: [0.74, 0.81],
     }
+}
+
+/// A payload of 0.42 kg that takes 94 % of the gap.
+pub fn payload() -> Cause {
+    let mass = ("mass_kg".to_owned(), Interval::Number([0.415, 0.425]));
+    Cause {
+        effect: "payload".into(),
+        joint: 0,
+        parameters: numbers(&[("mass_kg", 0.42)]),
+        parameter_intervals: [mass].into(),
+        probability: 0.98,
+        confidence: 0.98,
+        share: 0.94,
+        share_interval: [0.92, 0.96],
+        ..cogging()
+    }
+}
+
+/// Viscous friction of joint 2 that the refit found 18 % larger.
+pub fn more_viscous() -> ParameterChange {
+    ParameterChange {
+        parameter: "friction[2].alpha2_V_s_per_rad".into(),
+        given: 0.07,
+        found: 0.0826,
+        interval: [0.081, 0.084],
+        share: 0.6,
+    }
+}
+
+/// Friction of joint 2 that has another form where it is slow, 4 % of the gap.
+pub fn slow_friction() -> Remainder {
+    let x: Vec<f64> = (-20..=20).map(|k| 0.01 * f64::from(k)).collect();
+    let bump = |x: &f64| 0.012 * x.signum() * (-(x / 0.02).powi(2)).exp();
+    let y_v = x.iter().map(bump).collect();
+    let deviation_v = vec![1.5e-3; x.len()];
+    Remainder {
+        joint: 2,
+        axis: Axis::Velocity,
+        rms_v: 0.012,
+        share: 0.04,
+        detail: "friction below 0.02 rad/s".into(),
+        curve: RemainderCurve { x, y_v, deviation_v },
+        nearest: Some("asymmetric_friction".into()),
+    }
+}
+
+fn data() -> DataParts {
+    let train = ["excitation-0.csv", "excitation-1.csv"].map(str::to_owned);
+    let confirm = vec!["excitation-2.csv".into()];
+    DataParts { fit: train.to_vec(), select: train.to_vec(), confirm }
 }
 
 fn numbers(of: &[(&str, f64)]) -> BTreeMap<String, Value> {

@@ -31,6 +31,8 @@ pub const WIDTH: f64 = 1080.0;
 const NAMES: f64 = 250.0;
 const ROW: f64 = 26.0;
 const TOP: f64 = 34.0;
+/// The longest name that fits.
+const LETTERS: usize = 34;
 /// Room for the number after a bar.
 const NUMBER: f64 = 78.0;
 
@@ -60,7 +62,8 @@ impl BarTable {
     }
 
     fn row(&self, row: &BarRow, y: f64) -> String {
-        let mut body = text(NAMES - 12.0, y + 16.0, 13, Anchor::End, &shortened(&row.name));
+        let mut body =
+            text(NAMES - 12.0, y + 16.0, 13, Anchor::End, &shortened(&row.name, LETTERS));
         for (index, &value) in row.values.iter().enumerate().filter(|(_, v)| v.is_finite()) {
             let (x, length) = (self.left(index), self.length(value));
             let number = format!("{} {}", digits(value), self.unit);
@@ -85,13 +88,12 @@ impl BarTable {
     }
 }
 
-/// Names that are too long for their column end in dots.
-fn shortened(name: &str) -> String {
-    const MOST: usize = 34;
-    if name.chars().count() <= MOST {
+/// Names of more letters than their column holds end in dots.
+pub(super) fn shortened(name: &str, most: usize) -> String {
+    if name.chars().count() <= most {
         return name.to_owned();
     }
-    name.chars().take(MOST - 1).chain(['…']).collect()
+    name.chars().take(most - 1).chain(['…']).collect()
 }
 
 fn digits(value: f64) -> String {

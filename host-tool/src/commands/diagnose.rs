@@ -41,6 +41,19 @@ pub struct Arguments {
     /// Thresholds that replace the defaults, as TOML; what it does not name keeps its default.
     #[arg(long, value_name = "FILE")]
     pub criteria: Option<PathBuf>,
+    /// How far the parameters of the model may be off, in parts of themselves: 0.025 after an
+    /// identification, 0.2 for a model from drawings.
+    #[arg(long, value_name = "PART", value_parser = doubt)]
+    pub model_doubt: Option<f64>,
+}
+
+/// A part between nothing and all.
+fn doubt(text: &str) -> Result<f64, String> {
+    let part: f64 = text.parse().map_err(|_| format!("`{text}` is no number"))?;
+    match part > 0.0 && part <= 1.0 {
+        true => Ok(part),
+        false => Err("give a part of the parameters above 0, at most 1: 0.2 for 20 %".into()),
+    }
 }
 
 /// Runs the command.
@@ -64,6 +77,8 @@ pub fn run(choice: &Choice) -> Result<(), Failure> {
 pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
     refuse_to_replace(&arguments.model, &arguments.out.join(MODEL))?;
     let criteria = arguments.criteria.as_deref().map(Criteria::read).transpose()?;
+    let mut criteria = criteria.unwrap_or_default();
+    criteria.prior.relative = arguments.model_doubt.unwrap_or(criteria.prior.relative);
     let model = RobotFile::read(&arguments.model)?;
     let dataset = Dataset::read(&arguments.dataset)?;
     let steps = Steps::new();
@@ -72,7 +87,7 @@ pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
     let diagnosis = diagnosis::diagnose(
         &campaign,
         &Catalogue::standard(),
-        &criteria.unwrap_or_default(),
+        &criteria,
         &|what| steps.at(what),
     )?;
     steps.at("drawing the pictures");
@@ -145,9 +160,9 @@ pub fn in_words(diagnosis: &Diagnosis) -> String {
 
 fn table(diagnosis: &Diagnosis) -> String {
     let line = |cells: &[&str]| match cells {
-        [cause, joint, confidence, shrinkage, parameters] => {
-            format!("  {cause:22} {joint:>5} {confidence:>11} {shrinkage:>18}  {parameters}\n")
-        }
+        [cause, joint, share, probability, shrinkage, parameters] => format!(
+            "  {cause:22} {joint:>5}  {share:18}  {probability:>11}  {shrinkage:18}  {parameters}\n"
+        ),
         cells => cells.join("  "),
     };
     let rows = cause_rows(diagnosis);

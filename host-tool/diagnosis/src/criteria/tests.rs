@@ -20,9 +20,9 @@ fn the_defaults_are_read_back_as_they_are_written() {
 
 #[test]
 fn one_key_overrides_one_value() {
-    let changed = read("[verdict]\nexplained_excess = 0.8\n").unwrap();
+    let changed = read("[verdict]\nexplained = 0.8\n").unwrap();
     let mut expected = Criteria::default();
-    expected.verdict.explained_excess = 0.8;
+    expected.verdict.explained = 0.8;
     assert_eq!(changed, expected);
 }
 

@@ -26,6 +26,8 @@ criteria! {
         least_share: f64 = 0.1,
         /// and this part of what is left above the noise without it;
         least_part_of_left: f64 = 0.15,
+        /// a spring between motor and link this part of it, for nothing else rings as it does;
+        least_by_spring: f64 = 0.75,
         /// or, however small its share, this part of what is left.
         most_of_left: f64 = 0.5,
         /// Least probability of an alternative that is listed.

@@ -58,7 +58,7 @@ impl FittedModel {
         let open = open_in(evidence, subject, &start);
         let start = Linearisation::of(evidence, start, open)?;
         let first = fit_with_slopes(evidence, subject, start, most_steps);
-        Self::reweighted(evidence, subject, first)
+        Self::reweighted(evidence, subject, first.without_parts())
     }
 
     /// A model fitted further to rows that are weighted by what it leaves of them itself.

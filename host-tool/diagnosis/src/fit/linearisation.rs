@@ -58,6 +58,11 @@ impl Linearisation {
         })
     }
 
+    /// The same without what only a search for one more effect needs, and which takes most memory.
+    pub fn without_parts(self) -> Self {
+        Self { parts: Arc::from([]), ..self }
+    }
+
     /// The same slopes about a model near by, with what it leaves.
     pub fn moved_to(&self, hypothesis: Hypothesis, residual: Rows, objective: f64) -> Self {
         let gradient = gradient(&self.joints, &residual, &self.train, &hypothesis, &self.expected);

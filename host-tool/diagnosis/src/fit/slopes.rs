@@ -150,6 +150,7 @@ fn own_slopes(
         }
     };
     let mut columns = Vec::new();
+    let mut hats: Vec<Option<Vec<Vec<f64>>>> = vec![None; hypothesis.tables.len()];
     for (place, e) in expected.iter().enumerate() {
         match e.unknown {
             Unknown::Base(k) => columns.extend(base[k].clone().map(|mut column| {
@@ -171,7 +172,9 @@ fn own_slopes(
                 columns.push((place, rows(&slope)));
             }
             Unknown::Table { index, knot } if of_joint(hypothesis, index, joint) => {
-                columns.push((place, rows(&hat(trial, &hypothesis.tables[index], joint, knot))));
+                let hats = hats[index]
+                    .get_or_insert_with(|| table_hats(trial, &hypothesis.tables[index], joint));
+                columns.push((place, rows(&hats[knot])));
             }
             Unknown::FrictionLead(of) if of == joint => {
                 let slope: Vec<f64> = trial
@@ -193,12 +196,16 @@ fn of_joint(hypothesis: &Hypothesis, table: usize, joint: usize) -> bool {
     usize::from(hypothesis.tables[table].joint) == joint + 1
 }
 
-/// What a table of one volt at a knot and none at the others adds to a joint, at the samples.
-fn hat(trial: &Trial, table: &Table, joint: usize, knot: usize) -> Vec<f64> {
-    let mut unit = Table { values_v: vec![0.0; table.knots.len()], ..table.clone() };
-    unit.values_v[knot] = 1.0;
+/// What a table of one volt at a knot and none at the others adds to a joint, at the samples; knot
+/// by knot.
+pub fn table_hats(trial: &Trial, table: &Table, joint: usize) -> Vec<Vec<f64>> {
     let abscissa = trial.abscissa(joint, table.axis);
-    at_samples(&abscissa.into_iter().map(|x| unit.value_v(x)).collect::<Vec<f64>>())
+    let of_knot = |knot: usize| {
+        let mut unit = Table { values_v: vec![0.0; table.knots.len()], ..table.clone() };
+        unit.values_v[knot] = 1.0;
+        at_samples(&abscissa.iter().map(|x| unit.value_v(*x)).collect::<Vec<f64>>())
+    };
+    (0..table.knots.len()).map(of_knot).collect()
 }
 
 /// Step for a difference along the lead of friction [s].

@@ -133,6 +133,10 @@ impl Assembly<'_> {
             let name = format!("with {}, {joint}", effect_words(effect.definition.name));
             levels.push(level(name, &held.residual_v));
         }
+        let tables = |held: &Held| held.linear.hypothesis.tables.len();
+        if tables(&self.tables) > tables(&confirmation.full) {
+            levels.push(level("with tables".into(), &self.tables.residual_v));
+        }
         levels.push(Level { name: "noise".into(), rms_v: self.noise_rms_v() });
         levels
     }

@@ -7,4 +7,6 @@ pub mod log_residuals;
 pub mod motion_gap;
 pub mod parameters_changed;
 pub mod remainder;
+pub mod remaining_words;
 pub mod sentence;
+pub mod words;

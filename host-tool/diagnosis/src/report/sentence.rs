@@ -1,10 +1,20 @@
-//! A diagnosis in one sentence, and effects in words.
+//! A diagnosis in a few sentences.
 
-use crate::quantity::{number, quantity, split_unit, volts};
-use crate::result::{Axis, Cause, Diagnosis, GapShare, Value, Verdict};
-use rig::effects::{Catalogue, Kind, Parameter};
+use super::remaining_words::{remaining, rest_part};
+use super::words::{
+    axis_words, capitalised, certainty_words, change_words, model_parameter_words, parameter_words,
+    percent,
+};
+pub use super::words::{effect_words, joint_words};
+use crate::quantity::volts;
+use crate::result::{Alternative, Cause, Diagnosis, GapShare, ParameterChange, Rival, Verdict};
 
-use std::collections::BTreeMap;
+/// Most alternatives and parameters that are said.
+const MOST_SAID: usize = 2;
+/// Share of what refitting gains from which a parameter is said.
+const SAID_PARAMETER: f64 = 0.2;
+/// Share of the gap from which what came nearest is said.
+const SAID_NEAREST: f64 = 0.01;
 
 /// What a person must know and can act on.
 pub fn sentence(diagnosis: &Diagnosis) -> String {
@@ -23,86 +33,75 @@ pub fn joint_numbers(diagnosis: &Diagnosis) -> Vec<u8> {
     }
 }
 
-/// A joint by its number, 0 for the whole robot.
-pub fn joint_words(joint: u8) -> String {
-    if joint == 0 { "whole robot".into() } else { format!("joint {joint}") }
-}
-
-/// An effect's name as it is said.
-pub fn effect_words(effect: &str) -> String {
-    effect.replace('_', " ")
-}
-
-/// Parameters of an effect as they are said, "8 per turn, 0.11 V": the harmonic first, then as
-/// in the catalogue; the phase only where `all` are wanted.
-pub fn parameter_words(
-    catalogue: &Catalogue,
-    effect: &str,
-    parameters: &BTreeMap<String, Value>,
-    all: bool,
-) -> String {
-    let alone = parameters.len() == 1;
-    let known = catalogue.by_name(effect).map_or(&[][..], |definition| definition.parameters);
-    let mut ordered: Vec<&Parameter> = known.iter().collect();
-    ordered.dedup_by_key(|parameter| parameter.name);
-    ordered.sort_by_key(|parameter| parameter.kind != Kind::Harmonic);
-    ordered.retain(|parameter| all || parameter.kind != Kind::Phase);
-    let said = ordered.into_iter().filter_map(|parameter| {
-        Some(one_parameter(parameter, parameters.get(parameter.name)?, alone))
-    });
-    said.collect::<Vec<_>>().join(", ")
-}
-
-fn one_parameter(parameter: &Parameter, value: &Value, alone: bool) -> String {
-    let (noun, unit) = split_unit(parameter.name);
-    let said = match value {
-        Value::Number(value) if parameter.kind == Kind::Harmonic => {
-            return format!("{} per turn", number(*value));
-        }
-        Value::Number(value) if unit.is_empty() => format!("{:+.1} %", 100.0 * value),
-        Value::Number(value) => quantity(*value, unit),
-        Value::Vector(values) => {
-            let values: Vec<String> = values.iter().map(|value| number(*value)).collect();
-            format!("({}) {unit}", values.join(", "))
-        }
-    };
-    let obvious = alone || parameter.kind == Kind::Amplitude || unit.is_empty();
-    if obvious { said } else { format!("{} {said}", noun.replace('_', " ")) }
-}
-
+/// Causes by share, what else they may be, what the refit moved, and what remains.
 fn named(diagnosis: &Diagnosis) -> String {
     let report = &diagnosis.report;
-    let words = |cause| cause_words(&diagnosis.catalogue, cause);
-    let causes: Vec<String> = report.causes.iter().map(words).collect();
-    let rivals: Vec<String> = report
-        .alternatives
-        .iter()
-        .map(|other| format!("{} on {}", effect_words(&other.effect), joint_words(other.joint)))
-        .collect();
-    match rivals.as_slice() {
-        [] => causes.join(" "),
-        rivals => format!("{} Not ruled out: {}.", causes.join(" "), rivals.join(", ")),
-    }
+    let mut parts: Vec<String> =
+        report.causes.iter().map(|cause| cause_words(diagnosis, cause)).collect();
+    parts.extend(not_ruled_out(diagnosis));
+    parts.extend(refitted(diagnosis));
+    parts.extend(remaining(&report.remainder, rest_part(&report.gap)));
+    parts.join(" ")
 }
 
-fn cause_words(catalogue: &Catalogue, cause: &Cause) -> String {
-    let parameters = parameter_words(catalogue, &cause.effect, &cause.parameters, false);
+fn cause_words(diagnosis: &Diagnosis, cause: &Cause) -> String {
+    let parameters = parameter_words(&diagnosis.catalogue, &cause.effect, &cause.parameters, false);
+    let alone = cause.joint == 0 || joint_numbers(diagnosis).len() == 1;
+    let [low, high] = cause.share_interval.map(percent);
+    let words: Vec<String> = [effect_words(&cause.effect), parameters]
+        .into_iter()
+        .filter(|words| !words.is_empty())
+        .collect();
     format!(
-        "{}: {}, {parameters}, explains {:.0} % of the gap.",
+        "{}: {}: {} % of {} gap [{low} to {high}], {}.",
         capitalised(&joint_words(cause.joint)),
-        effect_words(&cause.effect),
-        100.0 * cause.share
+        words.join(", "),
+        percent(cause.share),
+        if alone { "the" } else { "its" },
+        certainty_words(cause.probability)
     )
 }
 
-fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_uppercase().collect::<String>() + letters.as_str()
-    })
+fn not_ruled_out(diagnosis: &Diagnosis) -> Option<String> {
+    let report = &diagnosis.report;
+    let words = |other: &Alternative| {
+        let place = other.instead_of.and_then(|index| report.causes.get(index));
+        format!(
+            "{} on {}{} ({} %)",
+            effect_words(&other.effect),
+            joint_words(other.joint),
+            place.map_or_else(String::new, |cause| {
+                format!(" in place of {}", effect_words(&cause.effect))
+            }),
+            percent(other.probability)
+        )
+    };
+    let said: Vec<String> = report.alternatives.iter().take(MOST_SAID).map(words).collect();
+    (!said.is_empty()).then(|| format!("Not ruled out: {}.", said.join("; ")))
+}
+
+/// Parameters that take a good part of what refitting gains, where that is much.
+fn refitted(diagnosis: &Diagnosis) -> Option<String> {
+    let (report, least) = (&diagnosis.report, diagnosis.criteria.verdict.worth_refitting);
+    let mut joints = report.gap.as_given_v.iter().zip(&report.gap.refitted_v);
+    let is_worth = joints.any(|(given_v, refitted_v)| *given_v > least * refitted_v);
+    let large = report.parameters_changed.iter().filter(|c| c.share >= SAID_PARAMETER);
+    let words = |(index, change): (usize, &ParameterChange)| {
+        let (place, name) = model_parameter_words(&change.parameter);
+        let of = if index == 0 { " of what refitting gains" } else { "" };
+        format!("{place}, {name} {}: {} %{of}", change_words(change), percent(change.share))
+    };
+    let said: Vec<String> = large.take(MOST_SAID).enumerate().map(words).collect();
+    (is_worth && !said.is_empty()).then(|| format!("Model refitted: {}.", said.join("; ")))
 }
 
 fn no_gap(diagnosis: &Diagnosis) -> String {
+    let parts: Vec<String> =
+        [Some(no_gap_left(diagnosis)), refitted(diagnosis)].into_iter().flatten().collect();
+    parts.join(" ")
+}
+
+fn no_gap_left(diagnosis: &Diagnosis) -> String {
     let gap = &diagnosis.report.gap;
     let joints = joint_numbers(diagnosis);
     let largest = largest_excess(&gap.refitted_v, &gap.noise_floor_v);
@@ -123,27 +122,40 @@ fn no_gap(diagnosis: &Diagnosis) -> String {
     format!("No gap above the noise: {left} are left on joint {joint}, noise alone leaves {floor}.")
 }
 
+/// Where the gap lies, and what came nearest.
 fn unexplained(diagnosis: &Diagnosis) -> String {
     let report = &diagnosis.report;
-    let left =
-        if report.causes.is_empty() { &report.gap.refitted_v } else { &report.gap.with_effects_v };
-    let size = largest_excess(left, &report.gap.noise_floor_v);
+    let size = largest_excess(&report.gap.refitted_v, &report.gap.noise_floor_v);
     let joints = joint_numbers(diagnosis);
-    let mut text = match size.and_then(|(index, excess_v)| Some((joints.get(index)?, excess_v))) {
-        Some((joint, excess_v)) => {
-            let share = report.gap_shares.iter().find(|share| share.joint == *joint);
-            format!(
-                "A gap of {} on joint {joint} that nothing in the catalogue explains{}.",
-                volts(excess_v),
-                share.map_or_else(String::new, |share| format!("; {}", varies(share)))
-            )
-        }
-        None => "A gap that nothing in the catalogue explains.".into(),
+    let place = size.and_then(|(index, excess_v)| Some((*joints.get(index)?, excess_v)));
+    let Some((joint, excess_v)) = place else {
+        return "A gap that nothing in the catalogue explains.".into();
     };
-    for cause in &report.causes {
-        text += &format!(" A part has a name: {}", cause_words(&diagnosis.catalogue, cause));
-    }
-    text
+    let share = report.gap_shares.iter().find(|share| share.joint == joint);
+    let mut parts = vec![format!(
+        "A gap of {} on joint {joint} that nothing in the catalogue explains{}.",
+        volts(excess_v),
+        share.map_or_else(String::new, |share| format!("; {}", varies(share)))
+    )];
+    parts.extend(nearest(diagnosis, joint));
+    parts.extend(refitted(diagnosis));
+    parts.join(" ")
+}
+
+/// The effect on a joint that takes most of its gap, and what it lacks.
+fn nearest(diagnosis: &Diagnosis, joint: u8) -> Option<String> {
+    let on_joint = |rival: &&Rival| [0, joint].contains(&rival.joint);
+    let rival = diagnosis.rivals.iter().find(on_joint)?;
+    let parameters = parameter_words(&diagnosis.catalogue, &rival.effect, &rival.parameters, false);
+    (rival.explained >= SAID_NEAREST).then(|| {
+        format!(
+            "Nearest: {} on {}, {parameters}, would take {} %, but {}.",
+            effect_words(&rival.effect),
+            joint_words(rival.joint),
+            percent(rival.explained),
+            rival.why
+        )
+    })
 }
 
 /// "it varies with position: order 8 per revolution", or what the detail says by itself.
@@ -159,20 +171,6 @@ fn varies(share: &GapShare) -> String {
     }
 }
 
-/// An axis as it is said.
-pub fn axis_words(axis: Axis) -> &'static str {
-    match axis {
-        Axis::Position => "position",
-        Axis::Velocity => "velocity",
-        Axis::Acceleration => "acceleration",
-        Axis::Command => "command",
-        Axis::Load => "load",
-        Axis::Time => "time",
-        Axis::Frequency => "frequency",
-        Axis::Offset => "offset",
-    }
-}
-
 /// Where the square lies most above the floor's, and the root of that excess.
 fn largest_excess(left_v: &[f64], floor_v: &[f64]) -> Option<(usize, f64)> {
     let squares = left_v.iter().zip(floor_v).map(|(left, floor)| left * left - floor * floor);
@@ -183,45 +181,51 @@ fn largest_excess(left_v: &[f64], floor_v: &[f64]) -> Option<(usize, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::synthetic::{cogging, diagnosis, more_viscous, payload, slow_friction};
 
-    fn parameters(of: &[(&str, f64)]) -> BTreeMap<String, Value> {
-        of.iter().map(|(name, value)| ((*name).to_owned(), Value::Number(*value))).collect()
+    #[test]
+    fn a_part_with_a_name_is_said_with_its_rest() {
+        let mut partial = diagnosis(Verdict::Partial, vec![payload(), cogging()], |_| 0.0);
+        partial.report.remainder = vec![slow_friction()];
+        partial.report.parameters_changed = vec![more_viscous()];
+        let gap = &mut partial.report.gap;
+        gap.noise_floor_v = vec![1e-3; 3];
+        gap.as_given_v = vec![0.2; 3];
+        gap.refitted_v = vec![0.1; 3];
+        gap.with_effects_v = vec![0.02; 3];
+        let said = sentence(&partial);
+        assert_eq!(
+            said,
+            "Whole robot: payload, 0.42 kg: 94 % of the gap [92 to 96], sure (98 %). \
+             Joint 3: cogging, 8 per turn, 0.11 V: 95 % of its gap [93 to 96], sure (97 %). \
+             Model refitted: joint 2, viscous friction +18 %: 60 % of what refitting gains. \
+             The rest, 4 %: joint 2 over velocity, friction below 0.02 rad/s."
+        );
     }
 
     #[test]
-    fn a_cause_is_said_in_one_sentence() {
-        let cause = Cause {
-            effect: "cogging".into(),
+    fn what_may_stand_in_place_of_a_cause_is_said() {
+        let mut found = diagnosis(Verdict::Effect, vec![cogging()], |_| 0.0);
+        found.report.alternatives.push(Alternative {
+            effect: "torque_ripple".into(),
             joint: 3,
-            parameters: parameters(&[
-                ("amplitude_V", 0.1101),
-                ("harmonic", 8.0),
-                ("phase_rad", 0.9),
-            ]),
-            confidence: 0.97,
-            shrinkage: 0.83,
-            shrinkage_interval: [0.79, 0.86],
-        };
-        let said = cause_words(&Catalogue::standard(), &cause);
-        assert_eq!(said, "Joint 3: cogging, 8 per turn, 0.11 V, explains 83 % of the gap.");
+            probability: 0.12,
+            confidence: 0.12,
+            instead_of: Some(0),
+            share: 0.9,
+        });
+        let said = sentence(&found);
+        let words = "Not ruled out: torque ripple on joint 3 in place of cogging (12 %).";
+        assert!(said.contains(words), "{said}");
     }
 
     #[test]
-    fn units_and_signs_are_said() {
-        let catalogue = Catalogue::standard();
-        let said = |effect: &str, of: &[(&str, f64)]| {
-            parameter_words(&catalogue, effect, &parameters(of), true)
-        };
-        assert_eq!(said("delay", &[("delay_s", 0.0021)]), "2.1 ms");
-        assert_eq!(said("torque_constant", &[("relative_error", -0.052)]), "-5.2 %");
-        let elastic = [
-            ("stiffness_Nm_per_rad", 3012.0),
-            ("damping_Nm_s_per_rad", 1.0),
-            ("motor_inertia_kg_m2", 0.02),
-        ];
-        let words = "stiffness 3010 Nm/rad, damping 1 Nm s/rad, motor inertia 0.02 kg m^2";
-        assert_eq!(said("joint_elasticity", &elastic), words);
-        let force = BTreeMap::from([("force_N".to_owned(), Value::Vector(vec![0.0, 1.5, -3.25]))]);
-        assert_eq!(parameter_words(&catalogue, "tip_force", &force, true), "(0, 1.5, -3.25) N");
+    fn the_unknown_is_said_with_what_came_nearest() {
+        let unknown = diagnosis(Verdict::Unknown, vec![], |at| 0.05 * at.qd);
+        let said = sentence(&unknown);
+        assert!(said.contains("on joint 3 that nothing in the catalogue explains; it "), "{said}");
+        let nearest =
+            "Nearest: torque ripple on joint 3, 8 per turn, +8.0 %, would take 41 %, but ";
+        assert!(said.contains(nearest), "{said}");
     }
 }

@@ -93,11 +93,21 @@ pub(crate) fn starts(
     let mut starts: Vec<Start> = values
         .into_iter()
         .map(|values| EffectInstance { definition, joint, values })
-        .map(|effect| Start { gain: promise(linear, evidence, &effect), effect })
+        .map(|effect| Start { gain: promised(linear, evidence, &effect), effect })
         .collect();
     starts.sort_by(|a, b| b.gain.total_cmp(&a.gain));
     starts.truncate(evidence.criteria.search.starts);
     starts
+}
+
+/// What a start promises. Springs are far from linear: theirs is what the start itself gains, where
+/// that is more than nothing.
+fn promised(linear: &Linearisation, evidence: &Evidence, effect: &EffectInstance) -> f64 {
+    if !effect.has_backlash() {
+        return promise(linear, evidence, effect);
+    }
+    let change = linear.change_by(evidence, effect, Which::OWN);
+    linear.refitted_objective() - linear.objective_with(&change)
 }
 
 /// Values of an effect's parameters from which a search may begin.

@@ -9,6 +9,7 @@ use super::restart::restarted;
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::fit::preparation::as_given;
+use crate::fit::unknowns::kept_physical;
 use crate::logs::subject::Subject;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 
@@ -56,9 +57,12 @@ pub fn select(subject: &Subject, refitted: FittedModel, progress: &dyn Fn(&str))
         if is_done(&refitted.stats, &search.last.stats, &subject.criteria) {
             break;
         }
-        refused = search.round();
-        if !refused.is_empty() {
-            break;
+        match search.round() {
+            Round::Added => {}
+            Round::Refused(finalists) => {
+                refused = finalists;
+                break;
+            }
         }
     }
     progress("comparing each cause with its rivals");
@@ -66,6 +70,14 @@ pub fn select(subject: &Subject, refitted: FittedModel, progress: &dyn Fn(&str))
     let added = search.compared();
     let refused = refused.into_iter().map(Rival::of).collect();
     Selection { refitted, last: search.last, added, refused }
+}
+
+/// How a round ends.
+enum Round {
+    /// An effect was added.
+    Added,
+    /// None was accepted of these.
+    Refused(Vec<Finalist>),
 }
 
 /// The model so far, and what was tried in each round.
@@ -78,14 +90,14 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// Adds the best effect that is accepted. Where there is none, what was refused.
-    fn round(&mut self) -> Vec<Finalist> {
+    fn round(&mut self) -> Round {
         let Some(start) = with_given_parameters(self.subject, &self.last) else {
-            return Vec::new();
+            return Round::Refused(Vec::new());
         };
         let mut finalists = finalists(self.subject, &self.last, &start);
         let accepted = |model: &FittedModel| is_accepted(&self.last, model, &self.subject.criteria);
         let Some(place) = finalists.iter().position(|finalist| accepted(&finalist.model)) else {
-            return finalists;
+            return Round::Refused(finalists);
         };
         let best = finalists.remove(place);
         let finished = finished(self.subject, best.model.clone());
@@ -95,11 +107,11 @@ impl Search<'_> {
             effects.iter().all(|effect| is_physical(effect, self.subject, &finished.evidence));
         if !physical || !accepted(&finished) {
             finalists.insert(0, best);
-            return finalists;
+            return Round::Refused(finalists);
         }
         self.last = finished;
         self.rivals.push(finalists);
-        Vec::new()
+        Round::Added
     }
 
     /// Takes out effects that others, added later, make needless: an offset goes once the spring
@@ -219,5 +231,6 @@ fn with_given_parameters(subject: &Subject, refitted: &FittedModel) -> Option<Li
     for expected in expected.iter().filter(|expected| expected.unknown.shapes_friction()) {
         expected.unknown.set(&mut start, expected.unknown.get(hypothesis));
     }
+    kept_physical(&mut start, subject);
     Linearisation::of(&refitted.evidence, start, expected.clone())
 }

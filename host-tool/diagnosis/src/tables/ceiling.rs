@@ -5,9 +5,11 @@ use rayon::prelude::*;
 use super::knots::flat;
 use crate::fit::excess::excess_v2;
 use crate::fit::fitted_model::FittedModel;
+use crate::fit::slopes::table_hats;
 use crate::logs::subject::Subject;
-use crate::rows::evidence::Evidence;
+use crate::rows::evidence::{Evidence, RowChange};
 use crate::search::policy::gain;
+use crate::trial::equation::Trial;
 use crate::trial::hypothesis::Hypothesis;
 use files::Role;
 use rig::effects::{Table, TableAxis};
@@ -34,7 +36,7 @@ pub fn reaches_ceiling(
     let policy = &subject.criteria.selection;
     let effect = &with.linear.hypothesis.effects[index];
     let Some(joint) = usize::from(effect.joint).checked_sub(1) else { return true };
-    let Some(best) = with_tables(subject, without, joint).into_iter().next() else { return true };
+    let Some(best) = with_best_table(subject, without, joint) else { return true };
     let (by_effect, by_table) = (
         part_taken(subject, without, with, joint),
         part_taken(subject, without, &best.model, joint),
@@ -66,29 +68,42 @@ pub fn part_taken(
     if from > 0.0 { 1.0 - of(after) / from } else { 0.0 }
 }
 
-/// A model with the table over each axis of a joint (0 to 2), the one that gains most first.
-pub fn with_tables(subject: &Subject, before: &FittedModel, joint: usize) -> Vec<WithTable> {
-    let over = |axis: &TableAxis| with_table(subject, before, joint, *axis);
-    let mut all: Vec<WithTable> = TableAxis::ALL.par_iter().filter_map(over).collect();
-    all.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-    all
-}
-
-fn with_table(
-    subject: &Subject,
-    before: &FittedModel,
-    joint: usize,
-    axis: TableAxis,
-) -> Option<WithTable> {
+/// A model with the table over that axis of a joint (0 to 2) that promises most; none where no table
+/// can be fitted.
+pub fn with_best_table(subject: &Subject, before: &FittedModel, joint: usize) -> Option<WithTable> {
     let hypothesis = &before.linear.hypothesis;
-    let same = |table: &Table| usize::from(table.joint) == joint + 1 && table.axis == axis;
-    if hypothesis.tables.iter().any(same) {
-        return None;
-    }
-    let flat = flat(&before.evidence, hypothesis, joint, axis)?;
-    let model = fitted(subject, &before.evidence, hypothesis, flat)?;
+    let is_there = |axis: TableAxis| {
+        let same = |table: &Table| usize::from(table.joint) == joint + 1 && table.axis == axis;
+        hypothesis.tables.iter().any(same)
+    };
+    let promised = |axis: &TableAxis| {
+        let flat = flat(&before.evidence, hypothesis, joint, *axis)?;
+        Some((promise(before, &flat, joint)?, flat))
+    };
+    let open: Vec<TableAxis> = TableAxis::ALL.into_iter().filter(|axis| !is_there(*axis)).collect();
+    let tables = open.par_iter().filter_map(promised);
+    let (_, table) = tables.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let model = fitted(subject, &before.evidence, hypothesis, table)?;
     let table = model.linear.hypothesis.tables.last()?.clone();
     Some(WithTable { table, gain: gain(before, &model), model })
+}
+
+/// Weighted squares that a table would take away, everything open refitted by the slopes, less one
+/// for each of its knots, which chance takes.
+fn promise(before: &FittedModel, table: &Table, joint: usize) -> Option<f64> {
+    let evidence = &before.evidence;
+    let mut columns: Vec<RowChange> = vec![RowChange::default(); table.knots.len()];
+    for (s, stretch) in evidence.stretches[..evidence.train_stretches()].iter().enumerate() {
+        let trial = Trial::of(stretch, &before.linear.hypothesis, &evidence.criteria.fit);
+        for (column, hat) in columns.iter_mut().zip(table_hats(&trial, table, joint)) {
+            column[joint].get_or_insert_default().extend(evidence.weighted(s, joint, &hat));
+        }
+    }
+    let (gradient, mut curvature) = before.linear.along(&RowChange::default(), &columns);
+    let weight = evidence.criteria.prior.table_v.powi(-2);
+    (0..columns.len()).for_each(|k| curvature[(k, k)] += weight);
+    let values = curvature.lu().solve(&gradient)?;
+    Some(gradient.dot(&values) - columns.len() as f64)
 }
 
 /// A model with a table more, fitted.

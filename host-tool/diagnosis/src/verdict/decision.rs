@@ -6,6 +6,7 @@ use crate::fit::fitted_model::FittedModel;
 use crate::result::Verdict;
 use crate::rows::evidence::Rows;
 use crate::search::selection::Added;
+use crate::trial::hypothesis::EffectInstance;
 
 /// Probability that an added effect is a cause: against each of its rivals by the log-likelihood
 /// that it has over it, and against chance by the one that the model loses without it.
@@ -37,6 +38,12 @@ fn is_large(worth: &Worth, criteria: &VerdictCriteria) -> bool {
     let of_gap =
         worth.share >= criteria.least_share && worth.part_of_left >= criteria.least_part_of_left;
     of_gap || worth.part_of_left >= criteria.most_of_left
+}
+
+/// Whether a spring between motor and link explains what it must to be one: a soft spring that
+/// stands for play leaves a quarter or more.
+pub fn is_sound(effect: &EffectInstance, worth: &Worth, criteria: &VerdictCriteria) -> bool {
+    !effect.is_spring() || worth.part_of_left >= criteria.least_by_spring
 }
 
 /// The verdict in one word; `last` has just the causes that are named.

@@ -1,7 +1,7 @@
 //! The causes that are named, with what they are worth, and what else was tried.
 
 use super::confirmed::{Confirmation, Worth};
-use super::decision::{is_named, probability};
+use super::decision::{is_named, is_sound, probability};
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
 use crate::search::selection::{Added, Rival, Selection, update_gains};
@@ -47,7 +47,9 @@ impl<'a> Judgement<'a> {
                 .collect();
             let fails = |index: &usize| {
                 let (worth, probability) = &judged[*index];
+                let effect = &last.linear.hypothesis.effects[known + *index];
                 !is_named(*probability, worth, &subject.criteria.verdict)
+                    || !is_sound(effect, worth, &subject.criteria.verdict)
                     || !reaches_ceiling(subject, &added[*index].without, &last, known + *index)
             };
             let least = |a: &usize, b: &usize| judged[*a].0.share.total_cmp(&judged[*b].0.share);

@@ -4,36 +4,73 @@ mod commands;
 mod figure;
 mod maps;
 mod over_axis;
+mod remainder;
+mod shares;
 mod spectra;
 mod stages;
 pub mod tables;
+mod units;
 mod waterfall;
 
 pub use figure::figure;
 
 use super::{Chart, Page};
 use diagnosis::sentence;
-use diagnosis::{Diagnosis, Verdict};
+use diagnosis::{DataParts, Diagnosis, Verdict};
 use stages::Stages;
-use tables::{CAUSES, cause_rows};
+use tables::{CAUSES, PARAMETERS, REMAINDER, cause_rows, parameter_rows, remainder_rows};
 
 /// The page of a diagnosis.
 pub fn diagnosis_page(diagnosis: &Diagnosis) -> Page {
     let report = &diagnosis.report;
     let stages = Stages::of(diagnosis);
     let mut page = Page::new("Where robot and model differ", &sentence(diagnosis));
-    if !report.causes.is_empty() {
+    if let Some(bars) = shares::causes(diagnosis) {
+        page.paragraph(shares::CAPTION).pictures(&[bars.to_svg()]);
         page.words(&CAUSES, &cause_rows(diagnosis));
     }
+    page.paragraph(&data_words(&report.data));
     section(
         &mut page,
         "What is left of the command, step by step",
         waterfall::CAPTION,
         &[waterfall::waterfall(diagnosis).map_or_else(String::new, |bars| bars.to_svg())],
     );
+    remaining(&mut page, diagnosis);
+    refit(&mut page, diagnosis);
     pictures(&mut page, diagnosis, &stages);
     tables::add(&mut page, diagnosis);
     page
+}
+
+/// What no cause explains, as curves and as a table.
+fn remaining(page: &mut Page, diagnosis: &Diagnosis) {
+    let entries = &diagnosis.report.remainder;
+    if entries.is_empty() {
+        return;
+    }
+    page.heading("What no cause explains").paragraph(remainder::CAPTION);
+    page.pictures(&drawn(&remainder::charts(entries)));
+    page.words(&REMAINDER, &remainder_rows(diagnosis));
+}
+
+/// What the refit moved, as bars and as a table.
+fn refit(page: &mut Page, diagnosis: &Diagnosis) {
+    if let Some(bars) = shares::parameters(diagnosis) {
+        page.heading("What the refit moved").paragraph(shares::REFIT_CAPTION);
+        page.pictures(&[bars.to_svg()]).words(&PARAMETERS, &parameter_rows(diagnosis));
+    }
+}
+
+/// Which logs served for what.
+fn data_words(data: &DataParts) -> String {
+    let files = |files: &[String]| if files.is_empty() { "none".into() } else { files.join(", ") };
+    let fitted = files(&data.fit);
+    let chosen = match data.select == data.fit {
+        true => format!("Fitted to, and chosen by pieces left out of: {fitted}."),
+        false => format!("Fitted to: {fitted}. Chosen by: {}.", files(&data.select)),
+    };
+    format!("{chosen} Confirmed on: {}.", files(&data.confirm))
 }
 
 /// The pictures, joint by joint; what is unknown begins with what is seen of it.

@@ -3,10 +3,11 @@
 use std::f64::consts::TAU;
 
 use super::stages::Stages;
+use super::units::unit;
 use crate::{Chart, Series, Stroke};
 use diagnosis::gap_by_axis::orders::best_carrier;
 use diagnosis::gap_by_axis::{Carrier, Samples};
-use diagnosis::report::sentence::axis_words;
+use diagnosis::report::words::axis_words;
 use diagnosis::{Axis, Diagnosis, GapShare};
 
 pub(super) const HALF: (u32, u32) = (535, 290);
@@ -75,16 +76,10 @@ fn carrier(share: &GapShare, samples: &Samples) -> Carrier {
 }
 
 fn label(axis: Axis) -> Option<String> {
-    let unit = match axis {
-        Axis::Position => "rad, within a turn",
-        Axis::Velocity => "rad/s",
-        Axis::Acceleration => "rad/s^2",
-        Axis::Command => "V",
-        Axis::Load => "Nm",
-        Axis::Time => "s since the log began",
-        Axis::Frequency | Axis::Offset => return None,
-    };
-    Some(format!("{} [{unit}]", axis_words(axis)))
+    let within = if axis == Axis::Position { ", within a turn" } else { "" };
+    let has_course = axis != Axis::Offset;
+    let unit = unit(axis).filter(|_| has_course)?;
+    Some(format!("{} [{unit}{within}]", axis_words(axis)))
 }
 
 fn variable(samples: &Samples, axis: Axis) -> Option<Vec<f64>> {

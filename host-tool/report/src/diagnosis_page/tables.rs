@@ -2,29 +2,40 @@
 
 use crate::Page;
 use diagnosis::quantity::{quantity, split_unit};
-use diagnosis::report::sentence::{axis_words, effect_words, joint_numbers, parameter_words};
-use diagnosis::{Cause, Detectable, Diagnosis, Rival};
+use diagnosis::report::sentence::joint_numbers;
+use diagnosis::report::words::{
+    axis_words, change_words, effect_words, model_parameter_words, parameter_words,
+    parameters_with_intervals, percent,
+};
+use diagnosis::{Alternative, Cause, Detectable, Diagnosis, ParameterChange, Remainder, Rival};
 
 /// The header of [`cause_rows`].
-pub const CAUSES: [&str; 5] = ["cause", "joint", "confidence", "shrinkage", "parameters"];
+pub const CAUSES: [&str; 6] =
+    ["cause", "joint", "share of the gap", "probability", "shrinkage", "parameters"];
 
 /// A row per cause.
 pub fn cause_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
     let row = |cause: &Cause| {
-        let [low, high] = cause.shrinkage_interval.map(percent);
         vec![
             effect_words(&cause.effect),
             joint_number(cause.joint),
-            format!("{} %", percent(cause.confidence)),
-            format!("{} % ({low} to {high})", percent(cause.shrinkage)),
-            parameter_words(&diagnosis.catalogue, &cause.effect, &cause.parameters, true),
+            with_interval(cause.share, cause.share_interval),
+            percent_words(cause.probability),
+            with_interval(cause.shrinkage, cause.shrinkage_interval),
+            parameters_with_intervals(&diagnosis.catalogue, cause),
         ]
     };
     diagnosis.report.causes.iter().map(row).collect()
 }
 
-fn percent(part: f64) -> String {
-    format!("{:.0}", 100.0 * part)
+fn with_interval(part: f64, interval: [f64; 2]) -> String {
+    let [low, high] = interval.map(percent);
+    format!("{} [{low} to {high}]", percent_words(part))
+}
+
+/// "4 %".
+pub(super) fn percent_words(part: f64) -> String {
+    format!("{} %", percent(part))
 }
 
 fn joint_number(joint: u8) -> String {
@@ -39,8 +50,8 @@ pub(super) fn add(page: &mut Page, diagnosis: &Diagnosis) {
             page.heading(heading).words(header, &rows);
         }
     };
-    words(page, "Where the gap lies", &PLACES, place_rows(diagnosis));
-    page.heading("The gap on the logs held out, rms").table(&GAP, &gap_rows(diagnosis));
+    words(page, "Where the gap lies, before any cause", &PLACES, place_rows(diagnosis));
+    page.heading("The gap on the logs that chose nothing, rms").table(&GAP, &gap_rows(diagnosis));
     words(page, "Rivals, and why they lost", &RIVALS, rival_rows(diagnosis));
     words(page, "Not ruled out", &ALTERNATIVES, alternative_rows(diagnosis));
     words(page, "What these logs cannot show", &UNTESTABLE, untestable_rows(diagnosis));
@@ -53,6 +64,47 @@ pub(super) fn add(page: &mut Page, diagnosis: &Diagnosis) {
     if !report.remarks.is_empty() {
         page.heading("Remarks").list(&report.remarks);
     }
+}
+
+/// The header of [`parameter_rows`].
+pub(super) const PARAMETERS: [&str; 6] =
+    ["parameter", "", "given", "found, 95 % interval", "change", "share of the refit"];
+
+/// A row per parameter that the refit moved.
+pub(super) fn parameter_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
+    let row = |change: &ParameterChange| {
+        let unit = split_unit(&change.parameter).1;
+        let [low, high] = change.interval.map(|end| quantity(end, unit));
+        let (place, name) = model_parameter_words(&change.parameter);
+        vec![
+            format!("{place}, {name}"),
+            change.parameter.clone(),
+            quantity(change.given, unit),
+            format!("{} [{low} to {high}]", quantity(change.found, unit)),
+            change_words(change),
+            percent_words(change.share),
+        ]
+    };
+    diagnosis.report.parameters_changed.iter().map(row).collect()
+}
+
+/// The header of [`remainder_rows`].
+pub(super) const REMAINDER: [&str; 6] =
+    ["joint", "over", "rms", "share of the gap", "how", "nearest effect"];
+
+/// A row per entry of what no cause explains.
+pub(super) fn remainder_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
+    let row = |entry: &Remainder| {
+        vec![
+            entry.joint.to_string(),
+            axis_words(entry.axis).into(),
+            quantity(entry.rms_v, "V"),
+            percent_words(entry.share),
+            entry.detail.clone(),
+            entry.nearest.as_deref().map_or_else(String::new, effect_words),
+        ]
+    };
+    diagnosis.report.remainder.iter().map(row).collect()
 }
 
 const PLACES: [&str; 4] = ["joint", "varies with", "share of the gap", "how"];
@@ -70,11 +122,12 @@ fn place_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
     row.collect()
 }
 
-const GAP: [&str; 7] = [
+const GAP: [&str; 8] = [
     "Joint",
     "as given [mV]",
     "refitted [mV]",
     "with effects [mV]",
+    "with tables [mV]",
     "noise [mV]",
     "refitted [mrad]",
     "with effects [mrad]",
@@ -86,6 +139,7 @@ fn gap_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
         (&gap.as_given_v, 2),
         (&gap.refitted_v, 2),
         (&gap.with_effects_v, 2),
+        (&gap.with_tables_v, 2),
         (&gap.noise_floor_v, 2),
         (&gap.refitted_rad, 3),
         (&gap.with_effects_rad, 3),
@@ -116,15 +170,22 @@ fn rival_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
     diagnosis.rivals.iter().map(row).collect()
 }
 
-const ALTERNATIVES: [&str; 3] = ["effect", "joint", "confidence"];
+const ALTERNATIVES: [&str; 5] =
+    ["effect", "joint", "probability", "share of the gap", "in place of"];
 
 fn alternative_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
-    let others = diagnosis.report.alternatives.iter();
-    let row = others.map(|other| {
-        let confidence = format!("{} %", percent(other.confidence));
-        vec![effect_words(&other.effect), joint_number(other.joint), confidence]
-    });
-    row.collect()
+    let report = &diagnosis.report;
+    let row = |other: &Alternative| {
+        let cause = other.instead_of.and_then(|index| report.causes.get(index));
+        vec![
+            effect_words(&other.effect),
+            joint_number(other.joint),
+            percent_words(other.probability),
+            percent_words(other.share),
+            cause.map_or_else(String::new, |cause| effect_words(&cause.effect)),
+        ]
+    };
+    report.alternatives.iter().map(row).collect()
 }
 
 const UNTESTABLE: [&str; 3] = ["effect", "joint", "why, and what would show it"];

@@ -5,11 +5,11 @@ use diagnosis::Diagnosis;
 use diagnosis::report::sentence::joint_numbers;
 
 /// What the picture shows.
-pub(super) const CAPTION: &str =
-    "Rms of the residual on the logs held out; the broken line is what noise alone leaves.";
+pub(super) const CAPTION: &str = "Rms of the residual on the logs that chose nothing; the broken line is what noise alone leaves.";
 
 const BEFORE: &str = "#d55e00";
 const AFTER: &str = "#0072b2";
+const TABLES: &str = "#009e73";
 const NOISE: &str = "#9a9a9a";
 
 /// A row of bars per level, a column per joint; `None` without levels.
@@ -23,6 +23,7 @@ pub(super) fn waterfall(diagnosis: &Diagnosis) -> Option<BarTable> {
         values: millivolts(&level.rms_v),
         colour: match index {
             _ if level.name.contains("noise") => NOISE,
+            _ if level.name.contains("tables") => TABLES,
             0 | 1 => BEFORE,
             _ => AFTER,
         },

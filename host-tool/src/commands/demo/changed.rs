@@ -61,6 +61,7 @@ impl Arguments {
             model: self.out.join("model.toml"),
             out: self.out.join(DIAGNOSIS),
             criteria: None,
+            model_doubt: None,
         }
     }
 }

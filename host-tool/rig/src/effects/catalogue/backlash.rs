@@ -37,10 +37,10 @@ pub(super) const DEFINITION: Definition = Definition {
     },
 };
 
-/// Gaps of about a mrad, rather too small than too large, and a stiff spring beyond.
+/// Gaps from half a mrad to what a worn gear has, and a stiff spring beyond.
 fn starts(typical: &Typical) -> Vec<Vec<f64>> {
     let mut starts = Vec::new();
-    for gap_rad in [5e-4, 1.5e-3] {
+    for gap_rad in [5e-4, 2e-3, 8e-3, 3e-2] {
         for resonance_hz in [12.0, 20.0, 35.0] {
             let [stiffness, damping, inertia] = typical.spring(resonance_hz, 0.13);
             starts.push(vec![gap_rad, stiffness, damping, inertia]);
