@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | [`ekf`] | friction, inertia and gravity of a joint by the augmented Kalman filter, eq. (11) |
 //! | [`estimate`], [`friction_estimates`] | a value, and a joint's friction, with uncertainty |
+//! | [`friction_law`] | static friction or bristles, whichever the data carry |
 //! | [`one_joint`] | what the steps on one joint share, and rigs that have but one |
 //! | [`static_friction`] | static friction from constant-velocity runs, eq. (10) |
 //! | [`base_parameters`] | base parameters by least squares, eq. (13)-(16) |
@@ -22,6 +23,7 @@ pub mod ekf;
 pub mod estimate;
 pub mod excitation_design;
 pub mod friction_estimates;
+pub mod friction_law;
 pub mod one_joint;
 pub mod physical;
 pub mod prediction;

@@ -7,6 +7,7 @@ use serde::Serialize;
 use identification::Estimate;
 use identification::base_parameters::JointResidual;
 use identification::ekf::EkfResult;
+use identification::friction_law::FrictionLaw;
 use identification::presliding::Presliding;
 use identification::procedure::Identified;
 use identification::static_friction::StaticFriction;
@@ -20,6 +21,8 @@ pub struct Summary<'a> {
     pub base: BTreeMap<&'static str, &'a Estimate>,
     /// Friction, joint by joint.
     pub friction: Vec<BTreeMap<&'static str, &'a Estimate>>,
+    /// The law of friction of each joint, with the figures that decided.
+    pub friction_laws: &'a [FrictionLaw],
     /// Condition number J_k of the recorded excitation.
     pub condition_number: f64,
     /// Base parameters the paper's way.
@@ -46,6 +49,7 @@ impl<'a> Summary<'a> {
             format: 1,
             base: by_name(&refined.base_estimates),
             friction: refined.friction_estimates.iter().map(|e| by_name(e)).collect(),
+            friction_laws: &identified.laws,
             condition_number: identified.paper.condition_number,
             base_paper: by_name(&identified.paper.estimates),
             static_friction: identified.statics.iter().flatten().collect(),

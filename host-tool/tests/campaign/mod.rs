@@ -9,7 +9,8 @@ use rand_pcg::Pcg64Mcg;
 use recordings::{Campaign, Trace};
 use rig::{Plan, Recipe, Rig};
 use simulation::board::InProcess;
-use simulation::{Settings, record};
+use simulation::friction_law::LuGre;
+use simulation::{FrictionLaw, Settings, SimulatedRobot, record_robot, start_of};
 
 const COUNTS_PER_TURN: f64 = 655_360.0;
 
@@ -37,10 +38,17 @@ pub fn perturbed_robot(seed: u32) -> Robot<f64> {
 
 /// The campaign of a robot whose board knows only the reference robot.
 pub fn recorded_campaign(robot: &Robot<f64>, seed: u32) -> Campaign {
+    let lugre =
+        |robot: &Robot<f64>| robot.friction.map(|friction| Box::new(LuGre::new(friction)) as _);
+    recorded_campaign_with(robot, seed, &lugre)
+}
+
+/// The same of a robot with other laws of friction.
+pub fn recorded_campaign_with(robot: &Robot<f64>, seed: u32, laws: &Laws) -> Campaign {
     let rig = Rig::new(reference_robot());
     let plans = Recipe::by_name("campaign").unwrap().plans(&rig, seed);
     let numbered = plans.iter().zip(u64::from(seed) << 8..);
-    let traces = numbered.map(|(plan, seed)| recorded(&rig, plan, robot, seed)).collect();
+    let traces = numbered.map(|(plan, seed)| recorded(&rig, plan, robot, seed, laws)).collect();
     let mut file = RobotFile::from_robot(robot);
     file.base = None;
     file.friction.clear();
@@ -50,12 +58,16 @@ pub fn recorded_campaign(robot: &Robot<f64>, seed: u32) -> Campaign {
     Campaign::new(file, Some(COUNTS_PER_TURN), traces).unwrap()
 }
 
-fn recorded(rig: &Rig, plan: &Plan, robot: &Robot<f64>, seed: u64) -> Trace {
+/// The laws of friction of a robot, at rest.
+pub type Laws<'a> = dyn Fn(&Robot<f64>) -> [Box<dyn FrictionLaw>; 3] + 'a;
+
+fn recorded(rig: &Rig, plan: &Plan, robot: &Robot<f64>, seed: u64, laws: &Laws) -> Trace {
     let settings = Settings { seed, ..Settings::default() };
     let block = plan.block(rig);
     let mut board = InProcess::default();
-    let recording =
-        record(&mut board, &block, robot, &settings, plan.ticks(rig), &mut |_| {}).unwrap();
+    let robot = SimulatedRobot::at_rest(*robot, start_of(&block), &settings)
+        .with_friction_laws(laws(robot));
+    let recording = record_robot(&mut board, &block, robot, plan.ticks(rig), &mut |_| {}).unwrap();
     Trace::of_log(recording.log, plan.entry("csv"), COUNTS_PER_TURN)
 }
 

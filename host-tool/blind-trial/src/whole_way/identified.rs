@@ -45,10 +45,10 @@ pub(super) fn identified(case: &Case, keep: Option<&Path>) -> Result<IdentifiedM
     let traces = recorded.into_iter().map(|r| Trace::of_log(r.log, r.plan.entry("csv"), counts));
     let campaign = Campaign::new(file.clone(), Some(counts), traces.collect())?;
     let found = identify(&campaign, &|_| ())?;
-    found.robot.checked().map_err(|error| TrialError::NoModel {
-        case: case.number,
-        what: error.to_string(),
-    })?;
+    found
+        .robot
+        .checked()
+        .map_err(|error| TrialError::NoModel { case: case.number, what: error.to_string() })?;
     Ok(IdentifiedModel {
         robot: found.robot,
         file: model_file(&found, &file),

@@ -35,14 +35,16 @@ fn answers(results: &WholeWayResults) -> String {
         ("the change is named first, with its joint", results.named_first),
         ("the change is named", results.named),
         ("a wrong name", results.wrong_name),
+        ("identification, change or diagnosis failed", results.failed),
     ];
     let rows = rows.into_iter().map(|(what, share)| [what.into(), counted(share), percent(share)]);
     table("Answers", &["what", "robots", "share, 95 % interval"], rows)
 }
 
 fn rows(heading: &str, rows: &[WholeWayRow]) -> String {
-    let cells =
-        rows.iter().map(|row| [row.what.clone(), counted(row.named_first), counted(row.wrong_name)]);
+    let cells = rows
+        .iter()
+        .map(|row| [row.what.clone(), counted(row.named_first), counted(row.wrong_name)]);
     table(heading, &["what", "change named first", "a wrong name"], cells)
 }
 

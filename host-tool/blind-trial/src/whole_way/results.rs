@@ -21,6 +21,8 @@ pub struct WholeWayResults {
     pub named_first: Share,
     /// Changes named at all.
     pub named: Share,
+    /// Robots that could not be identified, changed or diagnosed.
+    pub failed: Share,
     /// Robots on which a name was given for which there is nothing.
     pub wrong_name: Share,
     /// By law of friction.
@@ -48,14 +50,16 @@ impl WholeWayResults {
     pub fn new(settings: &WholeWaySettings, robots: Vec<WholeWayOutcome>) -> Self {
         let all: Vec<&WholeWayOutcome> = robots.iter().collect();
         let law = |o: &WholeWayOutcome| o.outcome.reality.friction[0].law.name().to_owned();
-        let change =
-            |o: &WholeWayOutcome| o.outcome.truth.first().map_or("none".into(), |t| t.effect.clone());
+        let change = |o: &WholeWayOutcome| {
+            o.outcome.truth.first().map_or("failed before a change".into(), |t| t.effect.clone())
+        };
         Self {
             format: 1,
             seed: settings.seed,
             first: settings.first,
             named_first: count(&all, |o| o.outcome.is_first_right()),
             named: count(&all, |o| o.outcome.has_named(0)),
+            failed: count(&all, |o| o.outcome.failure.is_some()),
             wrong_name: count(&all, |o| o.outcome.has_wrong_name()),
             by_law: rows(&all, law),
             by_change: rows(&all, change),

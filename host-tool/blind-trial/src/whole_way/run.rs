@@ -11,6 +11,7 @@ use crate::diverse::{DiverseCase, DiverseOutcome, Known, diagnose_written};
 use crate::error::TrialError;
 use crate::logs;
 use crate::outcome::{Diagnose, RunSettings};
+use crate::reality::Reality;
 use crate::sealed_truth;
 use crate::visibility::Visibility;
 use model::Friction;
@@ -20,8 +21,8 @@ use model::Friction;
 pub struct WholeWayOutcome {
     /// The robot's own friction parameters.
     pub friction: [Friction<f64>; 3],
-    /// The friction that was identified.
-    pub identified_friction: [Friction<f64>; 3],
+    /// The friction that was identified; `None` where identification failed.
+    pub identified_friction: Option<[Friction<f64>; 3]>,
     /// What the identified model leaves of the command on the campaign's logs held out, rms of
     /// the worst log of each joint [V].
     #[serde(rename = "held_out_V")]
@@ -39,9 +40,25 @@ pub struct WholeWayOutcome {
 /// the diagnosis sees the later logs and the identified model alone.
 ///
 /// # Errors
-/// A robot that cannot be identified, or on which no change is noticed; files that cannot be
-/// written. A diagnosis that fails is an answer.
+/// A robot that cannot be recorded, files that cannot be written. What stops a user on his way is
+/// an answer: a failed identification, an arm that does not follow with the identified model, a
+/// diagnosis that fails.
 pub fn walk(
+    robot: &Case,
+    settings: &WholeWaySettings,
+    run: &RunSettings,
+    diagnose: Diagnose,
+) -> Result<WholeWayOutcome, TrialError> {
+    match to_the_end(robot, settings, run, diagnose) {
+        Err(TrialError::Step(error)) => Ok(WholeWayOutcome::failed(robot, &error.to_string())),
+        Err(error @ (TrialError::NoModel { .. } | TrialError::NothingDetectable { .. })) => {
+            Ok(WholeWayOutcome::failed(robot, &error.to_string()))
+        }
+        other => other,
+    }
+}
+
+fn to_the_end(
     robot: &Case,
     settings: &WholeWaySettings,
     run: &RunSettings,
@@ -78,11 +95,35 @@ impl WholeWayOutcome {
     ) -> Self {
         Self {
             friction: robot.robot.friction,
-            identified_friction: found.robot.friction,
+            identified_friction: Some(found.robot.friction),
             held_out_v: found.held_out_v,
             remarks: found.remarks,
             visibility,
             outcome,
+        }
+    }
+
+    /// A robot whose way ended before the diagnosis.
+    fn failed(robot: &Case, why: &str) -> Self {
+        Self {
+            friction: robot.robot.friction,
+            identified_friction: None,
+            held_out_v: [0.0; 3],
+            remarks: Vec::new(),
+            visibility: None,
+            outcome: DiverseOutcome {
+                case: robot.number,
+                kind: robot.kind,
+                truth: Vec::new(),
+                known: Vec::new(),
+                reality: robot.reality.clone().unwrap_or_else(Reality::plain),
+                verdict: "failed".into(),
+                failure: Some(why.into()),
+                claims: Vec::new(),
+                seconds: 0.0,
+                processor_seconds: 0.0,
+                report: None,
+            },
         }
     }
 }

@@ -6,6 +6,8 @@ use model::Friction;
 pub const FRICTION: usize = 6;
 /// Index of the logarithm of the viscous coefficient alpha_2.
 pub const ALPHA2: usize = 3;
+/// Indices of the logarithms of the bristles' stiffness sigma_0 and damping sigma_1.
+pub const BRISTLES: [usize; 2] = [4, 5];
 /// In the grey-box fit: index of the logarithm of the velocity jitter [rad/s].
 pub const JITTER: usize = FRICTION;
 /// In the grey-box fit: index of the first linear factor.

@@ -1,6 +1,7 @@
 //! The whole procedure: what feeds what, and what to do when an experiment is missing.
 //!
-//! static friction -> base parameters -> pre-sliding FRF -> all together -> validation.
+//! static friction -> base parameters -> pre-sliding FRF -> laws of friction -> all together ->
+//! validation.
 //! The FRF needs the mass matrix, the base parameters need friction; the bristles that
 //! the static step finds along are good enough for the first round.
 
@@ -18,6 +19,7 @@ use rayon::prelude::*;
 
 use super::base_parameters::{self, BaseResult, FrictionEstimate};
 use super::ekf::{self, EkfResult};
+use super::friction_law::{self, Law};
 use super::physical::{self, Physical};
 use super::presliding::{self, Presliding, Prior};
 use super::refinement::{self, Refined};
@@ -56,10 +58,9 @@ pub fn identify(campaign: &Campaign, progress: &dyn Fn(&str)) -> Result<Identifi
         rayon::join(|| static_friction_of_all(campaign), || filtered(campaign));
     let statics = separated(statics, &mut missing);
     let [filtered] = separated([filtered], &mut missing);
-    let mut friction = [0, 1, 2].map(|i| {
-        let of_joint = filtered.as_ref().filter(|found| usize::from(found.joint) == i + 1);
-        priors::of_joint(statics[i].as_ref(), of_joint)
-    });
+    let filtered_of = |i: usize| filtered.as_ref().filter(|f| usize::from(f.joint) == i + 1);
+    let mut friction = [0, 1, 2].map(|i| priors::of_joint(statics[i].as_ref(), filtered_of(i)));
+    let still = [0, 1, 2].map(|i| priors::without_bristles(statics[i].as_ref(), filtered_of(i)));
     progress("base parameters");
     let excitations: Vec<&Trace> =
         campaign.traces_of(Experiment::Excitation, Role::Train, None).collect();
@@ -70,13 +71,20 @@ pub fn identify(campaign: &Campaign, progress: &dyn Fn(&str)) -> Result<Identifi
     for found in &presliding {
         priors::take_bristles(&mut friction[usize::from(found.joint) - 1], found);
     }
+    progress("laws of friction");
+    let known = &campaign.known;
+    let (laws, friction) =
+        friction_law::choose(&excitations, known, &friction, &still, &presliding);
     progress("all parameters together");
-    let refined = refinement::refine(
+    let mut refined = refinement::refine(
         &excitations,
         &campaign.known,
         &friction,
         &refinement::Settings::default(),
     )?;
+    for joint in (0..3).filter(|&i| laws[i].law == Law::Static) {
+        friction_law::note_chosen_bristles(&mut refined, joint);
+    }
     progress("rigid links");
     let physical = physical::nearest(&refined.base, &refined.base_covariance, &geometry);
     let robot = model(campaign, geometry, &refined, physical.as_ref());
@@ -86,6 +94,7 @@ pub fn identify(campaign: &Campaign, progress: &dyn Fn(&str)) -> Result<Identifi
         statics,
         filtered,
         presliding,
+        laws,
         paper,
         base,
         refined,

@@ -5,6 +5,7 @@ use model::Friction;
 use crate::base_parameters::BaseResult;
 use crate::base_parameters::FrictionEstimate;
 use crate::ekf::EkfResult;
+use crate::friction_law::{CERTAIN, as_static, stiffness_in_errors};
 use crate::presliding::{Presliding, Prior, Sliding};
 use crate::static_friction::StaticFriction;
 
@@ -41,6 +42,15 @@ pub fn of_joint(found: Option<&StaticFriction>, filtered: Option<&EkfResult>) ->
     FrictionEstimate { value: TYPICAL, standard_error: unknown }
 }
 
+/// The same by static friction alone.
+pub fn without_bristles(
+    found: Option<&StaticFriction>,
+    filtered: Option<&EkfResult>,
+) -> FrictionEstimate {
+    let own = found.map(|found| found.without_bristles.with_standard_errors());
+    as_static(&own.unwrap_or_else(|| of_joint(found, filtered)))
+}
+
 /// The prior of the FRF: the mass matrix and sliding friction.
 pub fn of_presliding(base: &BaseResult, statics: &[Option<StaticFriction>; 3]) -> Prior {
     /// Least squares on an excitation gives the mass matrix that well.
@@ -58,8 +68,11 @@ pub fn of_presliding(base: &BaseResult, statics: &[Option<StaticFriction>; 3]) -
     })
 }
 
-/// Takes the FRF's bristles in place of those before.
+/// Takes the FRF's bristles in place of those before, where it shows any.
 pub fn take_bristles(estimate: &mut FrictionEstimate, found: &Presliding) {
+    if stiffness_in_errors(found) < CERTAIN {
+        return;
+    }
     estimate.value.sigma0_v_per_rad = found.sigma0_v_per_rad.value;
     estimate.value.sigma1_v_s_per_rad = found.sigma1_v_s_per_rad.value;
     estimate.standard_error.sigma0_v_per_rad = found.sigma0_v_per_rad.standard_error;

@@ -4,6 +4,7 @@ use model::Robot;
 
 use crate::base_parameters::{BaseResult, JointResidual};
 use crate::ekf::EkfResult;
+use crate::friction_law::{FrictionLaw, Law};
 use crate::physical::Physical;
 use crate::prediction::{Prediction, predict};
 use crate::presliding::Presliding;
@@ -22,6 +23,8 @@ pub struct Identified {
     pub filtered: Option<EkfResult>,
     /// Pre-sliding friction, where there was noise.
     pub presliding: Vec<Presliding>,
+    /// The law of friction of each joint, with the figures that decided.
+    pub laws: [FrictionLaw; 3],
     /// Base parameters the paper's way.
     pub paper: BaseResult,
     /// Base parameters by weighted least squares on filtered sides.
@@ -99,6 +102,13 @@ impl Identified {
         if self.physical.as_ref().is_some_and(|found| !found.consistent) {
             self.missing
                 .push("no rigid links have these base parameters within their errors".into());
+        }
+        for law in self.laws.iter().filter(|law| law.law == Law::Static) {
+            self.missing.push(format!(
+                "joint {} has static friction: its sigma0 is the least that the data bear, its \
+                 sigma1 is alpha2",
+                law.joint
+            ));
         }
         if !self.refined.converged {
             self.missing.push("the refinement has not converged; its errors are too small".into());

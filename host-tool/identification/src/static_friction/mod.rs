@@ -17,7 +17,7 @@ use super::estimate::Estimate;
 use super::friction_estimates::FrictionEstimates;
 use super::one_joint::grey_box::{self, Fit};
 use super::one_joint::log_rows::log_rows;
-use super::one_joint::parameters::{FRICTION, LINEAR, from_logarithms};
+use super::one_joint::parameters::{ALPHA2, BRISTLES, FRICTION, LINEAR, from_logarithms};
 use super::one_joint::rows::{Rows, Term};
 use super::one_joint::sliding::sliding;
 use recordings::StepError;
@@ -39,6 +39,9 @@ pub struct StaticFriction {
     /// eq. (12).
     #[serde(flatten)]
     pub friction: FrictionEstimates,
+    /// The same by static friction alone, eq. (10), with bristles too stiff to be seen.
+    #[serde(skip)]
+    pub without_bristles: FrictionEstimates,
     /// Inertia about the joint in this posture [kg m^2].
     pub inertia_kg_m2: Estimate,
     /// Gravity torque = this * cos + [`Self::gravity_sine_nm`] * sin of the moving arm's
@@ -83,7 +86,21 @@ pub fn identify(trace: &Trace, joint: u8, known: &Known) -> Result<StaticFrictio
         let what = format!("the search did not end on {}; is its command in volts?", trace.file);
         return Err(StepError::Numerical { step: "static friction", what });
     }
-    Ok(result(&rows, &fit, joint, known))
+    let still = without_bristles(&rows, &fit);
+    Ok(result(&rows, &fit, &still, joint, known))
+}
+
+/// Bristles whose travel, at any level that joints have, no encoder shows [V/rad].
+const UNSEEN_STIFFNESS_V_PER_RAD: f64 = 2e4;
+
+/// The fit with bristles too stiff to be seen, from where LuGre's law ended.
+fn without_bristles(rows: &Rows, lugre: &Fit) -> Fit {
+    let free: Vec<usize> =
+        (0..LINEAR + rows.terms.len()).filter(|k| !BRISTLES.contains(k)).collect();
+    let mut start = lugre.parameters.clone();
+    start[BRISTLES[0]] = UNSEEN_STIFFNESS_V_PER_RAD.ln();
+    start[BRISTLES[1]] = start[ALPHA2];
+    with_method_error(grey_box::fit(&rows.data, start, &free, FINELY))
 }
 
 /// Points of the grid from which a search may begin.
@@ -124,7 +141,7 @@ pub fn fit_log(trace: &Trace, joint: u8, known: &Known) -> Result<(Rows, Fit), S
     Ok((rows, with_method_error(best)))
 }
 
-fn result(rows: &Rows, fit: &Fit, joint: u8, known: &Known) -> StaticFriction {
+fn result(rows: &Rows, fit: &Fit, still: &Fit, joint: u8, known: &Known) -> StaticFriction {
     let k_t = known.torque_constant(joint);
     let torque = |term: Term| {
         let parameter = LINEAR + rows.column(term)?;
@@ -143,6 +160,10 @@ fn result(rows: &Rows, fit: &Fit, joint: u8, known: &Known) -> StaticFriction {
         joint,
         legs: steady::legs(rows, fit, &fit.friction()),
         friction,
+        without_bristles: FrictionEstimates::from_logarithms(
+            still.parameters.as_slice(),
+            &still.covariance,
+        ),
         inertia_kg_m2: torque(Term::Inertia).unwrap_or_else(|| Estimate::new(f64::NAN, f64::NAN)),
         gravity_cosine_nm: torque(Term::GravityCosine),
         gravity_sine_nm: torque(Term::GravitySine),

@@ -124,6 +124,10 @@ fn print_table(identified: &Identified) {
             .collect();
         println!("  {:26} {}", held.file, shares.join("  "));
     }
+    println!();
+    for law in &identified.laws {
+        println!("  {}", law.sentence());
+    }
     for remark in &identified.missing {
         println!("  note: {remark}");
     }
