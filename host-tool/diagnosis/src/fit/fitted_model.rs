@@ -64,7 +64,7 @@ impl FittedModel {
     /// A model fitted further to rows that are weighted by what it leaves of them itself.
     fn reweighted(evidence: &Evidence, subject: &Subject, first: Linearisation) -> Option<Self> {
         let misfit = Misfit::of(evidence, &evidence.volts(&first.residual));
-        let own = evidence.reweighted(&misfit);
+        let own = misfit.weigh(evidence);
         let first = first.reweighted(evidence, &own)?;
         let steps = subject.criteria.fit.reweighted_steps;
         let linear = fit_with_slopes(&own, subject, first, steps);

@@ -2,7 +2,6 @@
 
 use std::sync::{Arc, OnceLock};
 
-use super::misfit::Misfit;
 use super::noise::{Noise, NoiseByRate};
 use super::row_filter::RowFilter;
 use crate::criteria::Criteria;
@@ -118,15 +117,15 @@ impl Evidence {
         instants.map(|instant| instant >= stretch.settled[joint]).collect()
     }
 
-    /// The same rows with train rows weighted by a misfit; what is held out keeps its weights.
-    pub fn reweighted(&self, misfit: &Misfit) -> Self {
+    /// The same rows with other weights of train rows [1/V], by joint and stretch; what is held out
+    /// keeps its own, and rows before friction is settled have none.
+    pub fn with_train_weights(&self, weights: impl Fn(usize, usize) -> Vec<f64>) -> Self {
         let mut evidence = self.clone();
         for &joint in &self.joints {
             for s in 0..self.train {
-                let settled = self.settled(joint, s);
-                let weights = misfit.weights(joint, s).zip(settled);
+                let both = weights(joint, s).into_iter().zip(self.settled(joint, s));
                 evidence.weights[joint][s] =
-                    weights.map(|(weight, yes)| if yes { weight } else { 0.0 }).collect();
+                    both.map(|(weight, yes)| if yes { weight } else { 0.0 }).collect();
             }
         }
         evidence

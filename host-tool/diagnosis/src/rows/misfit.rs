@@ -55,8 +55,13 @@ impl Misfit {
         self
     }
 
+    /// Rows weighted by this misfit.
+    pub fn weigh(&self, evidence: &Evidence) -> Evidence {
+        evidence.with_train_weights(|joint, s| self.weights(joint, s).collect())
+    }
+
     /// Weights of a joint's rows in a train stretch [1/V].
-    pub fn weights(&self, joint: usize, s: usize) -> impl Iterator<Item = f64> {
+    fn weights(&self, joint: usize, s: usize) -> impl Iterator<Item = f64> {
         let piece = &self.pieces[joint][s];
         let of_class =
             |class: &u8| 1.0 / (piece.square_v2[usize::from(*class)] * piece.correlation).sqrt();
