@@ -55,7 +55,7 @@ criteria! {
         /// Most tables of a joint in the amended model.
         tables_of_joint: usize = 2,
         /// Part of what is left above the noise of its joint that a table must take away.
-        least_of_table: f64 = 0.1,
+        least_of_table: f64 = 0.25,
         /// Rivals of a cause that are tried in its place once all causes are found.
         rivals: usize = 3,
         /// A spring leaves its motor this part of the joint's inertia, or it only smooths what the

@@ -28,10 +28,16 @@ criteria! {
         least_part_of_left: f64 = 0.15,
         /// a spring between motor and link this part of it, for nothing else rings as it does;
         least_by_spring: f64 = 0.75,
+        /// sure of this share at least;
+        least_sure_by_spring: f64 = 0.5,
+        /// a value this close to its bound, in parts of its range, is at it: the search wanted on;
+        near_bound: f64 = 0.005,
         /// or, however small its share, this part of what is left.
         most_of_left: f64 = 0.5,
         /// Least probability of an alternative that is listed.
         least_alternative: f64 = 0.02,
+        /// A gap without a name of so many times the noise is said to be another robot's, perhaps.
+        another_robot_ratio: f64 = 20.0,
         /// A refitted model that leaves a larger part of a command is that of another robot.
         another_robot_part: f64 = 0.2,
         /// A parameter that the refit moved is listed from this share of the squares on,

@@ -24,7 +24,7 @@ pub fn parameters_changed(subject: &Subject, refitted: &Linearisation) -> Vec<Pa
         let share = taken[place] / whole.max(f64::MIN_POSITIVE);
         let is_sure = (found - expected.mean).abs() > criteria.sure_half_widths * half;
         let parameter = name(subject, expected.unknown)?;
-        (is_sure && share >= criteria.least_parameter_share).then(|| ParameterChange {
+        (is_sure && share >= criteria.least_parameter_share).then_some(ParameterChange {
             parameter,
             given: expected.mean,
             found,

@@ -5,8 +5,9 @@ use crate::logs::subject::Subject;
 use crate::result::{Axis, GapShare, LogResiduals, Remainder, RemainderCurve};
 use crate::verdict::judgement::Judgement;
 
-/// Points of a curve.
+/// Points of a curve; over position enough for some twenty waves per turn.
 const POINTS: usize = 24;
+const POINTS_OVER_POSITION: usize = 96;
 
 /// What remains with all causes, largest first; shares are of the gap without any cause.
 pub fn remainder(
@@ -55,7 +56,8 @@ fn curve(samples: &Samples, axis: Axis) -> RemainderCurve {
     let mut order: Vec<usize> = (0..x.len()).collect();
     order.sort_by(|a, b| x[*a].total_cmp(&x[*b]));
     let mut curve = RemainderCurve::default();
-    for class in order.chunks(x.len().div_ceil(POINTS).max(1)) {
+    let points = if axis == Axis::Position { POINTS_OVER_POSITION } else { POINTS };
+    for class in order.chunks(x.len().div_ceil(points).max(1)) {
         let count = class.len() as f64;
         let mean = |of: &dyn Fn(usize) -> f64| class.iter().map(|&k| of(k)).sum::<f64>() / count;
         let y = mean(&|k| samples.residual_v[k]);

@@ -48,7 +48,8 @@ impl<'a> Judgement<'a> {
             let fails = |index: &usize| {
                 let (worth, probability) = &judged[*index];
                 let effect = &last.linear.hypothesis.effects[known + *index];
-                !is_named(*probability, worth, &subject.criteria.verdict)
+                last.stats.is_implausible(&subject.criteria.fit)
+                    || !is_named(*probability, worth, &subject.criteria.verdict)
                     || !is_sound(effect, worth, &subject.criteria.verdict)
                     || !reaches_ceiling(subject, &added[*index].without, &last, known + *index)
             };

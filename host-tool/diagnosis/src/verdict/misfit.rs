@@ -22,12 +22,21 @@ pub fn remark(subject: &Subject, refitted: &FittedModel, verdict: Verdict) -> Op
             subject.numbers[place]
         ));
     }
-    refitted.stats.is_implausible(&subject.criteria.fit).then(|| {
-        format!(
+    if refitted.stats.is_implausible(&subject.criteria.fit) {
+        return Some(format!(
             "the logs do not fit this model: refitted, its parameters are further from the file's \
              than two or three per cent of doubt allow; {cure}"
-        )
-    })
+        ));
+    }
+    let ratio = refitted.stats.worst();
+    (verdict == Verdict::Unknown && ratio > subject.criteria.verdict.another_robot_ratio).then(
+        || {
+            format!(
+                "the logs do not fit this model: refitted, it leaves {ratio:.0} times the noise; \
+                 {cure}"
+            )
+        },
+    )
 }
 
 /// Part of a joint's command that a model leaves, rms by rms over all rows.

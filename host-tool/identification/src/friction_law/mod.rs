@@ -26,12 +26,14 @@
 //!
 //! | module | what it holds |
 //! | --- | --- |
+//! | `certainty` | how sure a figure must be |
 //! | `evidence` | what each law leaves of what it was not fitted to |
 //! | `halves` | logs cut in halves |
 //! | `largest_stiffness` | the largest sigma0 that data can speak for |
 //! | `static_friction` | static friction as the limit of stiff bristles |
 //! | `stiffness` | how soft bristles may be before the data object |
 
+mod certainty;
 mod evidence;
 mod halves;
 mod largest_stiffness;
@@ -43,15 +45,14 @@ use serde::Serialize;
 
 use crate::base_parameters::FrictionEstimate;
 use crate::presliding::Presliding;
+pub use certainty::CERTAIN;
+pub(crate) use certainty::stiffness_in_errors;
 use evidence::{Evidence, blocks_of, carried_by};
 use halves::halves;
 use largest_stiffness::largest_stiffness;
 use recordings::campaign::{Known, Trace};
 pub(crate) use static_friction::{as_static, note_chosen_bristles};
 use stiffness::softest;
-
-/// How many times the root of its squares a sum must be: exp(-x^2 / 2) = 1 / 1000.
-pub const CERTAIN: f64 = 3.717;
 
 /// A law of friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -142,11 +143,6 @@ impl FrictionLaw {
         let figures = figures.join("; ");
         format!("joint {}: {} friction ({figures})", self.joint, self.law.name())
     }
-}
-
-/// sigma0 of an FRF in its standard errors.
-pub(crate) fn stiffness_in_errors(found: &Presliding) -> f64 {
-    found.sigma0_v_per_rad.value / found.sigma0_v_per_rad.standard_error
 }
 
 /// The laws of all joints, and friction by them as the prior of the refinement.
