@@ -108,7 +108,7 @@ fn refitted(campaign: &Campaign) -> Robot<f64> {
     let logs = campaign.traces.iter().enumerate();
     let stretches = logs.flat_map(|(log, trace)| Stretch::of(trace, log, &subject)).collect();
     let (evidence, free) = prepared(&subject, stretches).unwrap();
-    fit_held(&evidence, &subject, free.hypothesis).unwrap().hypothesis.robot
+    fit_held(&evidence, &subject, free.linear.hypothesis).unwrap().hypothesis.robot
 }
 
 /// The amended model, through its file.
