@@ -84,12 +84,8 @@ pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
     let steps = Steps::new();
     steps.at("reading the logs");
     let campaign = Campaign::read(&dataset, model)?;
-    let diagnosis = diagnosis::diagnose(
-        &campaign,
-        &Catalogue::standard(),
-        &criteria,
-        &|what| steps.at(what),
-    )?;
+    let diagnosis =
+        diagnosis::diagnose(&campaign, &Catalogue::standard(), &criteria, &|what| steps.at(what))?;
     steps.at("drawing the pictures");
     write(&diagnosis, &arguments.out)?;
     steps.finish();

@@ -2,7 +2,7 @@
 
 use model::Friction;
 
-use super::{CERTAIN, stiffness_in_errors};
+use super::certainty::{CERTAIN, stiffness_in_errors};
 use crate::presliding::Presliding;
 
 /// The largest sigma0 [V/rad] that encoder and pre-sliding data leave open.
