@@ -143,7 +143,7 @@ mod tests {
         let mut still = lugre.clone();
         still[7].sum_v2 = 1000.0;
         let evidence = Evidence::of(&lugre, &still).unwrap();
-        assert!(evidence.certainty < crate::friction_law::CERTAIN);
+        assert!(evidence.certainty < super::super::certainty::CERTAIN);
         assert!(Evidence::of(&lugre, &lugre).is_none());
     }
 }
