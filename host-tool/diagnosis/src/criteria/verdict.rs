@@ -28,7 +28,9 @@ criteria! {
         least_part_of_left: f64 = 0.15,
         /// a spring between motor and link this part of it, for nothing else rings as it does;
         least_by_spring: f64 = 0.75,
-        /// sure of this share at least;
+        /// play this part, for a link that bounces is never predicted to the last;
+        least_by_backlash: f64 = 0.6,
+        /// and either is sure of this share at least;
         least_sure_by_spring: f64 = 0.5,
         /// a value this close to its bound, in parts of its range, is at it: the search wanted on;
         near_bound: f64 = 0.005,

@@ -10,7 +10,7 @@ use crate::rows::evidence::Evidence;
 use crate::trial::hypothesis::EffectInstance;
 use files::Role;
 
-/// Whether nothing is left that asks for another effect: nothing at all, or so little of the
+/// Whether nothing is left that asks for another effect: no gap to begin with, or so little of the
 /// gap that it may be the method's own, for effects that are not linear are not removed to the
 /// last.
 pub fn is_done(gap: &ResidualStats, left: &ResidualStats, criteria: &Criteria) -> bool {
@@ -18,7 +18,9 @@ pub fn is_done(gap: &ResidualStats, left: &ResidualStats, criteria: &Criteria) -
     let nearly = left.worst() < policy.done_ratio
         && left.excess < policy.done_part * gap.excess
         && left.prior_penalty < fit.unexplained_prior_penalty;
-    left.is_clean(fit) || nearly
+    let no_gap = gap.worst() < criteria.verdict.no_gap_ratio
+        && gap.prior_penalty < fit.unexplained_prior_penalty;
+    left.is_clean(fit) || nearly || no_gap
 }
 
 /// Whether a model with an effect more is accepted: it explains what was left out better, and

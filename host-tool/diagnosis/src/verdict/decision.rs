@@ -44,7 +44,9 @@ fn is_large(worth: &Worth, criteria: &VerdictCriteria) -> bool {
 /// explains what it must to be one. A soft spring that stands for play leaves a quarter or more.
 pub fn is_sound(effect: &EffectInstance, worth: &Worth, criteria: &VerdictCriteria) -> bool {
     let sure = worth.share_interval[0] >= criteria.least_sure_by_spring;
-    let rings = worth.part_of_left >= criteria.least_by_spring && sure;
+    let least =
+        if effect.has_backlash() { criteria.least_by_backlash } else { criteria.least_by_spring };
+    let rings = worth.part_of_left >= least && sure;
     !is_at_its_bound(effect, criteria.near_bound) && (rings || !effect.is_spring())
 }
 
