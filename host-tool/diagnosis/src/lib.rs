@@ -9,6 +9,7 @@
 //! | [`trial`] | what a hypothesis, a model with effects, leaves of the command |
 //! | [`fit`] | a hypothesis linearised, fitted, and judged against the noise |
 //! | [`search`] | every effect on every joint, one after the other |
+//! | [`tables`] | curves over one axis: ceilings of effects, and what remains |
 //! | [`verdict`] | what the search amounts to |
 //! | [`gap_by_axis`] | where the gap lies, without any hypothesis |
 //! | [`report`] | the report, in figures and words |

@@ -2,6 +2,7 @@
 
 use super::confirmed::{Confirmation, Worth};
 use super::decision::{is_named, is_sound, probability};
+use super::misfit::is_another_robot;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
 use crate::search::selection::{Added, Rival, Selection, update_gains};
@@ -45,10 +46,13 @@ impl<'a> Judgement<'a> {
             let judged: Vec<(Worth, f64)> = (0..added.len())
                 .map(|index| judged(subject, &confirmation, &last, &added[index], index))
                 .collect();
+            let anothers = is_another_robot(subject, &refitted)
+                && confirmation.explained(&last) < subject.criteria.verdict.explained;
             let fails = |index: &usize| {
                 let (worth, probability) = &judged[*index];
                 let effect = &last.linear.hypothesis.effects[known + *index];
-                last.stats.is_implausible(&subject.criteria.fit)
+                anothers
+                    || last.stats.is_implausible(&subject.criteria.fit)
                     || !is_named(*probability, worth, &subject.criteria.verdict)
                     || !is_sound(effect, worth, &subject.criteria.verdict)
                     || !reaches_ceiling(subject, &added[*index].without, &last, known + *index)

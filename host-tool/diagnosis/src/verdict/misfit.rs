@@ -39,6 +39,14 @@ pub fn remark(subject: &Subject, refitted: &FittedModel, verdict: Verdict) -> Op
     )
 }
 
+/// Whether a refitted model is that of another robot: its parameters are far from the file's, and
+/// yet it leaves a large part of a command. Causes that do not explain all of that are none.
+pub fn is_another_robot(subject: &Subject, refitted: &FittedModel) -> bool {
+    let most = subject.criteria.verdict.another_robot_part;
+    let large = subject.joints.iter().any(|&joint| part_left(refitted, joint) > most);
+    large && refitted.stats.is_implausible(&subject.criteria.fit)
+}
+
 /// Part of a joint's command that a model leaves, rms by rms over all rows.
 fn part_left(model: &FittedModel, joint: usize) -> f64 {
     let evidence = &model.evidence;
