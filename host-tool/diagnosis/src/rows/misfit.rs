@@ -120,10 +120,11 @@ impl Piece {
 
     fn log_likelihood(&self, floor_v: f64, residual_v: &[f64], gain: f64) -> f64 {
         let (sums, count) = self.sums(residual_v, self.square_v2.len());
-        let unit = (gain * gain).max(1e-12);
+        // Whatever takes a part of the command takes that part of noise too, but adding to the
+        // command gains nothing where noise is all that is left.
+        let unit = gain.min(1.0).powi(2).max(1e-12);
         let of_class = |(sum, count): (&f64, &f64)| {
-            // Below the noise nothing is gained.
-            let square_v2 = (sum / count.max(1.0) / unit).max(floor_v * floor_v);
+            let square_v2 = (sum / count.max(1.0)).max(floor_v * floor_v) / unit;
             -0.5 * count / self.correlation * square_v2.ln()
         };
         sums.iter().zip(&count).map(of_class).sum()
