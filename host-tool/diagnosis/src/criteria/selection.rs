@@ -58,6 +58,9 @@ criteria! {
         least_of_table: f64 = 0.25,
         /// Rivals of a cause that are tried in its place once all causes are found.
         rivals: usize = 3,
+        /// An effect whose size is this close to a bound, in parts of its range, is refused: the search
+        /// wanted on.
+        near_bound: f64 = 0.005,
         /// A spring leaves its motor this part of the joint's inertia, or it only smooths what the
         /// encoder reads.
         least_motor_inertia: f64 = 0.02,

@@ -32,8 +32,6 @@ criteria! {
         least_by_backlash: f64 = 0.6,
         /// and either is sure of this share at least;
         least_sure_by_spring: f64 = 0.5,
-        /// a value this close to its bound, in parts of its range, is at it: the search wanted on;
-        near_bound: f64 = 0.005,
         /// or, however small its share, this part of what is left.
         most_of_left: f64 = 0.5,
         /// Least probability of an alternative that is listed.

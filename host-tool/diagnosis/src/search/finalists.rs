@@ -49,9 +49,10 @@ pub fn finalists(subject: &Subject, before: &FittedModel, now: &Linearisation) -
 }
 
 /// Finalists, the best first; rows of all of them count as independent as in what that one leaves
-/// that lasts least.
+/// that lasts least, of those that gain anything.
 fn ranked(before: &FittedModel, mut finalists: Vec<Finalist>) -> Vec<Finalist> {
-    let misfits = finalists.iter().map(|finalist| finalist.model.misfit());
+    let gaining = finalists.iter().filter(|finalist| finalist.gain > 0.0);
+    let misfits = gaining.map(|finalist| finalist.model.misfit());
     let common =
         misfits.fold(before.misfit(), |common, misfit| common.at_least_as_independent(&misfit));
     let without = before.log_likelihood(&common);

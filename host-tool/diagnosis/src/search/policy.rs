@@ -76,10 +76,13 @@ fn restores_prior(before: &ResidualStats, after: &ResidualStats, criteria: &Crit
     before.prior_penalty - after.prior_penalty > least
 }
 
-/// Whether a spring leaves its motor some inertia, without which it would only smooth what the
+/// Whether an effect is not at its bound, and whether a spring leaves its motor some inertia, without which it would only smooth what the
 /// encoder reads, and whether its backlash, if it has some, is more than the spring's deflection.
 pub fn is_physical(effect: &EffectInstance, subject: &Subject, evidence: &Evidence) -> bool {
     let policy = &evidence.criteria.selection;
+    if !effect.is_spring() && effect.is_at_bound(policy.near_bound) {
+        return false;
+    }
     let Some((joint, spring)) = effect.build().and_then(|effect| effect.transmission()) else {
         return true;
     };

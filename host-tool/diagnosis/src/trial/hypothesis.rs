@@ -45,6 +45,14 @@ impl EffectInstance {
         self.values = self.bounded();
     }
 
+    /// Whether its size, its first value, is this close to a bound, in parts of its range.
+    pub fn is_at_bound(&self, near: f64) -> bool {
+        let parameter = &self.definition.parameters[0];
+        let range = parameter.highest - parameter.lowest;
+        let at = |bound: f64| bound != 0.0 && (self.values[0] - bound).abs() < near * range;
+        at(parameter.lowest) || at(parameter.highest)
+    }
+
     /// The values within their bounds.
     pub fn bounded(&self) -> Vec<f64> {
         let bounds = self.definition.parameters.iter();

@@ -40,22 +40,14 @@ fn is_large(worth: &Worth, criteria: &VerdictCriteria) -> bool {
     of_gap || worth.part_of_left >= criteria.most_of_left
 }
 
-/// Whether an effect is what it says: no value at its bound, and a spring between motor and link
-/// explains what it must to be one. A soft spring that stands for play leaves a quarter or more.
+/// Whether an effect is what it says: a spring between motor and link explains what it must to be
+/// one. A soft spring that stands for play leaves a quarter or more.
 pub fn is_sound(effect: &EffectInstance, worth: &Worth, criteria: &VerdictCriteria) -> bool {
     let sure = worth.share_interval[0] >= criteria.least_sure_by_spring;
     let least =
         if effect.has_backlash() { criteria.least_by_backlash } else { criteria.least_by_spring };
     let rings = worth.part_of_left >= least && sure;
-    !is_at_its_bound(effect, criteria.near_bound) && (rings || !effect.is_spring())
-}
-
-/// Whether the size of an effect, its first value, lies at a bound: the search wanted to go on.
-fn is_at_its_bound(effect: &EffectInstance, near: f64) -> bool {
-    let parameter = &effect.definition.parameters[0];
-    let (range, value) = (parameter.highest - parameter.lowest, effect.values[0]);
-    let at = |bound: f64| bound != 0.0 && (value - bound).abs() < near * range;
-    at(parameter.lowest) || at(parameter.highest)
+    rings || !effect.is_spring()
 }
 
 /// The verdict in one word; `last` has just the causes that are named.
