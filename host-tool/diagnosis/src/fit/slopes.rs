@@ -139,7 +139,6 @@ fn own_slopes(
     hypothesis: &Hypothesis,
     expected: &[Expected],
 ) -> Vec<Column> {
-    let rows = |signal: &[f64]| evidence.weighted(s, joint, signal);
     let make = || base_columns(evidence, s, joint, trial);
     let own: Columns;
     let base = match trial.moves_as_measured() {
@@ -149,46 +148,54 @@ fn own_slopes(
             &own
         }
     };
-    let mut columns = Vec::new();
-    let mut hats: Vec<Option<Vec<Vec<f64>>>> = vec![None; hypothesis.tables.len()];
-    for (place, e) in expected.iter().enumerate() {
-        match e.unknown {
-            Unknown::Base(k) => columns.extend(base[k].clone().map(|mut column| {
-                evidence.weigh(s, joint, &mut column);
-                (place, column)
-            })),
-            Unknown::Friction { joint: of, parameter } if of == joint => {
-                let (moved, step) = friction_moved(hypothesis, joint, parameter);
-                let slope: Vec<f64> = trial
-                    .friction(joint, &moved)
-                    .iter()
-                    .zip(&parts.friction)
-                    .map(|(after, before)| (before - after) / step)
-                    .collect();
-                columns.push((place, rows(&at_samples(&slope))));
-            }
-            Unknown::Lag(of) if of == joint => {
-                let slope: Vec<f64> = trial.command_slope(joint).iter().map(|u| -u).collect();
-                columns.push((place, rows(&slope)));
-            }
-            Unknown::Table { index, knot } if of_joint(hypothesis, index, joint) => {
-                let hats = hats[index]
-                    .get_or_insert_with(|| table_hats(trial, &hypothesis.tables[index], joint));
-                columns.push((place, rows(&hats[knot])));
-            }
-            Unknown::FrictionLead(of) if of == joint => {
-                let slope: Vec<f64> = trial
-                    .friction_ahead(joint, hypothesis.friction_lead_s[joint] + LEAD_STEP_S)
-                    .iter()
-                    .zip(&parts.friction)
-                    .map(|(after, before)| (before - after) / LEAD_STEP_S)
-                    .collect();
-                columns.push((place, rows(&at_samples(&slope))));
-            }
-            _ => {}
+    let mut hats = vec![None; hypothesis.tables.len()];
+    let column = |(place, e): (usize, &Expected)| match e.unknown {
+        Unknown::Base(k) => base[k].clone().map(|mut column| {
+            evidence.weigh(s, joint, &mut column);
+            (place, column)
+        }),
+        unknown => {
+            let slope = own_slope(unknown, joint, (trial, parts), hypothesis, &mut hats)?;
+            Some((place, evidence.weighted(s, joint, &slope)))
         }
+    };
+    expected.iter().enumerate().filter_map(column).collect()
+}
+
+/// What a table adds at each of its knots, once asked for.
+type Hats = Option<Vec<Vec<f64>>>;
+
+/// Slope of a joint's residual at the samples along what is open; none along base parameters,
+/// effects, and what is another joint's.
+fn own_slope(
+    unknown: Unknown,
+    joint: usize,
+    (trial, parts): (&Trial, &Parts),
+    hypothesis: &Hypothesis,
+    hats: &mut [Hats],
+) -> Option<Vec<f64>> {
+    let by_friction = |moved: Vec<f64>, step: f64| {
+        let both = moved.iter().zip(&parts.friction);
+        at_samples(&both.map(|(after, before)| (before - after) / step).collect::<Vec<f64>>())
+    };
+    match unknown {
+        Unknown::Friction { joint: of, parameter } if of == joint => {
+            let (moved, step) = friction_moved(hypothesis, joint, parameter);
+            Some(by_friction(trial.friction(joint, &moved), step))
+        }
+        Unknown::FrictionLead(of) if of == joint => {
+            let lead_s = hypothesis.friction_lead_s[joint] + LEAD_STEP_S;
+            Some(by_friction(trial.friction_ahead(joint, lead_s), LEAD_STEP_S))
+        }
+        Unknown::Lag(of) if of == joint => {
+            Some(trial.command_slope(joint).iter().map(|u| -u).collect())
+        }
+        Unknown::Table { index, knot } if of_joint(hypothesis, index, joint) => {
+            let make = || table_hats(trial, &hypothesis.tables[index], joint);
+            Some(hats[index].get_or_insert_with(make)[knot].clone())
+        }
+        _ => None,
     }
-    columns
 }
 
 /// Whether a table lies on a joint (0 to 2).

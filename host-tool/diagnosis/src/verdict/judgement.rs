@@ -39,7 +39,6 @@ impl<'a> Judgement<'a> {
     /// Judges a selection; `noise_v` is that of rows, rms by joint and stretch [V].
     pub fn of(subject: &'a Subject, selection: Selection, noise_v: &[Vec<f64>; 3]) -> Self {
         let Selection { refitted, mut last, mut added, refused } = selection;
-        let known = subject.known_effects.len();
         let mut unconfirmed = Vec::new();
         loop {
             let confirmation = Confirmation::of(subject, &refitted, &last, &added, noise_v.clone());
@@ -49,29 +48,13 @@ impl<'a> Judgement<'a> {
             let anothers = is_another_robot(subject, &refitted)
                 && confirmation.explained(&last) < subject.criteria.verdict.explained;
             let fails = |index: &usize| {
-                let (worth, probability) = &judged[*index];
-                let effect = &last.linear.hypothesis.effects[known + *index];
-                anothers
-                    || last.stats.is_implausible(&subject.criteria.fit)
-                    || !is_named(*probability, worth, &subject.criteria.verdict)
-                    || !is_sound(effect, worth, &subject.criteria.verdict)
-                    || !reaches_ceiling(subject, &added[*index].without, &last, known + *index)
+                anothers || !is_confirmed(subject, &last, &added[*index], *index, &judged[*index])
             };
             let least = |a: &usize, b: &usize| judged[*a].0.share.total_cmp(&judged[*b].0.share);
             let worst = (0..added.len()).filter(fails).min_by(least);
-            let without = worst.and_then(|index| {
-                let mut hypothesis = last.linear.hypothesis.clone();
-                let effect = hypothesis.effects.remove(known + index);
-                let steps = subject.criteria.selection.accepted_steps;
-                let model = FittedModel::fitted(&last.evidence, subject, hypothesis, steps)?;
-                Some((index, effect, model))
-            });
-            let Some((index, effect, model)) = without else {
-                let judged = judged.into_iter();
-                let named = added.into_iter().zip(judged);
-                let named = named
-                    .map(|(added, (worth, probability))| Named { added, worth, probability })
-                    .collect();
+            let without = worst.and_then(|index| Some((index, without(subject, &last, index)?)));
+            let Some((index, (effect, model))) = without else {
+                let named = added.into_iter().zip(judged).map(Named::of).collect();
                 return Self { refitted, last, named, unconfirmed, refused, confirmation };
             };
             let (worth, probability) = judged[index];
@@ -81,6 +64,40 @@ impl<'a> Judgement<'a> {
             update_gains(subject, &last, &mut added);
         }
     }
+}
+
+impl Named {
+    fn of((added, (worth, probability)): (Added, (Worth, f64))) -> Self {
+        Self { added, worth, probability }
+    }
+}
+
+/// Whether the cause at this place among those added is named.
+fn is_confirmed(
+    subject: &Subject,
+    last: &FittedModel,
+    added: &Added,
+    index: usize,
+    (worth, probability): &(Worth, f64),
+) -> bool {
+    let place = subject.known_effects.len() + index;
+    let criteria = &subject.criteria.verdict;
+    !last.stats.is_implausible(&subject.criteria.fit)
+        && is_named(*probability, worth, criteria)
+        && is_sound(&last.linear.hypothesis.effects[place], worth, criteria)
+        && reaches_ceiling(subject, &added.without, last, place)
+}
+
+/// The effect at this place among those added, and the model refitted without it.
+fn without(
+    subject: &Subject,
+    last: &FittedModel,
+    index: usize,
+) -> Option<(EffectInstance, FittedModel)> {
+    let mut hypothesis = last.linear.hypothesis.clone();
+    let effect = hypothesis.effects.remove(subject.known_effects.len() + index);
+    let steps = subject.criteria.selection.accepted_steps;
+    Some((effect, FittedModel::fitted(&last.evidence, subject, hypothesis, steps)?))
 }
 
 fn judged(
