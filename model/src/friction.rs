@@ -43,6 +43,16 @@ impl<T: Real> FrictionScale<T> {
     pub fn unchanged() -> Self {
         Self { level: T::one(), added_v: T::zero(), viscous: T::one() }
     }
+
+    /// The same in another number type.
+    pub fn cast<U: Real>(&self) -> FrictionScale<U> {
+        let cast = |x: T| U::constant(x.as_f64());
+        FrictionScale {
+            level: cast(self.level),
+            added_v: cast(self.added_v),
+            viscous: cast(self.viscous),
+        }
+    }
 }
 
 impl<T: Real> Friction<T> {

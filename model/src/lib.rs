@@ -14,6 +14,7 @@
 //! | [`base`], [`geometry`], [`links`] | the 16 base parameters of eq. (4), and their computation from link masses |
 //! | [`robot`], [`pendulum`] | a complete rig: three joints, or the one joint of eq. (11) |
 //! | [`reference_robot`] | the numbers printed in the paper |
+//! | [`dual`] | numbers that carry their derivatives, for exact slopes of all of these |
 //!
 //! The voltages that hold the reference robot's arm level, and the acceleration with
 //! which it falls without them:
@@ -36,6 +37,7 @@
 
 pub mod base;
 mod base_check;
+pub mod dual;
 pub mod dynamics;
 pub mod effects;
 pub mod friction;
@@ -52,6 +54,7 @@ pub mod trigonometry;
 pub mod vector;
 
 pub use base::BaseParameters;
+pub use dual::Dual;
 pub use dynamics::Posture;
 pub use friction::{Friction, FrictionState};
 pub use geometry::{Geometry, HANGING_RAD};

@@ -15,7 +15,7 @@ criteria! {
         log_likelihood_weight: f64 = 0.1,
         /// Candidates that gain by chance what an effect gains.
         tried_by_chance: f64 = 2.0,
-        /// A share of so many standard deviations is as good as sure.
+        /// A shrinkage of so many standard deviations is as good as sure.
         sure_deviations: f64 = 4.0,
         /// Highest probability: the part of the causes named without a rival that were right in blind
         /// trials (docs/blind-trial.md).
@@ -32,8 +32,10 @@ criteria! {
         least_by_backlash: f64 = 0.6,
         /// and either is sure of this share at least;
         least_sure_by_spring: f64 = 0.5,
-        /// or, however small its share, this part of what is left.
+        /// or, where its share is small, this part of what is left,
         most_of_left: f64 = 0.5,
+        /// and this share at least: less is what large causes together leave.
+        least_small_share: f64 = 0.01,
         /// Least probability of an alternative that is listed.
         least_alternative: f64 = 0.02,
         /// A gap without a name of so many times the noise is said to be another robot's, perhaps.

@@ -1,12 +1,14 @@
 //! The rows of a model, and their slopes in all that is open: what a linearisation is made of.
 
 use model::base::COUNT;
+use model::friction_parameters::COUNT as FRICTION_COUNT;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 use super::unknowns::{Expected, Unknown};
 use crate::logs::intervals::at_samples;
 use crate::rows::evidence::{Columns, Evidence, RowChange, Rows};
+use crate::trial::active_effects::FRICTION_SLOPES;
 use crate::trial::equation::Trial;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use crate::trial::parts::{Parts, motor_side, touched};
@@ -125,7 +127,7 @@ fn stretch_slopes(
         }
         let parts = Parts::of(&trial, joint);
         let rows = evidence.weighted(s, joint, &trial.residual_of_net(joint, &parts.net));
-        let columns = own_slopes(evidence, s, joint, (&trial, &parts), hypothesis, expected);
+        let columns = own_slopes(evidence, s, joint, &trial, hypothesis, expected);
         (parts, rows, columns)
     })
 }
@@ -135,7 +137,7 @@ fn own_slopes(
     evidence: &Evidence,
     s: usize,
     joint: usize,
-    (trial, parts): (&Trial, &Parts),
+    trial: &Trial,
     hypothesis: &Hypothesis,
     expected: &[Expected],
 ) -> Vec<Column> {
@@ -148,53 +150,59 @@ fn own_slopes(
             &own
         }
     };
-    let mut hats = vec![None; hypothesis.tables.len()];
+    let mut known = Known { hats: vec![None; hypothesis.tables.len()], friction: None };
     let column = |(place, e): (usize, &Expected)| match e.unknown {
         Unknown::Base(k) => base[k].clone().map(|mut column| {
             evidence.weigh(s, joint, &mut column);
             (place, column)
         }),
         unknown => {
-            let slope = own_slope(unknown, joint, (trial, parts), hypothesis, &mut hats)?;
+            let slope = known.slope(unknown, joint, trial, hypothesis)?;
             Some((place, evidence.weighted(s, joint, &slope)))
         }
     };
     expected.iter().enumerate().filter_map(column).collect()
 }
 
-/// What a table adds at each of its knots, once asked for.
-type Hats = Option<Vec<Vec<f64>>>;
+/// Slopes that come several at a time, once asked for.
+struct Known {
+    /// What each table adds at each of its knots.
+    hats: Vec<Option<Vec<Vec<f64>>>>,
+    /// Slopes of friction in the intervals.
+    friction: Option<Vec<[f64; FRICTION_SLOPES]>>,
+}
 
-/// Slope of a joint's residual at the samples along what is open; none along base parameters,
-/// effects, and what is another joint's.
-fn own_slope(
-    unknown: Unknown,
-    joint: usize,
-    (trial, parts): (&Trial, &Parts),
-    hypothesis: &Hypothesis,
-    hats: &mut [Hats],
-) -> Option<Vec<f64>> {
-    let by_friction = |moved: Vec<f64>, step: f64| {
-        let both = moved.iter().zip(&parts.friction);
-        at_samples(&both.map(|(after, before)| (before - after) / step).collect::<Vec<f64>>())
-    };
-    match unknown {
-        Unknown::Friction { joint: of, parameter } if of == joint => {
-            let (moved, step) = friction_moved(hypothesis, joint, parameter);
-            Some(by_friction(trial.friction(joint, &moved), step))
+impl Known {
+    /// Slope of a joint's residual at the samples along what is open; none along base parameters,
+    /// effects, and what is another joint's.
+    fn slope(
+        &mut self,
+        unknown: Unknown,
+        joint: usize,
+        trial: &Trial,
+        hypothesis: &Hypothesis,
+    ) -> Option<Vec<f64>> {
+        match unknown {
+            Unknown::Friction { joint: of, parameter } if of == joint => {
+                Some(self.friction_slope(parameter, joint, trial))
+            }
+            Unknown::FrictionLead(of) if of == joint => {
+                Some(self.friction_slope(FRICTION_COUNT, joint, trial))
+            }
+            Unknown::Lag(of) if of == joint => {
+                Some(trial.command_slope(joint).iter().map(|u| -u).collect())
+            }
+            Unknown::Table { index, knot } if of_joint(hypothesis, index, joint) => {
+                let make = || table_hats(trial, &hypothesis.tables[index], joint);
+                Some(self.hats[index].get_or_insert_with(make)[knot].clone())
+            }
+            _ => None,
         }
-        Unknown::FrictionLead(of) if of == joint => {
-            let lead_s = hypothesis.friction_lead_s[joint] + LEAD_STEP_S;
-            Some(by_friction(trial.friction_ahead(joint, lead_s), LEAD_STEP_S))
-        }
-        Unknown::Lag(of) if of == joint => {
-            Some(trial.command_slope(joint).iter().map(|u| -u).collect())
-        }
-        Unknown::Table { index, knot } if of_joint(hypothesis, index, joint) => {
-            let make = || table_hats(trial, &hypothesis.tables[index], joint);
-            Some(hats[index].get_or_insert_with(make)[knot].clone())
-        }
-        _ => None,
+    }
+
+    fn friction_slope(&mut self, place: usize, joint: usize, trial: &Trial) -> Vec<f64> {
+        let slopes = self.friction.get_or_insert_with(|| trial.friction_slopes(joint));
+        at_samples(&slopes.iter().map(|slope| -slope[place]).collect::<Vec<f64>>())
     }
 }
 
@@ -214,9 +222,6 @@ pub fn table_hats(trial: &Trial, table: &Table, joint: usize) -> Vec<Vec<f64>> {
     };
     (0..table.knots.len()).map(of_knot).collect()
 }
-
-/// Step for a difference along the lead of friction [s].
-const LEAD_STEP_S: f64 = 2e-4;
 
 /// Rows of the regressor without weights, what is needed counted as negative.
 fn base_columns(evidence: &Evidence, s: usize, joint: usize, trial: &Trial) -> Columns {
@@ -238,19 +243,6 @@ fn base_counts(joint: usize, k: usize) -> bool {
         1 => k >= FIRST_OF_LINK_2,
         _ => k >= FIRST_OF_LINK_3,
     }
-}
-
-fn friction_moved(
-    hypothesis: &Hypothesis,
-    joint: usize,
-    parameter: usize,
-) -> (model::Robot<f64>, f64) {
-    let unknown = Unknown::Friction { joint, parameter };
-    let value = unknown.get(hypothesis);
-    let step = (2e-3 * value.abs()).max(1e-5 * hypothesis.robot.friction[joint].alpha0_v);
-    let mut moved = hypothesis.clone();
-    unknown.set(&mut moved, value + step);
-    (moved.robot, step)
 }
 
 /// Slopes of all rows along the open parameters of effects.

@@ -7,13 +7,17 @@
 use std::borrow::Cow;
 
 use model::friction::FrictionScale;
-use model::{FrictionState, Posture, Robot};
+use model::friction_parameters::COUNT as FRICTION_COUNT;
+use model::{Dual, Friction, FrictionState, Posture, Real, Robot};
 
 use super::hypothesis::Hypothesis;
 use super::reading;
 use crate::logs::stretch::{Kinematics, Stretch};
 use rig::effects::{Effect, JointState, Table, TableAxis, Transmission};
 use signal::derivative;
+
+/// Slopes of friction: along its parameters, and along its lead.
+pub const FRICTION_SLOPES: usize = FRICTION_COUNT + 1;
 
 /// The effects of a hypothesis on a stretch.
 pub struct ActiveEffects<'a> {
@@ -80,34 +84,58 @@ impl<'a> ActiveEffects<'a> {
 
     /// Friction of a joint of `robot` in the interval after each sample [V].
     pub fn friction_v(&self, joint: usize, robot: &Robot<f64>) -> Vec<f64> {
-        self.friction_ahead_v(joint, robot, self.hypothesis.friction_lead_s[joint])
+        let lead_s = self.hypothesis.friction_lead_s[joint];
+        self.friction_with(joint, &robot.friction[joint], lead_s, |friction_v| friction_v)
     }
 
-    /// The same of friction that runs ahead of the velocity by `lead_s`.
-    pub fn friction_ahead_v(&self, joint: usize, robot: &Robot<f64>, lead_s: f64) -> Vec<f64> {
-        let friction = &robot.friction[joint];
-        let half_s = 0.5 * self.stretch.period_s;
+    /// Slopes of a joint's friction in the interval after each sample: along each of its
+    /// parameters, in their order, and along its lead [V per their unit].
+    pub fn friction_slopes(&self, joint: usize) -> Vec<[f64; FRICTION_SLOPES]> {
+        let mut place = 0;
+        let mut along = |value: f64| {
+            place += 1;
+            Dual::along(value, place - 1)
+        };
+        let friction = Friction::from_array(self.robot.friction[joint].to_array().map(&mut along));
+        let lead_s = along(self.hypothesis.friction_lead_s[joint]);
+        self.friction_with(joint, &friction, lead_s, |friction_v| friction_v.slope)
+    }
+
+    /// A part of a joint's friction in the interval after each sample, were it `friction` and ahead
+    /// of the velocity by `lead_s`.
+    fn friction_with<T: Real, P>(
+        &self,
+        joint: usize,
+        friction: &Friction<T>,
+        lead_s: T,
+        part: impl Fn(T) -> P,
+    ) -> Vec<P> {
+        let (half, quarter) = (T::constant(0.5), T::constant(0.25));
+        let half_s = half * T::constant(self.stretch.period_s);
         let v = self.velocity_ahead(joint, lead_s);
         let last = v.len() - 1;
-        let mut bristles = FrictionState::default();
+        let scaled = self.hypothesis.effects.iter().any(|e| e.definition.touches.friction);
+        let mut bristles = FrictionState { deflection_rad: T::zero() };
         let mut interval = |k: usize| {
-            let scale = self.friction_scale(k)[joint];
+            let scale = match scaled {
+                true => self.friction_scale(k)[joint].cast(),
+                false => FrictionScale::unchanged(),
+            };
             let (here, next) = (v[k], v[(k + 1).min(last)]);
-            let (early, late) = (0.75 * here + 0.25 * next, 0.25 * here + 0.75 * next);
-            0.5 * (bristles.step_scaled(friction, scale, early, half_s)
-                + bristles.step_scaled(friction, scale, late, half_s))
+            let quarter_on = (next - here) * quarter;
+            let early = bristles.step_scaled(friction, scale, here + quarter_on, half_s);
+            let late = bristles.step_scaled(friction, scale, next - quarter_on, half_s);
+            part(half * (early + late))
         };
         (0..v.len()).map(&mut interval).collect()
     }
 
     /// Velocity that friction feels: to first order the one `lead_s` later [rad/s].
-    fn velocity_ahead(&self, joint: usize, lead_s: f64) -> Cow<'_, [f64]> {
+    fn velocity_ahead<T: Real>(&self, joint: usize, lead_s: T) -> Vec<T> {
         let v = &self.motor.qd_rad_per_s[joint];
-        if lead_s == 0.0 {
-            return Cow::Borrowed(v);
-        }
         let slope = derivative::first(v, self.stretch.period_s);
-        Cow::Owned(v.iter().zip(slope).map(|(v, slope)| v + lead_s * slope).collect())
+        let ahead = |(v, slope): (&f64, f64)| T::constant(*v) + lead_s * T::constant(slope);
+        v.iter().zip(slope).map(ahead).collect()
     }
 
     /// How far the bristles of each joint are bent at every sample.
@@ -142,10 +170,8 @@ impl<'a> ActiveEffects<'a> {
     /// By how much effects scale each joint's friction in an interval.
     fn friction_scale(&self, k: usize) -> [FrictionScale<f64>; 3] {
         let mut scale = [FrictionScale::unchanged(); 3];
-        if !self.effects.is_empty() {
-            let joint_state = self.joint_state(k);
-            self.effects.iter().for_each(|e| e.change_friction(&joint_state, &mut scale));
-        }
+        let joint_state = self.joint_state(k);
+        self.effects.iter().for_each(|e| e.change_friction(&joint_state, &mut scale));
         scale
     }
 

@@ -9,7 +9,7 @@ use std::cell::OnceCell;
 
 use model::{FrictionState, Posture, Robot};
 
-use super::active_effects::ActiveEffects;
+use super::active_effects::{ActiveEffects, FRICTION_SLOPES};
 use super::hypothesis::Hypothesis;
 use super::joint_dynamics::JointDynamics;
 use super::link_motion::{self, JointMotion, MeasuredTorque};
@@ -130,9 +130,9 @@ impl<'a> Trial<'a> {
         self.effects.friction_v(joint, robot)
     }
 
-    /// Friction of a joint, were it ahead of the velocity by `lead_s` [V].
-    pub fn friction_ahead(&self, joint: usize, lead_s: f64) -> Vec<f64> {
-        self.effects.friction_ahead_v(joint, self.robot(), lead_s)
+    /// Slopes of a joint's friction: along each of its parameters, and along its lead.
+    pub fn friction_slopes(&self, joint: usize) -> Vec<[f64; FRICTION_SLOPES]> {
+        self.effects.friction_slopes(joint)
     }
 
     /// Voltage that the rigid body needs at the samples, eq. (5).

@@ -18,10 +18,11 @@ pub fn probability(added: &Added, worth: &Worth, criteria: &VerdictCriteria) -> 
     criteria.highest_probability * (1.0 - doubt) / (1.0 + rivals + chance)
 }
 
-/// How well a worth is confirmed, 0 to 1: its share against the half width of its interval.
+/// How well a worth is confirmed, 0 to 1: its shrinkage against the half width of that interval.
+/// The share's is wide where few blocks hold most of the gap, however surely each of them shrinks.
 fn confirmed(worth: &Worth, criteria: &VerdictCriteria) -> f64 {
-    let half_width = 0.5 * (worth.share_interval[1] - worth.share_interval[0]);
-    let deviations = 1.96 * worth.share / half_width.max(1e-9);
+    let half_width = 0.5 * (worth.shrinkage_interval[1] - worth.shrinkage_interval[0]);
+    let deviations = 1.96 * worth.shrinkage / half_width.max(1e-9);
     (deviations / criteria.sure_deviations).clamp(0.0, 1.0)
 }
 
@@ -37,7 +38,9 @@ pub fn is_named(probability: f64, worth: &Worth, criteria: &VerdictCriteria) -> 
 fn is_large(worth: &Worth, criteria: &VerdictCriteria) -> bool {
     let of_gap =
         worth.share >= criteria.least_share && worth.part_of_left >= criteria.least_part_of_left;
-    of_gap || worth.part_of_left >= criteria.most_of_left
+    let of_left = worth.share >= criteria.least_small_share
+        && worth.part_of_left >= criteria.most_of_left;
+    of_gap || of_left
 }
 
 /// Whether an effect is what it says: a spring between motor and link explains what it must to be
