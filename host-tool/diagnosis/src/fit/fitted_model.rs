@@ -8,6 +8,7 @@ use crate::rows::evidence::{Evidence, Rows};
 use crate::rows::misfit::Misfit;
 use crate::trial::equation::Trial;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
+use crate::trial::residual_rows::residual_rows;
 
 /// A model and what it leaves.
 #[derive(Clone)]
@@ -16,9 +17,9 @@ pub struct FittedModel {
     pub linear: Linearisation,
     /// The rows that it was fitted to, with their weights.
     pub evidence: Evidence,
-    /// What it leaves of all rows [V].
+    /// What it leaves of train rows [V].
     pub residual_v: Rows,
-    /// The same of train rows, each with everything refitted without it [V].
+    /// The same of each row with everything refitted without it [V].
     pub left_out_v: Rows,
     /// What it leaves, against the noise.
     pub stats: ResidualStats,
@@ -69,6 +70,11 @@ impl FittedModel {
         let steps = subject.criteria.fit.reweighted_steps;
         let linear = fit_with_slopes(&own, subject, first, steps);
         Some(Self::of(own, linear))
+    }
+
+    /// What it leaves of all rows, those held out too [V].
+    pub fn all_residual_v(&self) -> Rows {
+        self.evidence.volts(&residual_rows(&self.evidence, &self.linear.hypothesis))
     }
 
     /// The size and the correlation of what it leaves.

@@ -5,7 +5,7 @@ use super::unknowns::{Expected, Unknown, expected, kept_physical};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::{Evidence, Rows};
 use crate::trial::hypothesis::Hypothesis;
-use crate::trial::residual_rows::residual_rows;
+use crate::trial::residual_rows::train_residual_rows;
 use rig::effects::Kind;
 
 /// Fits a model with everything open in it; `None` where the numbers do not work out.
@@ -99,7 +99,7 @@ fn improved(
         for effect in &mut hypothesis.effects {
             effect.normalise();
         }
-        let residual = residual_rows(evidence, &hypothesis);
+        let residual = train_residual_rows(evidence, &hypothesis);
         let objective = objective(&residual, &train, &hypothesis, open);
         (objective < best.objective).then_some((hypothesis, residual, objective))
     })

@@ -18,7 +18,7 @@ pub struct Linearisation {
     pub hypothesis: Hypothesis,
     /// What is open in it.
     pub expected: Vec<Expected>,
-    /// Residuals of all joints, in units of noise.
+    /// What it leaves of train rows, in units of noise.
     pub residual: Rows,
     /// Squares of train rows and of the prior penalty.
     pub objective: f64,
@@ -178,24 +178,23 @@ impl Linearisation {
         (half_gradient, curvature)
     }
 
-    /// Change of rows by one more effect; `all_joints` or just that of its own joint.
+    /// Change of train rows by one more effect.
     pub fn change_by(
         &self,
         evidence: &Evidence,
         effect: &EffectInstance,
-        which: Which,
+        which: Joints,
     ) -> RowChange {
         let own = usize::from(effect.joint).checked_sub(1);
-        let joints = match own.filter(|_| !effect.definition.couples_joints || !which.joints) {
+        let joints = match own.filter(|_| !effect.definition.couples_joints || which == Joints::Own)
+        {
             None => evidence.joints.clone(),
             Some(own) => vec![own],
         };
         let others = &self.hypothesis.effects;
         let hypothesis = self.hypothesis.with(effect.clone());
-        let count =
-            if which.held_out { evidence.stretches.len() } else { evidence.train_stretches() };
         let mut change = RowChange::default();
-        for (s, parts) in self.parts.iter().enumerate().take(count) {
+        for (s, parts) in self.parts.iter().enumerate() {
             changed(evidence, s, parts, &hypothesis, (effect, others), &joints, &mut change);
         }
         change
@@ -219,22 +218,13 @@ fn column(change: &RowChange, joint: usize) -> &[f64] {
     change[joint].as_deref().unwrap_or_default()
 }
 
-/// Which rows of a change are wanted.
+/// Which joints' rows of a change are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Which {
-    /// Those of joints that the effect does not act on, too.
-    pub joints: bool,
-    /// Those held out, too.
-    pub held_out: bool,
-}
-
-impl Which {
-    /// All rows.
-    pub const ALL: Self = Self { joints: true, held_out: true };
-    /// Train rows.
-    pub const TRAIN: Self = Self { joints: true, held_out: false };
-    /// Train rows of the effect's own joint.
-    pub const OWN: Self = Self { joints: false, held_out: false };
+pub enum Joints {
+    /// Those that it changes.
+    All,
+    /// The effect's own.
+    Own,
 }
 
 /// Squares of train rows and of the prior penalty.

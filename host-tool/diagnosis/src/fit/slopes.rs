@@ -55,13 +55,13 @@ type Column = (usize, Vec<f64>);
 /// A joint's equation in a stretch, its rows, and their slopes that need no whole model.
 type Piece = (Parts, Vec<f64>, Vec<Column>);
 
-/// The parts of the equation, the rows, and the slopes of every joint.
+/// The parts of the equation, the train rows, and their slopes, of every joint.
 pub fn slopes(
     evidence: &Evidence,
     hypothesis: &Hypothesis,
     expected: &[Expected],
 ) -> (Vec<[Parts; 3]>, Rows, Vec<JointSlopes>) {
-    let pieces: Vec<[Piece; 3]> = (0..evidence.stretches.len())
+    let pieces: Vec<[Piece; 3]> = (0..evidence.train_stretches())
         .into_par_iter()
         .map(|s| stretch_slopes(evidence, s, hypothesis, expected))
         .collect();
@@ -245,7 +245,7 @@ fn base_counts(joint: usize, k: usize) -> bool {
     }
 }
 
-/// Slopes of all rows along the open parameters of effects.
+/// Slopes of the train rows along the open parameters of effects.
 fn effect_slopes(
     evidence: &Evidence,
     parts: &[[Parts; 3]],
@@ -261,7 +261,7 @@ fn effect_slopes(
     (0..expected.len()).into_par_iter().filter_map(slope).collect()
 }
 
-/// Slope of all rows along a value of an effect.
+/// Slope of the train rows along a value of an effect.
 fn effect_slope(
     evidence: &Evidence,
     parts: &[[Parts; 3]],

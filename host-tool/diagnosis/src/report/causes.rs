@@ -91,7 +91,7 @@ fn of_rivals(
         let odds = (criteria.log_likelihood_weight * rival.gain).exp();
         let probability = (named.probability * odds).min(1.0 - named.probability);
         let without_v = &confirmation.without[index - subject.known_effects.len()].residual_v;
-        let with_v = &rival.model.residual_v;
+        let with_v = &rival.model.all_residual_v();
         Alternative {
             effect: rival.effect.definition.name.into(),
             joint: subject.outer_joint(rival.effect.joint),
@@ -125,9 +125,10 @@ fn unconfirmed(subject: &Subject, judgement: &Judgement) -> Vec<Alternative> {
 /// What was tried and lost, the best first.
 pub fn rivals(subject: &Subject, judgement: &Judgement) -> Vec<Rival> {
     let confirmation = &judgement.confirmation;
-    let explained = |effect: &EffectInstance, model_v| {
-        let refitted_v = &confirmation.refitted.residual_v;
-        confirmation.worth_of(&judgement.last, effect, refitted_v, model_v).share
+    let explained = |rival: &selection::Rival| {
+        let (refitted_v, model_v) =
+            (&confirmation.refitted.residual_v, &rival.model.all_residual_v());
+        confirmation.worth_of(&judgement.last, &rival.effect, refitted_v, model_v).share
     };
     let rival = |effect: &EffectInstance, explained: f64, why: String| Rival {
         effect: effect.definition.name.into(),
@@ -142,12 +143,12 @@ pub fn rivals(subject: &Subject, judgement: &Judgement) -> Vec<Rival> {
         let winner = effect_words(judgement.last.linear.hypothesis.effects[place].definition.name);
         all.extend(named.added.rivals.iter().map(|other| {
             let why = format!("a log-likelihood {:.0} below that of {winner}", -other.gain);
-            rival(&other.effect, explained(&other.effect, &other.model.residual_v), why)
+            rival(&other.effect, explained(other), why)
         }));
     }
     all.extend(judgement.refused.iter().map(|other| {
         let why = format!("gains a log-likelihood of {:.0}, which is not enough", other.gain);
-        rival(&other.effect, explained(&other.effect, &other.model.residual_v), why)
+        rival(&other.effect, explained(other), why)
     }));
     all.extend(judgement.unconfirmed.iter().map(|(effect, worth, _)| {
         rival(effect, worth.share, "the confirming logs do not confirm it".into())

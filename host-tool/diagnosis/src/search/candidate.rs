@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::fit::linearisation::{Linearisation, Which};
+use crate::fit::linearisation::{Joints, Linearisation};
 use crate::fit::slopes::step_of;
 use crate::rows::evidence::{Evidence, RowChange};
 use crate::trial::hypothesis::EffectInstance;
@@ -25,7 +25,7 @@ impl Candidate {
         mut effect: EffectInstance,
     ) -> (Self, RowChange) {
         effect.normalise();
-        let change = linear.change_by(evidence, &effect, Which::TRAIN);
+        let change = linear.change_by(evidence, &effect, Joints::All);
         let train = linear.objective_with(&change);
         (Self { effect, train }, change)
     }
@@ -78,7 +78,7 @@ impl Candidate {
         let mut moved = self.effect.clone();
         let step = step_of(&moved, value);
         moved.values[value] += step;
-        let mut slope = linear.change_by(evidence, &moved, Which::TRAIN);
+        let mut slope = linear.change_by(evidence, &moved, Joints::All);
         for (rows, before) in slope.iter_mut().flatten().zip(change.iter().flatten()) {
             rows.iter_mut().zip(before).for_each(|(row, before)| *row = (*row - before) / step);
         }

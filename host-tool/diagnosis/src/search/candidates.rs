@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::candidate::Candidate;
 use super::harmonics;
-use crate::fit::linearisation::{Linearisation, Which};
+use crate::fit::linearisation::{Joints, Linearisation};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
 use crate::trial::equation::Trial;
@@ -106,7 +106,7 @@ fn promised(linear: &Linearisation, evidence: &Evidence, effect: &EffectInstance
     if !effect.has_backlash() {
         return promise(linear, evidence, effect);
     }
-    let change = linear.change_by(evidence, effect, Which::OWN);
+    let change = linear.change_by(evidence, effect, Joints::Own);
     linear.refitted_objective() - linear.objective_with(&change)
 }
 
@@ -132,7 +132,7 @@ fn start_values(
 
 /// What the change of rows by an effect would gain if it were scaled as suits best.
 pub(crate) fn promise(linear: &Linearisation, evidence: &Evidence, effect: &EffectInstance) -> f64 {
-    let change = linear.change_by(evidence, effect, Which::OWN);
+    let change = linear.change_by(evidence, effect, Joints::Own);
     let (gradient, curvature) = linear.along(&Default::default(), &[change]);
     gradient[0] * gradient[0] / curvature[(0, 0)].max(1e-12)
 }

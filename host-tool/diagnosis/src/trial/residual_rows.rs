@@ -1,4 +1,4 @@
-//! What a hypothesis leaves of all logs, as rows.
+//! What a hypothesis leaves of logs, as rows.
 
 use rayon::prelude::*;
 
@@ -6,9 +6,18 @@ use super::equation::Trial;
 use super::hypothesis::Hypothesis;
 use crate::rows::evidence::{Evidence, Rows};
 
-/// Rows of a hypothesis on the joints of the rig.
+/// Rows of a hypothesis on the joints of the rig, of all logs.
 pub fn residual_rows(evidence: &Evidence, hypothesis: &Hypothesis) -> Rows {
-    let pieces: Vec<Rows> = (0..evidence.stretches.len())
+    of_first(evidence.stretches.len(), evidence, hypothesis)
+}
+
+/// The same of train logs.
+pub fn train_residual_rows(evidence: &Evidence, hypothesis: &Hypothesis) -> Rows {
+    of_first(evidence.train_stretches(), evidence, hypothesis)
+}
+
+fn of_first(stretches: usize, evidence: &Evidence, hypothesis: &Hypothesis) -> Rows {
+    let pieces: Vec<Rows> = (0..stretches)
         .into_par_iter()
         .map(|s| {
             let trial = Trial::of(&evidence.stretches[s], hypothesis, &evidence.criteria.fit);

@@ -8,6 +8,7 @@ use crate::logs::subject::Subject;
 use crate::rows::evidence::Rows;
 use crate::search::selection::Added;
 use crate::trial::hypothesis::EffectInstance;
+use crate::trial::residual_rows::residual_rows;
 
 /// Models that are compared on the confirming logs, their parameters no further from the model as
 /// given than the doubt about it allows.
@@ -135,9 +136,8 @@ impl Held {
         let held = far
             .then(|| fit_held(&model.evidence, subject, model.linear.hypothesis.clone()))
             .flatten();
-        match held {
-            Some(linear) => Self { residual_v: model.evidence.volts(&linear.residual), linear },
-            None => Self { linear: model.linear.clone(), residual_v: model.residual_v.clone() },
-        }
+        let linear = held.unwrap_or_else(|| model.linear.clone());
+        let rows = residual_rows(&model.evidence, &linear.hypothesis);
+        Self { residual_v: model.evidence.volts(&rows), linear }
     }
 }

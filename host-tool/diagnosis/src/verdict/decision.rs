@@ -38,8 +38,8 @@ pub fn is_named(probability: f64, worth: &Worth, criteria: &VerdictCriteria) -> 
 fn is_large(worth: &Worth, criteria: &VerdictCriteria) -> bool {
     let of_gap =
         worth.share >= criteria.least_share && worth.part_of_left >= criteria.least_part_of_left;
-    let of_left = worth.share >= criteria.least_small_share
-        && worth.part_of_left >= criteria.most_of_left;
+    let of_left =
+        worth.share >= criteria.least_small_share && worth.part_of_left >= criteria.most_of_left;
     of_gap || of_left
 }
 

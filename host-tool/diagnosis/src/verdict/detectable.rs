@@ -3,7 +3,7 @@
 
 use rayon::prelude::*;
 
-use crate::fit::linearisation::{Linearisation, Which};
+use crate::fit::linearisation::{Joints, Linearisation};
 use crate::logs::subject::Subject;
 use crate::result::{Detectable, Untestable};
 use crate::rows::evidence::{Evidence, RowChange};
@@ -81,7 +81,7 @@ fn sight(
     joint: u8,
 ) -> Option<Sight> {
     let effect = first_start(linear, evidence, subject, definition, joint)?;
-    let change = linear.change_by(evidence, &effect, Which::OWN);
+    let change = linear.change_by(evidence, &effect, Joints::Own);
     let (_, curvature) = linear.along(&RowChange::default(), std::slice::from_ref(&change));
     Some(Sight { definition, joint, effect, squares: curvature[(0, 0)], change })
 }

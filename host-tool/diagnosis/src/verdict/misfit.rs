@@ -47,12 +47,12 @@ pub fn is_another_robot(subject: &Subject, refitted: &FittedModel) -> bool {
     large && refitted.stats.is_implausible(&subject.criteria.fit)
 }
 
-/// Part of a joint's command that a model leaves, rms by rms over all rows.
+/// Part of a joint's command that a model leaves, rms by rms over train rows.
 fn part_left(model: &FittedModel, joint: usize) -> f64 {
     let evidence = &model.evidence;
     let square = |rows: &[f64]| rows.iter().map(|row| row * row).sum::<f64>();
     let command = |s: usize| at_samples(&evidence.stretches[s].command_v[joint]);
-    let whole: f64 = (0..evidence.stretches.len())
+    let whole: f64 = (0..evidence.train_stretches())
         .map(|s| square(&evidence.filter(joint, s).rows(&command(s))))
         .sum();
     if whole > 0.0 { (square(&model.residual_v[joint]) / whole).sqrt() } else { 0.0 }
