@@ -4,19 +4,17 @@
 
 use blind_trial::{DrawSettings, Kind as CaseKind, draw};
 use diagnosis::{Criteria, Value, Verdict, diagnose};
-use files::{RobotFile, Role};
-use model::reference_robot::reference_robot;
+use files::RobotFile;
 use model::vector::Vector3;
-use recordings::{Campaign, Trace};
 use rig::compensation::Compensations;
 use rig::effects::{
     Catalogue, Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search,
     Size, Touches, documentation,
 };
-use rig::plan::{driven_noise, excitation, slow};
-use rig::{Plan, Rig};
-use simulation::board::InProcess;
-use simulation::{Settings, SimulatedRobot, record_robot, start_of};
+
+#[path = "common/short_campaign.rs"]
+mod short_campaign;
+use short_campaign::short_campaign;
 
 static CUBIC_DRAG: Definition = Definition {
     name: "cubic_drag",
@@ -55,32 +53,14 @@ impl Effect for CubicDrag {
 
 const COEFFICIENT: f64 = 0.03;
 
-/// Short logs of a robot with the effect on joint 3.
-fn campaign() -> Campaign {
-    let rig = Rig::new(reference_robot());
-    let counts = f64::from(rig.encoder_counts_per_turn);
-    let held_out = excitation(5, 4.0).with_role(Role::Holdout);
-    let plans = [excitation(3, 6.0), slow(4.0), driven_noise(3.0, 4), held_out];
-    let trace = |plan: &Plan| {
-        let block = plan.block(&rig);
-        let effects = vec![CUBIC_DRAG.with(3, &[COEFFICIENT]).unwrap()];
-        let (start, settings) = (start_of(&block), Settings::default());
-        let robot = SimulatedRobot::with_effects(reference_robot(), effects, start, &settings);
-        let (mut board, ticks) = (InProcess::default(), plan.ticks(&rig));
-        let recording = record_robot(&mut board, &block, robot, ticks, &mut |_| {}).unwrap();
-        Trace::of_log(recording.log, plan.entry("csv"), counts)
-    };
-    let traces = plans.iter().map(trace).collect();
-    Campaign::new(RobotFile::from_robot(&rig.model), Some(counts), traces).unwrap()
-}
-
 fn catalogue() -> Catalogue {
     Catalogue::standard().with(&CUBIC_DRAG)
 }
 
 #[test]
 fn it_is_simulated_named_and_written_to_a_model_file() {
-    let diagnosis = diagnose(&campaign(), &catalogue(), &Criteria::default(), &|_| ()).unwrap();
+    let campaign = short_campaign(|| vec![CUBIC_DRAG.with(3, &[COEFFICIENT]).unwrap()]);
+    let diagnosis = diagnose(&campaign, &catalogue(), &Criteria::default(), &|_| ()).unwrap();
     eprintln!("{}", host_tool::commands::diagnose::in_words(&diagnosis));
     let report = &diagnosis.report;
     let named: Vec<(&str, u8)> = report.causes.iter().map(|c| (&c.effect[..], c.joint)).collect();

@@ -2,14 +2,12 @@
 #![allow(missing_docs)]
 
 use diagnosis::{Criteria, Verdict, diagnose};
-use files::{RobotFile, Role};
-use model::reference_robot::reference_robot;
-use recordings::{Campaign, Trace};
+use recordings::Campaign;
 use rig::effects::{Catalogue, Table, TableAxis};
-use rig::plan::{driven_noise, excitation, slow};
-use rig::{Plan, Rig};
-use simulation::board::InProcess;
-use simulation::{Settings, SimulatedRobot, record_robot, start_of};
+
+#[path = "common/short_campaign.rs"]
+mod short_campaign;
+use short_campaign::short_campaign;
 
 /// Friction of another form below 0.2 rad/s, 0.05 V deep.
 fn table() -> Table {
@@ -23,23 +21,10 @@ fn table() -> Table {
 
 /// Logs of a robot that has the table, and a model that knows it.
 fn campaign() -> Campaign {
-    let rig = Rig::new(reference_robot());
-    let counts = f64::from(rig.encoder_counts_per_turn);
-    let held_out = excitation(5, 4.0).with_role(Role::Holdout);
-    let plans = [excitation(3, 6.0), slow(4.0), driven_noise(3.0, 4), held_out];
-    let trace = |plan: &Plan| {
-        let block = plan.block(&rig);
-        let effects = vec![Catalogue::standard().effect_of(&table().to_effect_table()).unwrap()];
-        let (start, settings) = (start_of(&block), Settings::default());
-        let robot = SimulatedRobot::with_effects(reference_robot(), effects, start, &settings);
-        let (mut board, ticks) = (InProcess::default(), plan.ticks(&rig));
-        let recording = record_robot(&mut board, &block, robot, ticks, &mut |_| {}).unwrap();
-        Trace::of_log(recording.log, plan.entry("csv"), counts)
-    };
-    let traces = plans.iter().map(trace).collect();
-    let mut model = RobotFile::from_robot(&rig.model);
-    model.effects.push(table().to_effect_table());
-    Campaign::new(model, Some(counts), traces).unwrap()
+    let effect = || Catalogue::standard().effect_of(&table().to_effect_table()).unwrap();
+    let mut campaign = short_campaign(|| vec![effect()]);
+    campaign.robot_file.effects.push(table().to_effect_table());
+    campaign
 }
 
 #[test]

@@ -10,6 +10,7 @@
 //! | [`fit`] | a hypothesis linearised, fitted, and judged against the noise |
 //! | [`search`] | every effect on every joint, one after the other |
 //! | [`tables`] | curves over one axis: ceilings of effects, and what remains |
+//! | [`model_faults`] | a sign, an order of joints, a home position, lengths that are not the robot's |
 //! | [`verdict`] | what the search amounts to |
 //! | [`gap_by_axis`] | where the gap lies, without any hypothesis |
 //! | [`report`] | the report, in figures and words |
@@ -20,6 +21,7 @@ pub mod criteria;
 pub mod fit;
 pub mod gap_by_axis;
 pub mod logs;
+pub mod model_faults;
 pub mod quantity;
 pub mod report;
 mod result;
@@ -92,6 +94,9 @@ pub fn diagnose(
     progress("refitting the model");
     let (evidence, refitted) = preparation::prepared(&subject, usable.stretches)?;
     let selection = selection::select(&subject, refitted, progress);
+    progress("trying whether the model itself is at fault");
+    let fault = model_faults::find(&subject, &evidence, &selection.refitted, &selection.last);
+    let selection = if fault.is_some() { selection.without_effects() } else { selection };
     progress("confirming on logs that chose nothing");
     let noise_v = preparation::noise_left_v(&subject, &evidence, &selection.last);
     let judgement = Judgement::of(&subject, selection, &noise_v);
@@ -104,6 +109,7 @@ pub fn diagnose(
         tables,
         traces: &campaign.traces,
         noise_v,
+        fault,
     };
     Ok(assembly.diagnosis(&campaign.robot_file, usable.remarks))
 }

@@ -55,6 +55,19 @@ pub struct Report {
     pub detectable: Vec<Detectable>,
     /// What else a reader must know, in sentences.
     pub remarks: Vec<String>,
+    /// What is wrong with the model itself; then no cause is named.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model_fault: Option<ModelFaultFound>,
+}
+
+/// A fault of the model as given that explains the gap.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ModelFaultFound {
+    /// What is wrong, and what to do.
+    pub what: String,
+    /// Part of the squares above the noise of train logs that goes when it is put right, with what
+    /// parameters are away from the model as given.
+    pub explained: f64,
 }
 
 /// The verdict in one word.

@@ -138,6 +138,7 @@ pub fn diagnosis(
         }],
         detectable: detectable(),
         remarks: vec!["excitation-1.csv has 3 gaps; they are left out.".into()],
+        model_fault: None,
     };
     let model = RobotFile::from_robot(&reference_robot());
     let catalogue = Catalogue::standard();

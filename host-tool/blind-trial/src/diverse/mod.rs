@@ -17,7 +17,7 @@ mod world;
 pub use draw::{DiverseCase, draw_diverse};
 pub use knowable::Known;
 pub use outcome::{Claim, DiverseOutcome};
-pub use output::{write, write_known};
+pub use output::{append, write, write_known};
 pub use page::{answer, page, short};
 pub use results::DiverseResults;
 pub use run::diagnose_diverse;

@@ -5,6 +5,7 @@
 //! are sums of squares of rows in its units.
 
 mod axes;
+mod faults;
 mod fit;
 mod logs;
 mod rows;
@@ -22,6 +23,7 @@ use serde::{Deserialize, Serialize};
 use files::{FileError, settings};
 
 pub use axes::AxisCriteria;
+pub use faults::FaultCriteria;
 pub use fit::{FitCriteria, PriorCriteria};
 pub use logs::LogCriteria;
 pub use rows::RowCriteria;
@@ -47,6 +49,8 @@ pub struct Criteria {
     pub selection: SelectionCriteria,
     /// What the search amounts to.
     pub verdict: VerdictCriteria,
+    /// Faults of the model as given.
+    pub faults: FaultCriteria,
     /// What the gap varies with.
     pub axes: AxisCriteria,
 }
@@ -71,6 +75,7 @@ impl Criteria {
             ("search", self.search.commented()),
             ("selection", self.selection.commented()),
             ("verdict", self.verdict.commented()),
+            ("faults", self.faults.commented()),
             ("axes", self.axes.commented()),
         ];
         sections.map(|(name, lines)| format!("[{name}]\n{lines}")).join("\n")

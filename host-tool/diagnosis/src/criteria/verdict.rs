@@ -10,6 +10,9 @@ criteria! {
         explained: f64 = 0.9,
         /// What no effect explains is no gap if it is below so many times the noise.
         no_gap_ratio: f64 = 2.0,
+        /// Nor is it none if the refitted model, its parameters within their doubt, leaves so many
+        /// times the noise of the confirming logs.
+        far_above_noise: f64 = 5.0,
         /// Weight of a log-likelihood in a probability: what a wrong effect leaves is structured, and
         /// counts as fewer independent deviations than its correlation tells.
         log_likelihood_weight: f64 = 0.1,

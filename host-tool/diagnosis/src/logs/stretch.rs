@@ -175,6 +175,12 @@ impl Kinematics {
         self.q_rad[1].iter().zip(&self.q_rad[2]).map(|(&q2, &q3)| Posture::new(q2, q3)).collect()
     }
 
+    /// Every signal, by joints.
+    pub fn all_mut(&mut self) -> impl Iterator<Item = &mut [Vec<f64>; 3]> {
+        let Self { raw_rad, q_rad, qd_rad_per_s, qdd_rad_per_s2 } = self;
+        [raw_rad, q_rad, qd_rad_per_s, qdd_rad_per_s2].into_iter()
+    }
+
     fn set(&mut self, joint: usize, q_rad: &[f64], period_s: f64, cutoff_hz: f64) {
         let smooth = LowPass::new(cutoff_hz, period_s).zero_phase(q_rad);
         self.qd_rad_per_s[joint] = derivative::first(&smooth, period_s);

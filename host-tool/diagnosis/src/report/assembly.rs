@@ -11,7 +11,8 @@ use crate::fit::fitted_model::FittedModel;
 use crate::fit::preparation::as_given;
 use crate::gap_by_axis::gap_by_axis;
 use crate::logs::subject::Subject;
-use crate::result::{DataParts, Diagnosis, Gap, Level, Report};
+use crate::model_faults::FoundFault;
+use crate::result::{DataParts, Diagnosis, Gap, Level, ModelFaultFound, Report, Verdict};
 use crate::rows::evidence::{Evidence, Rows};
 use crate::trial::residual_rows::residual_rows;
 use crate::verdict::blocks::confirming_rms_v;
@@ -32,6 +33,8 @@ pub struct Assembly<'a> {
     pub judgement: &'a Judgement<'a>,
     /// The model with tables for what remains.
     pub tables: Held,
+    /// What is wrong with the model itself.
+    pub fault: Option<FoundFault>,
     /// The logs.
     pub traces: &'a [Trace],
     /// Noise of a joint's rows in every stretch, rms [V], by joint.
@@ -64,7 +67,14 @@ impl Assembly<'_> {
             confirmation,
             &criteria.verdict,
         );
-        remarks.extend(misfit::remark(subject, refitted, verdict));
+        let fault = self.fault.as_ref().map(|fault| ModelFaultFound {
+            what: fault.fault.words(subject),
+            explained: fault.explained,
+        });
+        let verdict = if fault.is_some() { Verdict::Unknown } else { verdict };
+        if fault.is_none() {
+            remarks.extend(misfit::remark(subject, refitted, verdict));
+        }
         let report = Report {
             format: 2,
             verdict,
@@ -78,6 +88,7 @@ impl Assembly<'_> {
             untestable,
             detectable,
             remarks,
+            model_fault: fault,
         };
         Diagnosis {
             report,

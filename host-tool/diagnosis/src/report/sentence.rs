@@ -7,7 +7,9 @@ use super::words::{
 };
 pub use super::words::{effect_words, joint_words};
 use crate::quantity::volts;
-use crate::result::{Alternative, Cause, Diagnosis, GapShare, ParameterChange, Rival, Verdict};
+use crate::result::{
+    Alternative, Cause, Diagnosis, GapShare, ModelFaultFound, ParameterChange, Rival, Verdict,
+};
 
 /// Most alternatives and parameters that are said.
 const MOST_SAID: usize = 2;
@@ -18,11 +20,30 @@ const SAID_NEAREST: f64 = 0.01;
 
 /// What a person must know and can act on.
 pub fn sentence(diagnosis: &Diagnosis) -> String {
+    if let Some(fault) = &diagnosis.report.model_fault {
+        return at_fault(diagnosis, fault);
+    }
     match diagnosis.report.verdict {
         Verdict::Effect | Verdict::Partial => named(diagnosis),
         Verdict::None => no_gap(diagnosis),
         Verdict::Unknown => unexplained(diagnosis),
     }
+}
+
+/// What is wrong with the model itself.
+fn at_fault(diagnosis: &Diagnosis, fault: &ModelFaultFound) -> String {
+    let (gap, joints) = (&diagnosis.report.gap, joint_numbers(diagnosis));
+    let largest = largest_excess(&gap.refitted_v, &gap.noise_floor_v);
+    let of_joint = largest.and_then(|(index, excess_v)| Some((joints.get(index)?, excess_v)));
+    let size = of_joint.map_or_else(String::new, |(joint, excess_v)| {
+        format!(" of {} on joint {joint}", volts(excess_v))
+    });
+    format!(
+        "The model is not that of this robot: {}. That explains {} % of the gap{size}, and no \
+         cause is named until it is put right.",
+        fault.what,
+        percent(fault.explained)
+    )
 }
 
 /// The rig's joints, 1 to 3, in the order in which the gap is given.

@@ -131,6 +131,29 @@ impl Evidence {
         evidence
     }
 
+    /// The same rows of stretches that are changed, but begin where they began; each keeps its
+    /// noise.
+    pub fn with_stretches(&self, change: impl Fn(&mut Stretch)) -> Self {
+        let mut stretches = self.stretches.to_vec();
+        stretches.iter_mut().for_each(change);
+        let regressors = stretches.iter().map(|_| Default::default()).collect();
+        let mut changed = Self { stretches: stretches.into(), regressors, ..self.clone() };
+        for joint in 0..3 {
+            changed.weights[joint].truncate(changed.stretches.len());
+            for s in 0..changed.weights[joint].len() {
+                let count = changed.row_count(joint, s);
+                changed.weights[joint][s].truncate(count);
+            }
+        }
+        changed
+    }
+
+    /// The same without what is held out.
+    pub fn train_only(&self) -> Self {
+        let stretches = self.stretches[..self.train].to_vec();
+        Self { stretches: stretches.into(), ..self.clone() }.with_stretches(|_| ())
+    }
+
     /// The regressor's rows of a joint along the measured motion, without weights; made by `make`
     /// at first.
     pub fn regressor(&self, s: usize, joint: usize, make: impl FnOnce() -> Columns) -> &Columns {

@@ -72,6 +72,14 @@ pub fn select(subject: &Subject, refitted: FittedModel, progress: &dyn Fn(&str))
     Selection { refitted, last: search.last, added, refused }
 }
 
+impl Selection {
+    /// The refitted model alone; what was added counts as refused.
+    pub fn without_effects(self) -> Self {
+        let last = self.refitted.clone();
+        Self { last, added: Vec::new(), ..self }
+    }
+}
+
 /// How a round ends.
 enum Round {
     /// An effect was added.

@@ -119,6 +119,17 @@ impl<'a> Confirmation<'a> {
         blocks.figure(1, explained).0 >= self.subject.criteria.verdict.explained
     }
 
+    /// What the refitted model leaves, its parameters within their doubt, in units of noise.
+    pub fn over_noise(&self, last: &FittedModel) -> f64 {
+        let of_joint = |joint: &usize| {
+            let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
+            let models = [&self.refitted.residual_v];
+            let blocks = Blocks::of(&last.evidence, &[*joint], &models, noise_v);
+            blocks.figure(1, |sums| (sums[0] / sums[1].max(1e-300)).sqrt()).0
+        };
+        self.subject.joints.iter().map(of_joint).fold(0.0, f64::max)
+    }
+
     /// Part of the gap's squares above the noise that all causes take together, all joints.
     pub fn explained(&self, last: &FittedModel) -> f64 {
         let models = [&self.refitted.residual_v, &self.full.residual_v];

@@ -63,7 +63,8 @@ pub fn verdict(
     criteria: &VerdictCriteria,
 ) -> Verdict {
     let gap = &refitted.stats;
-    let no_gap = gap.excess == 0.0 || gap.worst() < criteria.no_gap_ratio;
+    let no_gap = (gap.excess == 0.0 || gap.worst() < criteria.no_gap_ratio)
+        && confirmation.over_noise(last) < criteria.far_above_noise;
     match named {
         0 if no_gap => Verdict::None,
         0 => Verdict::Unknown,

@@ -42,9 +42,13 @@ pub fn remark(subject: &Subject, refitted: &FittedModel, verdict: Verdict) -> Op
 /// Whether a refitted model is that of another robot: its parameters are far from the file's, and
 /// yet it leaves a large part of a command. Causes that do not explain all of that are none.
 pub fn is_another_robot(subject: &Subject, refitted: &FittedModel) -> bool {
+    leaves_much(subject, refitted) && refitted.stats.is_implausible(&subject.criteria.fit)
+}
+
+/// Whether a model leaves a large part of a joint's command.
+pub fn leaves_much(subject: &Subject, model: &FittedModel) -> bool {
     let most = subject.criteria.verdict.another_robot_part;
-    let large = subject.joints.iter().any(|&joint| part_left(refitted, joint) > most);
-    large && refitted.stats.is_implausible(&subject.criteria.fit)
+    subject.joints.iter().any(|&joint| part_left(model, joint) > most)
 }
 
 /// Part of a joint's command that a model leaves, rms by rms over train rows.

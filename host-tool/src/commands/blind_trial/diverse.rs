@@ -67,6 +67,7 @@ fn diagnose_one(case: &DiverseCase, run: &RunSettings) -> Result<DiverseOutcome,
         let diagnosis = diagnose(campaign, &Catalogue::standard(), &Criteria::default(), &|_| ());
         diagnosis.map(|found| found.report).map_err(|error| error.to_string())
     })?;
+    diverse::append(&outcome, &run.out)?;
     let answer = diverse::answer(&outcome);
     println!("case {:03}: {answer}, {:.0} s", outcome.case, outcome.seconds);
     Ok(outcome)

@@ -1,0 +1,155 @@
+//! What may be wrong with a model's description of its robot.
+
+use crate::logs::stretch::Stretch;
+use crate::logs::subject::Subject;
+
+/// A fault of the model as given, or of what the data set says of its columns.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ModelFault {
+    /// Counts and commands of a joint (0 to 2) have the other sign.
+    Direction(usize),
+    /// Commands alone of a joint have the other sign.
+    CommandSign(usize),
+    /// The columns of two joints are exchanged.
+    Exchanged(usize, usize),
+    /// Zero of each joint lies elsewhere by so much [rad].
+    Home([f64; 3]),
+    /// d2, a2, d3, a3 are longer by so much [m].
+    Lengths([f64; LENGTHS]),
+}
+
+/// Lengths that matter to the dynamics.
+pub const LENGTHS: usize = 4;
+const LENGTH_NAMES: [&str; LENGTHS] = ["d2_m", "a2_m", "d3_m", "a3_m"];
+
+impl ModelFault {
+    /// All faults without a size that a rig may have.
+    pub fn without_size(subject: &Subject) -> Vec<Self> {
+        let joints = &subject.joints;
+        let mut all: Vec<Self> = joints.iter().copied().map(Self::Direction).collect();
+        all.extend(joints.iter().copied().map(Self::CommandSign));
+        for (place, &first) in joints.iter().enumerate() {
+            all.extend(joints[place + 1..].iter().map(|&second| Self::Exchanged(first, second)));
+        }
+        all
+    }
+
+    /// Those whose size is to be found, with none yet.
+    pub fn with_size(subject: &Subject) -> Vec<Self> {
+        match subject.one_joint {
+            true => vec![Self::Home([0.0; 3])],
+            false => vec![Self::Home([0.0; 3]), Self::Lengths([0.0; LENGTHS])],
+        }
+    }
+
+    /// Its size; empty where it has none.
+    pub fn size(&self) -> &[f64] {
+        match self {
+            Self::Home(size) => size,
+            Self::Lengths(size) => size,
+            _ => &[],
+        }
+    }
+
+    /// The same with another size.
+    pub fn sized(&self, to: &[f64]) -> Self {
+        let mut sized = self.clone();
+        match &mut sized {
+            Self::Home(size) => size.copy_from_slice(to),
+            Self::Lengths(size) => size.copy_from_slice(to),
+            _ => {}
+        }
+        sized
+    }
+
+    /// Puts right what a subject says of its robot.
+    pub fn corrected(&self, subject: &Subject) -> Subject {
+        let mut corrected = subject.clone();
+        if let Self::Lengths(more) = self {
+            let geometry = &mut corrected.robot.geometry;
+            let lengths =
+                [&mut geometry.d2_m, &mut geometry.a2_m, &mut geometry.d3_m, &mut geometry.a3_m];
+            lengths.into_iter().zip(more).for_each(|(length, more)| *length += more);
+        }
+        corrected
+    }
+
+    /// Puts right what a stretch says of motion and commands.
+    pub fn correct(&self, stretch: &mut Stretch) {
+        let motion = &mut stretch.motion;
+        match *self {
+            Self::Direction(joint) => {
+                motion.all_mut().for_each(|signal| negate(&mut signal[joint]));
+                negate(&mut stretch.command_v[joint]);
+            }
+            Self::CommandSign(joint) => negate(&mut stretch.command_v[joint]),
+            Self::Exchanged(a, b) => {
+                motion.all_mut().for_each(|signal| signal.swap(a, b));
+                stretch.command_v.swap(a, b);
+                stretch.settled.swap(a, b);
+            }
+            Self::Home(size) => {
+                for (joint, more) in size.into_iter().enumerate() {
+                    motion.q_rad[joint].iter_mut().for_each(|q| *q += more);
+                    motion.raw_rad[joint].iter_mut().for_each(|q| *q += more);
+                }
+            }
+            Self::Lengths(_) => {}
+        }
+        stretch.postures = stretch.motion.postures();
+    }
+
+    /// What is wrong, for a person who can put it right.
+    pub fn words(&self, subject: &Subject) -> String {
+        let number = |joint: usize| subject.outer_joint(joint as u8 + 1);
+        match self {
+            Self::Direction(joint) => format!(
+                "joint {} counts and is driven the other way round than in the model; turn both \
+                 signs",
+                number(*joint)
+            ),
+            Self::CommandSign(joint) => format!(
+                "the command of joint {} has the other sign than in the model; turn it",
+                number(*joint)
+            ),
+            Self::Exchanged(a, b) => {
+                format!("joints {} and {} are exchanged in the logs", number(*a), number(*b))
+            }
+            Self::Home(size) => home_words(size, subject),
+            Self::Lengths(size) => length_words(size, subject),
+        }
+    }
+}
+
+fn negate(signal: &mut [f64]) {
+    signal.iter_mut().for_each(|value| *value = -*value);
+}
+
+/// Zeros that lie elsewhere by a good part of the largest.
+fn home_words(size: &[f64; 3], subject: &Subject) -> String {
+    let largest = size.iter().fold(0.0, |largest, q: &f64| f64::max(largest, q.abs()));
+    let is_said = |joint: &&usize| size[**joint].abs() > SAID_PART * largest;
+    let words = |&joint: &usize| {
+        let number = subject.outer_joint(joint as u8 + 1);
+        format!("joint {number} by {:.1} degrees", -size[joint].to_degrees())
+    };
+    let said: Vec<String> = subject.joints.iter().filter(is_said).map(words).collect();
+    format!("the home position is not the model's: {}; home the arm anew", said.join(", "))
+}
+
+/// Lengths that are off by a good part of what the worst is.
+fn length_words(size: &[f64; LENGTHS], subject: &Subject) -> String {
+    let geometry = &subject.robot.geometry;
+    let given_m = [geometry.d2_m, geometry.a2_m, geometry.d3_m, geometry.a3_m];
+    let part = |k: usize| size[k] / given_m[k];
+    let largest = (0..LENGTHS).fold(0.0, |largest, k| f64::max(largest, part(k).abs()));
+    let is_said = |k: &usize| part(*k).abs() > SAID_PART * largest;
+    let words = |k: usize| {
+        format!("{} = {:.3} rather than {:.3}", LENGTH_NAMES[k], given_m[k] + size[k], given_m[k])
+    };
+    let said: Vec<String> = (0..LENGTHS).filter(is_said).map(words).collect();
+    format!("the lengths are not the robot's: {}; measure them", said.join(", "))
+}
+
+/// What is smaller than this part of the largest is not said.
+const SAID_PART: f64 = 0.2;
