@@ -75,3 +75,13 @@ fn lengths_a_tenth_too_long() {
     });
     assert_fault(&report, "a2_m = 0.2");
 }
+
+#[test]
+fn a_bus_that_takes_three_milliseconds() {
+    let report = said_of(|campaign| {
+        for joint in campaign.traces.iter_mut().flat_map(|trace| &mut trace.joints) {
+            joint.command_v = [&joint.command_v[3..], &[0.0; 3]].concat();
+        }
+    });
+    assert_fault(&report, "commands act 3.0");
+}

@@ -11,15 +11,21 @@ criteria! {
         part_s: f64 = 12.0,
         /// Most steps of a fit.
         steps: usize = 3,
+        /// Most steps of a fault's size.
+        size_steps: usize = 6,
         /// A fault is said if it explains this part of the squares above the noise,
         explained: f64 = 0.9,
         /// and leaves no more than so many times what the causes found leave.
         as_good: f64 = 1.2,
+        /// or than this part of the gap, for several causes can always make up for one fault.
+        sure: f64 = 0.01,
         /// Doubt about a length, in parts of it.
         length_part: f64 = 0.1,
         /// Least length that such a part is taken of [m].
         least_length_m: f64 = 0.05,
         /// Doubt about a home position [rad].
         home_rad: f64 = 0.2,
+        /// Doubt about when commands act on all joints: a bus and its drives take some cycles [s].
+        late_s: f64 = 2e-3,
     }
 }

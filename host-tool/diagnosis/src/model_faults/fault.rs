@@ -16,6 +16,8 @@ pub enum ModelFault {
     Home([f64; 3]),
     /// d2, a2, d3, a3 are longer by so much [m].
     Lengths([f64; LENGTHS]),
+    /// Commands act later on all joints by so much, as a bus makes them [s].
+    Late([f64; 1]),
 }
 
 /// Lengths that matter to the dynamics.
@@ -38,7 +40,9 @@ impl ModelFault {
     pub fn with_size(subject: &Subject) -> Vec<Self> {
         match subject.one_joint {
             true => vec![Self::Home([0.0; 3])],
-            false => vec![Self::Home([0.0; 3]), Self::Lengths([0.0; LENGTHS])],
+            false => {
+                vec![Self::Home([0.0; 3]), Self::Lengths([0.0; LENGTHS]), Self::Late([0.0])]
+            }
         }
     }
 
@@ -47,6 +51,7 @@ impl ModelFault {
         match self {
             Self::Home(size) => size,
             Self::Lengths(size) => size,
+            Self::Late(size) => size,
             _ => &[],
         }
     }
@@ -57,9 +62,18 @@ impl ModelFault {
         match &mut sized {
             Self::Home(size) => size.copy_from_slice(to),
             Self::Lengths(size) => size.copy_from_slice(to),
+            Self::Late(size) => size.copy_from_slice(to),
             _ => {}
         }
         sized
+    }
+
+    /// Sizes at whole sample periods about this one, where those are likely: a bus takes whole
+    /// cycles, and a part of one also smooths the commands.
+    pub fn whole_periods(&self, period_s: f64) -> Vec<Vec<f64>> {
+        let Self::Late([late_s]) = self else { return Vec::new() };
+        let below = (late_s / period_s).floor();
+        vec![vec![below * period_s], vec![(below + 1.0) * period_s]]
     }
 
     /// Puts right what a subject says of its robot.
@@ -94,6 +108,10 @@ impl ModelFault {
                     motion.raw_rad[joint].iter_mut().for_each(|q| *q += more);
                 }
             }
+            Self::Late([late_s]) => {
+                let periods = late_s / stretch.period_s;
+                stretch.command_v.iter_mut().for_each(|command| *command = later(command, periods));
+            }
             Self::Lengths(_) => {}
         }
         stretch.postures = stretch.motion.postures();
@@ -117,8 +135,23 @@ impl ModelFault {
             }
             Self::Home(size) => home_words(size, subject),
             Self::Lengths(size) => length_words(size, subject),
+            Self::Late([late_s]) => format!(
+                "commands act {:.2} ms later on all joints than the logs say; shorten the way to \
+                 the drives, or log what reaches them",
+                1e3 * late_s
+            ),
         }
     }
+}
+
+/// Commands that are held over an interval each, so many periods later.
+fn later(command: &[f64], periods: f64) -> Vec<f64> {
+    let (whole, part) = (periods.floor(), periods - periods.floor());
+    let at = |k: usize, back: f64| {
+        let place = k as f64 - whole - back;
+        command[place.clamp(0.0, command.len() as f64 - 1.0) as usize]
+    };
+    (0..command.len()).map(|k| (1.0 - part) * at(k, 0.0) + part * at(k, 1.0)).collect()
 }
 
 fn negate(signal: &mut [f64]) {

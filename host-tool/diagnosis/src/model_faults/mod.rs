@@ -1,5 +1,5 @@
 //! Faults of the model as given that are no effects: a joint that counts the other way, two joints
-//! exchanged, a home position or lengths that are not the robot's.
+//! exchanged, a home position or lengths that are not the robot's, commands that all act late.
 //!
 //! They are tried on a part of the train logs, with all parameters held by what is known of them.
 //! One that explains nearly all of the gap, and no less than the causes found do, is said in their

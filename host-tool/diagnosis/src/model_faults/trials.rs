@@ -53,7 +53,7 @@ pub fn find(
         tried.into_iter().min_by(|a, b| a.linear.objective.total_cmp(&b.linear.objective))?;
     let by_fault = left(&part, subject, &best.linear);
     let explained = 1.0 - by_fault / whole.max(1e-300);
-    let as_good = by_fault <= criteria.as_good * by_causes;
+    let as_good = by_fault <= f64::max(criteria.as_good * by_causes, criteria.sure * whole);
     (whole > 0.0 && explained > criteria.explained && as_good)
         .then_some(FoundFault { fault: best.fault, explained })
 }
@@ -78,13 +78,20 @@ impl<'a> Trial<'a> {
     /// The same with the size at which it explains most.
     fn with_size_found(self) -> Option<Self> {
         let mut best = self;
-        for _ in 0..best.subject.criteria.faults.steps {
+        for _ in 0..best.subject.criteria.faults.size_steps {
             let size = best.next_size()?;
             let next = Self::of(best.part, best.subject, best.fault.sized(&size))?;
             if next.linear.objective >= best.linear.objective {
                 break;
             }
             best = next;
+        }
+        let period_s = best.part.stretches[0].period_s;
+        for size in best.fault.whole_periods(period_s) {
+            let next = Self::of(best.part, best.subject, best.fault.sized(&size))?;
+            if next.linear.objective < best.linear.objective {
+                best = next;
+            }
         }
         Some(best)
     }
@@ -130,6 +137,7 @@ impl<'a> Trial<'a> {
                 let lengths = [geometry.d2_m, geometry.a2_m, geometry.d3_m, geometry.a3_m];
                 criteria.length_part * lengths[k].abs().max(criteria.least_length_m)
             }
+            ModelFault::Late(_) => criteria.late_s,
             _ => criteria.home_rad,
         }
     }
