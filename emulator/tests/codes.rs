@@ -1,0 +1,43 @@
+//! The image's codes at the converter are those of the library on this machine, bit for bit.
+#![allow(missing_docs)]
+
+mod common;
+
+use common::{board_with_arm, commit, hanging, home_and_run, image};
+use emulator::registers::rcc::Reset;
+use emulator::replica::Replica;
+use firmware::Mode;
+use model::reference_robot::reference_robot;
+use rig::{Rig, plan};
+
+/// Seconds of the motion; `RRR_SOAK` has a minute of it.
+fn seconds() -> u64 {
+    if std::env::var_os("RRR_SOAK").is_some() { 60 } else { 4 }
+}
+
+#[test]
+fn the_validation_motion_is_played_bit_for_bit() {
+    let Some(image) = image() else { return };
+    let mut board = board_with_arm(&image);
+    let rig = Rig::new(reference_robot());
+    let block = plan::task(60.0).with_mode(Mode::PdModel).block(&rig);
+    board.run_ms(100).unwrap();
+    commit(&mut board, &block);
+    // The same flash, and no parameters replaced since the boot.
+    board.machine.reset(Reset::Pin).unwrap();
+    board.machine.board().trace.ticks.clear();
+    board.telemetry.clear();
+    home_and_run(&mut board);
+    board.run_ms(1000 * seconds()).unwrap();
+
+    let machine = board.machine.board();
+    let replica = Replica::new(&machine.flash.bytes, hanging());
+    let comparison = replica.compare(&machine.trace.ticks, &board.telemetry);
+    println!("{comparison:?}");
+    assert_eq!(comparison.first, None);
+    assert!(comparison.running as u64 > 1000 * seconds() - 100, "{comparison:?}");
+    let latencies = machine.trace.ticks.iter().filter_map(|tick| tick.latency);
+    let (least, most) = latencies.fold((u64::MAX, 0), |(a, b), x| (a.min(x), b.max(x)));
+    println!("timer to LDAC: {least} to {most} cycles");
+    assert_eq!(board.strange, 0);
+}
