@@ -183,7 +183,8 @@ impl Board {
         let reset = self.rcc.write(offset, value, self.now)?;
         self.clocks_changed();
         // More than 150 MHz need the higher voltage and four wait states.
-        if self.rcc.core_hz() > 150_000_000 && (!self.power.boosted() || self.flash.timing().0 < 4) {
+        if self.rcc.core_hz() > 150_000_000 && (!self.power.boosted() || self.flash.timing().0 < 4)
+        {
             return Err(Refusal::Value(value));
         }
         let Some((register, bits)) = reset.filter(|(_, bits)| *bits != 0) else { return Ok(()) };

@@ -99,7 +99,9 @@ impl Converter {
         let is_first = self.sync.at == 0;
         self.sync = Edge { high, at: now };
         match high {
-            false if lasted < SYNC_HIGH && !is_first => self.refuse(format!("SYNC was high for {lasted} cycles only")),
+            false if lasted < SYNC_HIGH && !is_first => {
+                self.refuse(format!("SYNC was high for {lasted} cycles only"))
+            }
             false => {
                 self.frame.clear();
                 (self.fastest_bit, self.slowest_bit) = (Time::MAX, 0);

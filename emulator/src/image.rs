@@ -52,12 +52,13 @@ impl Image {
     /// The symbol at an address or the nearest below it, for messages.
     pub fn place(&self, address: u32) -> String {
         let address = address & !1;
-        let below = self.symbols.iter().filter(|(name, at)| {
-            !name.starts_with('$') && !name.is_empty() && at & !1 <= address
-        });
-        below.max_by_key(|(_, at)| at & !1).map_or_else(String::new, |(name, at)| {
-            format!("{name}+{:#x}", address - (at & !1))
-        })
+        let below = self
+            .symbols
+            .iter()
+            .filter(|(name, at)| !name.starts_with('$') && !name.is_empty() && at & !1 <= address);
+        below
+            .max_by_key(|(_, at)| at & !1)
+            .map_or_else(String::new, |(name, at)| format!("{name}+{:#x}", address - (at & !1)))
     }
 }
 

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use unicorn_engine::{ArmCpuModel, Arch, Mode, Prot, RegisterARM, Unicorn, uc_error};
+use unicorn_engine::{Arch, ArmCpuModel, Mode, Prot, RegisterARM, Unicorn, uc_error};
 
 use crate::board::{Board, Memory};
 use crate::core::exceptions::{ENTRY_CYCLES, RETURN_CYCLES, enter, get, leave, put};

@@ -111,7 +111,8 @@ impl Operator {
     /// The image did what is not modelled.
     pub fn upload(&mut self, encoded: &[u8]) -> Result<Answer, Failure> {
         let checksum = CRC_32C.checksum(encoded);
-        let mut answer = self.ask(Command::UploadBegin { length: encoded.len() as u16, checksum })?;
+        let mut answer =
+            self.ask(Command::UploadBegin { length: encoded.len() as u16, checksum })?;
         for (index, bytes) in encoded.chunks(PIECE_BYTES).enumerate() {
             let offset = (index * PIECE_BYTES) as u16;
             answer = self.ask(Command::UploadPiece { offset, bytes })?;

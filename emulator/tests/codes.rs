@@ -3,12 +3,13 @@
 
 mod common;
 
-use common::{board_with_arm, commit, hanging, home_and_run, image};
+use common::{board_with_arm, commit, home_and_run, image, told};
 use emulator::registers::rcc::Reset;
 use emulator::replica::Replica;
 use firmware::Mode;
 use model::reference_robot::reference_robot;
 use rig::{Rig, plan};
+use simulation::start_of;
 
 /// Seconds of the motion; `RRR_SOAK` has a minute of it.
 fn seconds() -> u64 {
@@ -18,20 +19,21 @@ fn seconds() -> u64 {
 #[test]
 fn the_validation_motion_is_played_bit_for_bit() {
     let Some(image) = image() else { return };
-    let mut board = board_with_arm(&image);
     let rig = Rig::new(reference_robot());
     let block = plan::task(60.0).with_mode(Mode::PdModel).block(&rig);
+    let start = start_of(&block);
+    let mut board = board_with_arm(&image, start);
     board.run_ms(100).unwrap();
     commit(&mut board, &block);
     // The same flash, and no parameters replaced since the boot.
     board.machine.reset(Reset::Pin).unwrap();
     board.machine.board().trace.ticks.clear();
     board.telemetry.clear();
-    home_and_run(&mut board);
+    home_and_run(&mut board, start);
     board.run_ms(1000 * seconds()).unwrap();
 
     let machine = board.machine.board();
-    let replica = Replica::new(&machine.flash.bytes, hanging());
+    let replica = Replica::new(&machine.flash.bytes, told(start));
     let comparison = replica.compare(&machine.trace.ticks, &board.telemetry);
     println!("{comparison:?}");
     assert_eq!(comparison.first, None);

@@ -26,21 +26,22 @@ pub fn image() -> Option<Rc<Image>> {
     Some(Rc::new(Image::read(&path).unwrap_or_else(|error| panic!("{error}"))))
 }
 
-/// A hanging arm, exactly as its model.
-pub fn arm() -> Box<dyn Plant> {
+/// An arm at rest, exactly as its model.
+pub fn arm(position_rad: [f64; 3]) -> Box<dyn Plant> {
     let mut settings = ArmSettings::new(reference_robot());
+    settings.position_rad = position_rad;
     settings.incremental_encoders = true;
     Box::new(SimulatedArm::new(&settings, Vec::new()))
 }
 
-/// Where it hangs.
-pub fn hanging() -> [Angle; 3] {
-    model::HANGING_RAD.map(|q_rad| Angle::from_radians(q_rad as f32))
+/// A position, as the host tells it.
+pub fn told(position_rad: [f64; 3]) -> [Angle; 3] {
+    position_rad.map(|q_rad| Angle::from_radians(q_rad as f32))
 }
 
-/// A board with an arm, its ticks kept.
-pub fn board_with_arm(image: &Rc<Image>) -> Operator {
-    let machine = Machine::new(image.clone(), arm()).unwrap();
+/// A board with an arm at rest, its ticks kept.
+pub fn board_with_arm(image: &Rc<Image>, position_rad: [f64; 3]) -> Operator {
+    let machine = Machine::new(image.clone(), arm(position_rad)).unwrap();
     machine.board().trace.is_on = true;
     Operator::new(machine)
 }
@@ -70,11 +71,11 @@ pub fn commit(operator: &mut Operator, block: &ParameterBlock) {
 }
 
 /// From a boot to the first tick of the run.
-pub fn home_and_run(operator: &mut Operator) {
+pub fn home_and_run(operator: &mut Operator, position_rad: [f64; 3]) {
     operator.run_ms(1500).unwrap();
     assert!(operator.hello().unwrap());
     done(operator, Command::Stream { on: true });
-    done(operator, Command::Home { position: hanging() });
+    done(operator, Command::Home { position: told(position_rad) });
     operator.run_ms(200).unwrap();
     done(operator, Command::Arm);
     done(operator, Command::Run { host_timeout_ms: None });

@@ -127,9 +127,9 @@ impl Nvic {
             0x100..0x110 | 0x180..0x190 => Ok(bits(&self.pending, word)),
             0x300..0x368 => {
                 let first = FIRST_LINE + (offset - 0x300) as usize;
-                Ok(u32::from_le_bytes([0, 1, 2, 3].map(|i| {
-                    self.priority.get(first + i).copied().unwrap_or(0)
-                })))
+                Ok(u32::from_le_bytes(
+                    [0, 1, 2, 3].map(|i| self.priority.get(first + i).copied().unwrap_or(0)),
+                ))
             }
             _ => Err(Refusal::NotModelled),
         }

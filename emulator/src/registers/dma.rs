@@ -112,7 +112,9 @@ impl Dma {
                 let all = |n: usize| if value >> (4 * n) & 1 == 1 { 0xF << (4 * n) } else { 0 };
                 self.flags &= !(0..CHANNELS).fold(value, |bits, n| bits | all(n));
             }
-            0x08..0xA8 => self.channels[(offset as usize - 8) / 20].write((offset - 8) % 20, value)?,
+            0x08..0xA8 => {
+                self.channels[(offset as usize - 8) / 20].write((offset - 8) % 20, value)?
+            }
             _ => return Err(Refusal::NotModelled),
         }
         Ok(())

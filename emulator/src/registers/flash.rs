@@ -148,7 +148,13 @@ impl Flash {
     ///
     /// # Errors
     /// Not a word, or not while programming is enabled.
-    pub fn write_bank2(&mut self, offset: usize, bytes: usize, value: u32, now: Time) -> Access<()> {
+    pub fn write_bank2(
+        &mut self,
+        offset: usize,
+        bytes: usize,
+        value: u32,
+        now: Time,
+    ) -> Access<()> {
         if bytes != 4 || self.control & (PROGRAMS | LOCK) != PROGRAMS || self.running.is_some() {
             return Err(Refusal::BusFault);
         }

@@ -63,7 +63,9 @@ impl Lpuart {
     pub fn level(&self) -> Level {
         let by_flag = self.status() & self.control[0] & (IDLE | RECEIVED | SENT | EMPTY) != 0;
         let with_error = RECEIVED | 1;
-        by_flag || self.flags & OVERRUN != 0 && (self.control[2] & 1 | self.control[0] & with_error) != 0
+        by_flag
+            || self.flags & OVERRUN != 0
+                && (self.control[2] & 1 | self.control[0] & with_error) != 0
     }
 
     /// Bytes for which there is room each way.
@@ -166,9 +168,8 @@ impl Lpuart {
             0x0C => Ok(self.divider),
             0x1C => {
                 let enabled = self.control[0] & ENABLE != 0;
-                let ready = |bit: u32, flag: u32| {
-                    u32::from(enabled && self.control[0] & bit != 0) << flag
-                };
+                let ready =
+                    |bit: u32, flag: u32| u32::from(enabled && self.control[0] & bit != 0) << flag;
                 Ok(self.status() | ready(SEND, 21) | ready(RECEIVE, 22))
             }
             0x24 => Ok(u32::from(self.received.pop_front().unwrap_or(0))),

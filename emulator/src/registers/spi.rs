@@ -110,8 +110,8 @@ impl Spi {
     }
 
     fn check_mode(&self) -> Access<()> {
-        let is_master = self.control & (ENABLE | MASTER | SOFTWARE_SELECT)
-            == ENABLE | MASTER | SOFTWARE_SELECT;
+        let is_master =
+            self.control & (ENABLE | MASTER | SOFTWARE_SELECT) == ENABLE | MASTER | SOFTWARE_SELECT;
         let takes_bytes = self.control2 & 0x1F00 == 0x1700;
         match is_master && takes_bytes {
             true => Ok(()),
