@@ -27,6 +27,9 @@ const SEND_EVENT: u16 = 0xBF40;
 const UNMASK: u16 = 0xB662;
 const MOVE_TO_SPECIAL: u16 = 0xF380;
 
+/// Steps in which the time may stand still: an event, an entry, a return.
+const STILL_STEPS: u32 = 1000;
+
 /// What stopped the engine.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Stop {
@@ -45,7 +48,7 @@ struct Stop {
 
 /// A board that executes an image.
 pub struct Machine {
-    engine: Unicorn<'static, ()>,
+    pub(crate) engine: Unicorn<'static, ()>,
     board: Rc<RefCell<Board>>,
     stop: Rc<RefCell<Stop>>,
     image: Rc<Image>,
@@ -113,6 +116,11 @@ impl Machine {
         self.begin()
     }
 
+    /// Ends a wait for an event.
+    pub(crate) fn wake(&mut self) {
+        self.asleep = false;
+    }
+
     fn begin(&mut self) -> Result<(), Failure> {
         let [stack, entry] = [0, 1].map(|index| self.vector(index));
         self.asleep = false;
@@ -139,8 +147,14 @@ impl Machine {
     /// # Errors
     /// The image did what is not modelled.
     pub fn run_until(&mut self, end: Time) -> Result<(), Failure> {
+        let mut still = 0;
         while self.board.borrow().now < end {
+            let before = self.board.borrow().now;
             self.step(end)?;
+            still = if self.board.borrow().now == before { still + 1 } else { 0 };
+            if still > STILL_STEPS {
+                return Err(Failure::Core(format!("the time stands still at {before}")));
+            }
         }
         Ok(())
     }
@@ -156,6 +170,10 @@ impl Machine {
         }
         if let Some(reset) = reset {
             return self.reset(reset);
+        }
+        if self.board.borrow().flash.is_cut() {
+            self.board.borrow_mut().flash.cut_at = None;
+            return self.reset(Reset::PowerOn);
         }
         let next = self.board.borrow().nvic.next();
         if let Some((number, maskable)) = next {
@@ -191,7 +209,8 @@ impl Machine {
         self.board.borrow_mut().stop_at = until;
         {
             let mut stop = self.stop.borrow_mut();
-            (stop.exception, stop.waits, stop.watches) = (None, false, watches);
+            (stop.exception, stop.waits) = (None, false);
+            (stop.watches, stop.unmasked) = (watches, false);
         }
         let pc = get(&self.engine, RegisterARM::PC)?;
         let ended = self.engine.emu_start(u64::from(pc | 1), NOWHERE, 0, 0);

@@ -14,6 +14,9 @@ use crate::registers::MS;
 /// Longest wait for an answer [ms]; a commit erases a page and writes 250 double words.
 const ANSWERED_WITHIN_MS: u64 = 1000;
 
+/// A board that was reset in the middle of a frame spoils the first answer after it.
+const HELLOS: u32 = 2;
+
 /// Talks to a board that executes its image.
 pub struct Operator {
     /// The board.
@@ -89,8 +92,13 @@ impl Operator {
     pub fn hello(&mut self) -> Result<bool, Failure> {
         self.number = 0;
         let hello = frame(&ToBoard::Hello { protocol_version: 1 });
-        self.send(&hello);
-        Ok(self.wait(0)?.is_some())
+        for _ in 0..HELLOS {
+            self.send(&hello);
+            if self.wait(0)?.is_some() {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// Asks, and has the answer; none where none came.
