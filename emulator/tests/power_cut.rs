@@ -112,7 +112,13 @@ fn corrupt_parameters(board: &mut Operator) {
     let limit = block(1).command_limit_v.to_le_bytes();
     let start = emulator::memory_map::RAM_START;
     let ram = board.machine.ram(start, emulator::memory_map::RAM_BYTES);
-    let found: Vec<u32> = ram.windows(4).enumerate().step_by(4).filter(|(_, w)| *w == limit).map(|(i, _)| start + i as u32).collect();
+    let found: Vec<u32> = ram
+        .windows(4)
+        .enumerate()
+        .step_by(4)
+        .filter(|(_, w)| *w == limit)
+        .map(|(i, _)| start + i as u32)
+        .collect();
     for address in found {
         board.machine.set_ram(address, &(2.0_f32).to_le_bytes());
     }

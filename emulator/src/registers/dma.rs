@@ -185,7 +185,7 @@ mod tests {
             seen.push((dma.serves(34, false).unwrap(), dma.read(0x00).unwrap()));
             dma.moved(34, false);
         }
-        let at = |offset, flags| (0x2000_0000 + offset, flags);
+        let at = |offset: u32, flags: u32| (0x2000_0000 + offset, flags);
         assert_eq!(seen, [at(0, 0), at(1, 0), at(2, 0b101), at(3, 0b101), at(0, 0b111)]);
         assert_eq!(dma.read(0x0C).unwrap(), 3);
         dma.write(0x04, 1 << 1 | 1 << 2).unwrap();

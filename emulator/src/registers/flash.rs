@@ -160,7 +160,7 @@ impl Flash {
         }
         let at = BANK_BYTES + offset;
         match self.first_word.take() {
-            None if at % DOUBLE_WORD == 0 => self.first_word = Some((at, value)),
+            None if at.is_multiple_of(DOUBLE_WORD) => self.first_word = Some((at, value)),
             Some((first, word)) if at == first + 4 => {
                 let mut data = [0; DOUBLE_WORD];
                 data[..4].copy_from_slice(&word.to_le_bytes());
