@@ -5,10 +5,12 @@
 //! modelled and what is not.
 #![forbid(unsafe_code)]
 
+pub mod advance;
 pub mod board;
 mod bus;
 pub mod converter;
 pub mod core;
+mod engine;
 pub mod failure;
 pub mod image;
 mod injection;
@@ -16,6 +18,7 @@ pub mod machine;
 pub mod memory_map;
 pub mod operator;
 pub mod plant;
+mod ram;
 pub mod registers;
 pub mod replica;
 pub mod tcp_line;

@@ -4,8 +4,10 @@
 mod common;
 
 use common::{board_with_arm, commit, home_and_run, image, told};
+use emulator::registers::US;
 use emulator::registers::rcc::Reset;
 use emulator::replica::Replica;
+use emulator::trace::Handler;
 use firmware::Mode;
 use model::reference_robot::reference_robot;
 use rig::{Rig, plan};
@@ -30,6 +32,7 @@ fn the_validation_motion_is_played_bit_for_bit() {
     board.machine.board().trace.ticks.clear();
     board.telemetry.clear();
     home_and_run(&mut board, start);
+    board.machine.board().trace.handler = Handler::default();
     board.run_ms(1000 * seconds()).unwrap();
 
     let machine = board.machine.board();
@@ -41,5 +44,20 @@ fn the_validation_motion_is_played_bit_for_bit() {
     let latencies = machine.trace.ticks.iter().filter_map(|tick| tick.latency);
     let (least, most) = latencies.fold((u64::MAX, 0), |(a, b), x| (a.min(x), b.max(x)));
     println!("timer to LDAC: {least} to {most} cycles");
+    let handler = machine.trace.handler;
+    let mean = handler.instructions / handler.runs;
+    println!("instructions of the tick: {mean} on average, {handler:?}");
+    println!(
+        "cache lines fetched: {}, instructions: {}",
+        machine.cost.misses, machine.instructions
+    );
+    println!(
+        "longest time between two reloads of the watchdog: {} us",
+        machine.watchdog.longest / US
+    );
+    drop(machine);
+    let (deepest, stack) = (board.machine.deepest, board.machine.stack_bytes());
+    println!("{deepest} exceptions at once, {stack} bytes of stack");
+    assert!(stack <= 64 << 10, "twice as much would meet the variables");
     assert_eq!(board.strange, 0);
 }

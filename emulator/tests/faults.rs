@@ -79,6 +79,20 @@ fn the_watchdog_bites_when_the_thread_hangs() {
 }
 
 #[test]
+fn a_crash_pulls_clr_low_at_once_and_resets_the_board() {
+    let Some(image) = image() else { return };
+    let mut board = running(&image, plan::task(20.0));
+    board.machine.crash_thread().unwrap();
+    let since = board.machine.board().now;
+    board.run_ms(1).unwrap();
+    let within_ms = cleared_after_ms(&board, since);
+    println!("crash: 0 V after {within_ms} ms");
+    assert!(within_ms < 0.01 && board.machine.board().trace.faults.len() == 1);
+    assert_eq!(after_ms(&mut board, 100), (Some(Fault::Watchdog), State::Faulted));
+    assert_eq!(board.machine.resets.len(), 1);
+}
+
+#[test]
 fn a_tick_that_comes_late_is_a_fault() {
     let Some(image) = image() else { return };
     let mut board = running(&image, plan::hold(20.0));

@@ -5,12 +5,16 @@ mod common;
 
 use common::{board_alone, commit, done, encoded, image};
 use emulator::operator::Operator;
+use emulator::registers::flash::Torn;
 use firmware::checksum::CRC_32C;
 use firmware::link::{Command, Report};
 use firmware::supervisor::{Fault, State};
 use firmware::{Mode, ParameterBlock};
 use model::reference_robot::reference_robot;
 use rig::{Rig, plan};
+
+/// What the operation that was cut leaves.
+const TORN: [Torn; 3] = [Torn::Unreadable, Torn::Untouched, Torn::Done];
 
 /// Operations whose cut is tried; all of them with `RRR_SOAK`, every so many-th without.
 fn step() -> usize {
@@ -47,13 +51,18 @@ fn cut_in_a_commit_the_board_begins_with_the_old_or_the_new_block() {
     commit(&mut board, &block(2));
     let operations = board.machine.board().flash.operations - before;
     let (mut old, mut new) = (0, 0);
-    for (number, cut) in (1..=operations).step_by(step()).enumerate() {
+    // Every cut with every outcome where all are tried.
+    let rounds = if step() == 1 { 3 } else { 1 };
+    let cuts =
+        (0..rounds).flat_map(|round| (1..=operations).step_by(step()).map(move |c| (round, c)));
+    for (number, (round, cut)) in cuts.enumerate() {
         let number = number as u32 + 3;
         let [last, next] = [number - 1, number].map(|n| checksum(&block(n)));
         let resets = board.machine.resets.len();
         assert!(board.hello().unwrap());
         assert_eq!(board.upload(&encoded(&block(number))).unwrap(), Some(Ok(())));
         let now = board.machine.board().flash.operations;
+        board.machine.board().flash.torn = TORN[(cut + round) as usize % 3];
         board.machine.board().flash.cut_at = Some(now + cut);
         assert_eq!(board.ask(Command::Commit).unwrap(), None, "cut {cut}");
         assert_eq!(board.machine.resets.len(), resets + 1);
@@ -78,6 +87,7 @@ fn cut_while_a_fault_is_stored_the_board_comes_up_with_it_or_without() {
     loop {
         assert!(board.hello().unwrap());
         let now = board.machine.board().flash.operations;
+        board.machine.board().flash.torn = TORN[(cut as usize + 2) % 3];
         board.machine.board().flash.cut_at = Some(now + cut);
         let resets = board.machine.resets.len();
         // The library reports an overrun that nobody armed for; a broken parameter is a fault.

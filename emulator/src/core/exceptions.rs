@@ -37,7 +37,7 @@ pub const ENTRY_CYCLES: u64 = 12;
 /// As above.
 pub const RETURN_CYCLES: u64 = 10;
 
-/// Begins an exception: its number, and its vector. The lowest address of the stack is returned.
+/// Begins an exception: its number, and its vector.
 ///
 /// # Errors
 /// The stack is not in the RAM, or is the process stack, which is not modelled.
@@ -46,7 +46,7 @@ pub fn enter(
     number: usize,
     vector: u32,
     depth: usize,
-) -> Result<u32, Failure> {
+) -> Result<(), Failure> {
     let control = get(engine, RegisterARM::CONTROL)?;
     if u64::from(control) & PROCESS_STACK != 0 {
         return Err(Failure::Core("the process stack is not modelled".to_owned()));
@@ -77,8 +77,7 @@ pub fn enter(
     put(engine, RegisterARM::LR, if floating { code & !BASIC_FRAME } else { code })?;
     put(engine, RegisterARM::CONTROL, control & !(FLOATING_POINT as u32))?;
     put(engine, RegisterARM::XPSR_NZCVQG, number as u32 | THUMB)?;
-    put(engine, RegisterARM::PC, vector | 1)?;
-    Ok(frame)
+    put(engine, RegisterARM::PC, vector | 1)
 }
 
 /// Returns from an exception by its return code; `running` is the exception returned to.

@@ -33,6 +33,18 @@ enum Operation {
     Erase { at: usize },
 }
 
+/// What an operation leaves that the power cuts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Torn {
+    /// A double word whose checksum does not fit, and half of what was to be done.
+    #[default]
+    Unreadable,
+    /// What was there before.
+    Untouched,
+    /// All that was to be done.
+    Done,
+}
+
 /// The flash and its registers.
 #[derive(Clone, Debug)]
 pub struct Flash {
@@ -51,6 +63,8 @@ pub struct Flash {
     pub operations: u64,
     /// The power fails in the middle of the operation of this number.
     pub cut_at: Option<u64>,
+    /// What that operation leaves.
+    pub torn: Torn,
     /// Waits of reads for an operation in their bank, to be added to the time [cycles].
     pub stall: Time,
 }
@@ -70,14 +84,17 @@ impl Flash {
             running: None,
             operations: 0,
             cut_at: None,
+            torn: Torn::default(),
             stall: 0,
         }
     }
 
-    /// After a reset, in which an operation that was going on came to its half.
+    /// After a reset, which may have torn an operation that was going on.
     pub fn after_reset(mut self) -> Self {
-        if let Some((operation, _)) = self.running {
-            self.leave_half_done(operation);
+        match (self.running, self.torn) {
+            (Some((operation, _)), Torn::Unreadable) => self.leave_half_done(operation),
+            (Some((_, done)), Torn::Done) => self.advance(done),
+            _ => {}
         }
         let operations = self.operations;
         Self { unreadable: self.unreadable, operations, ..Self::new(self.bytes) }
