@@ -234,3 +234,41 @@ impl Board {
         self.stop_at = self.stop_at.min(self.next_event());
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::memory_map::FLASH_BYTES;
+    use crate::plant::Still;
+
+    const RCC: u32 = 0x4002_1000;
+
+    fn board() -> Board {
+        Board::new(vec![0xFF; FLASH_BYTES], Box::new(Still))
+    }
+
+    #[test]
+    fn what_is_not_modelled_has_no_clock_or_no_pins_is_refused() {
+        let mut board = board();
+        assert_eq!(board.read(0x4000_4400, 4), Err(Refusal::NotModelled), "USART2");
+        assert_eq!(board.read(0x4000_3800, 4), Err(Refusal::NoClock), "SPI2");
+        board.write(RCC + 0x58, 4, 1 << 14).unwrap();
+        assert_eq!(board.read(0x4000_3800, 4), Ok(0));
+        assert_eq!(board.write(0x4000_380C, 1, 0x55), Err(Refusal::Pins));
+    }
+
+    #[test]
+    fn the_clock_of_170_mhz_takes_boost_and_wait_states() {
+        for (boost, wait_states) in [(true, 4), (false, 4), (true, 3)] {
+            let mut board = board();
+            board.write(RCC + 0x58, 4, 1 << 28).unwrap();
+            board.write(0x4000_7080, 4, if boost { 0 } else { 1 << 8 }).unwrap();
+            board.write(0x4002_2000, 4, 0x600 | wait_states).unwrap();
+            // 24 MHz / 6 * 85 / 2.
+            board.write(RCC + 0x0C, 4, 0x0100_5553).unwrap();
+            let done = board.write(RCC + 0x08, 4, 3);
+            assert_eq!(done.is_ok(), boost && wait_states == 4, "{boost} {wait_states}");
+            assert!(board.rcc.is_full_speed());
+        }
+    }
+}

@@ -14,7 +14,7 @@ use crate::toolchain::FirmwareToolchain;
 use crate::workspace;
 
 /// What building the engine takes beside a compiler.
-const PACKAGES: [&str; 2] = ["cmake", "libclang-dev"];
+const PACKAGES: [&str; 3] = ["cmake", "make", "libclang-dev"];
 /// What the emulator's tests are told: the image, the host tool, and to take their time.
 const IMAGE_VARIABLE: &str = "RRR_NUCLEO_FIRMWARE";
 const TOOL_VARIABLE: &str = "RRR_TOOL";
