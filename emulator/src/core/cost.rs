@@ -5,6 +5,8 @@
 //! pipeline. Left out: wait states of data in the flash, divisions and multiple loads, contention
 //! of the buses. So cycles are too few by an estimated 10 to 40 percent.
 
+use crate::memory_map::FLASH_BYTES;
+
 /// Bytes of a line of the cache.
 const LINE_BYTES: u32 = 32;
 /// Lines of the cache.
@@ -15,8 +17,11 @@ const BRANCH_CYCLES: u64 = 2;
 /// The instruction cache, and where the instruction before was.
 #[derive(Clone, Debug, Default)]
 pub struct Cost {
-    /// Lines held, the one used last at the end.
+    /// Lines held.
     lines: Vec<u32>,
+    /// When each line of the flash was last used, 0 for one that is not held.
+    used: Vec<u64>,
+    uses: u64,
     last_line: u32,
     next_address: u32,
     /// Of the flash, as its register has them.
@@ -43,21 +48,38 @@ impl Cost {
     /// What it takes to have another line.
     fn fetch(&mut self, line: u32) -> u64 {
         self.last_line = line;
-        match self.lines.iter().rposition(|held| *held == line) {
-            Some(index) if self.cached => {
-                let held = self.lines.remove(index);
-                self.lines.push(held);
-                return 0;
-            }
-            _ => {}
+        self.uses += 1;
+        let index = index(line);
+        if self.used.len() <= index {
+            self.used.resize(index + 1, 0);
+        }
+        let is_held = std::mem::replace(&mut self.used[index], self.uses) > 0;
+        if is_held && self.cached {
+            return 0;
         }
         self.misses += 1;
-        if self.lines.len() == LINES {
-            self.lines.remove(0);
+        if !is_held {
+            self.hold(line);
         }
-        self.lines.push(line);
         self.wait_states
     }
+
+    /// Takes a line into the cache, in place of the one used longest ago.
+    fn hold(&mut self, line: u32) {
+        if self.lines.len() < LINES {
+            return self.lines.push(line);
+        }
+        let used = &self.used;
+        if let Some(oldest) = self.lines.iter_mut().min_by_key(|held| used[index(**held)]) {
+            let left = std::mem::replace(oldest, line);
+            self.used[index(left)] = 0;
+        }
+    }
+}
+
+/// The place of a line in the flash.
+fn index(line: u32) -> usize {
+    line as usize % (FLASH_BYTES / LINE_BYTES as usize)
 }
 
 #[cfg(test)]
