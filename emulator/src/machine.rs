@@ -46,6 +46,8 @@ pub struct Machine {
     asleep: bool,
     /// Resets since the first power-on, with their times.
     pub resets: Vec<(Reset, Time)>,
+    /// Exceptions that saved floating-point registers.
+    pub floating_frames: u64,
     /// Most exceptions that were active at once.
     pub deepest: usize,
 }
@@ -60,8 +62,16 @@ impl Machine {
         let stop = Rc::new(RefCell::new(Stop::default()));
         let engine = engine(&image, &board, &stop)
             .map_err(|why| Failure::Core(format!("the engine does not start: {why:?}")))?;
-        let mut machine =
-            Self { engine, board, stop, image, asleep: false, resets: Vec::new(), deepest: 0 };
+        let mut machine = Self {
+            engine,
+            board,
+            stop,
+            image,
+            asleep: false,
+            resets: Vec::new(),
+            floating_frames: 0,
+            deepest: 0,
+        };
         machine.set_ram(RAM_START, &noise());
         machine.begin()?;
         Ok(machine)
@@ -183,7 +193,8 @@ impl Machine {
     fn enter(&mut self, number: usize) -> Result<(), Failure> {
         let vector = self.vector(number);
         let depth = self.board.borrow().nvic.depth();
-        enter(&mut self.engine, number, vector, depth)?;
+        let floating = enter(&mut self.engine, number, vector, depth)?;
+        self.floating_frames += u64::from(floating);
         self.asleep = false;
         self.stop.borrow_mut().event = true;
         self.deepest = self.deepest.max(depth + 1);

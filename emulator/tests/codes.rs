@@ -100,6 +100,8 @@ fn the_validation_motion_is_played_bit_for_bit() {
     tell(&board);
     let (deepest, stack) = (board.machine.deepest, board.machine.stack_bytes());
     println!("{deepest} exceptions at once, {stack} bytes of stack");
+    println!("{} frames with floating-point registers", board.machine.floating_frames);
+    assert!(board.machine.floating_frames > 0);
     assert!(stack <= 64 << 10, "twice as much would meet the variables");
 }
 

@@ -8,8 +8,8 @@ use std::rc::Rc;
 use common::{board_alone, board_with_arm, commit, done, home_and_run, image};
 use emulator::image::Image;
 use emulator::operator::Operator;
-use emulator::registers::MS;
 use emulator::registers::rcc::Reset;
+use emulator::registers::{MS, US};
 use firmware::Mode;
 use firmware::link::Command;
 use firmware::supervisor::{Fault, State};
@@ -153,4 +153,21 @@ fn commit_after_clearing(board: &mut Operator, rig: &Rig) {
     commit(board, &plan::task(20.0).block(rig));
     board.machine.reset(Reset::Pin).unwrap();
     assert_eq!(after_ms(board, 100), (None, State::Disarmed));
+}
+
+#[test]
+fn the_slowest_erase_does_not_wake_the_fastest_watchdog() {
+    let Some(image) = image() else { return };
+    let mut board = board_alone(&image);
+    let rig = Rig::new(reference_robot());
+    // The extremes of the data sheet, over temperature and supply.
+    board.machine.board().watchdog.clock_hz = 34_000;
+    board.machine.board().flash.erase = 24_500 * US;
+    board.run_ms(50).unwrap();
+    for seconds in [10.0, 20.0, 30.0, 40.0] {
+        commit(&mut board, &plan::task(seconds).block(&rig));
+        assert_eq!(board.machine.resets, []);
+    }
+    let longest_ms = board.machine.board().watchdog.longest as f64 / MS as f64;
+    println!("reloaded after {longest_ms} ms at the latest");
 }

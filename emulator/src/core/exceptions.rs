@@ -37,7 +37,7 @@ pub const ENTRY_CYCLES: u64 = 12;
 /// As above.
 pub const RETURN_CYCLES: u64 = 10;
 
-/// Begins an exception: its number, and its vector.
+/// Begins an exception: its number, and its vector; whether floating-point registers were saved.
 ///
 /// # Errors
 /// The stack is not in the RAM, or is the process stack, which is not modelled.
@@ -46,24 +46,35 @@ pub fn enter(
     number: usize,
     vector: u32,
     depth: usize,
-) -> Result<(), Failure> {
+) -> Result<bool, Failure> {
     let control = get(engine, RegisterARM::CONTROL)?;
     if u64::from(control) & PROCESS_STACK != 0 {
         return Err(Failure::Core("the process stack is not modelled".to_owned()));
     }
     let floating = u64::from(control) & FLOATING_POINT != 0;
+    push(engine, floating)?;
+    let code = if depth == 0 { TO_THREAD } else { TO_HANDLER };
+    put(engine, RegisterARM::LR, if floating { code & !BASIC_FRAME } else { code })?;
+    put(engine, RegisterARM::CONTROL, control & !(FLOATING_POINT as u32))?;
+    put(engine, RegisterARM::XPSR_NZCVQG, number as u32 | THUMB)?;
+    put(engine, RegisterARM::PC, vector | 1)?;
+    Ok(floating)
+}
+
+/// Pushes the frame onto the stack, which begins at a multiple of eight then.
+fn push(engine: &mut Unicorn<'_, ()>, floating: bool) -> Result<(), Failure> {
     let sp = get(engine, RegisterARM::SP)?;
-    let words = BASIC_WORDS + if floating { FLOATING_WORDS } else { 0 };
-    let frame = (sp - 4 * words as u32) & !7;
+    let end = sp - 4 * words(floating) as u32;
+    let frame = end & !7;
     if !(RAM_START..RAM_START + RAM_BYTES as u32).contains(&frame) {
         return Err(Failure::Core(format!("the stack is at {frame:#010x}, outside the RAM")));
     }
-    let mut saved = Vec::with_capacity(words);
+    let mut saved = Vec::with_capacity(words(floating));
     for register in BASIC {
         saved.push(get(engine, register)?);
     }
     saved.push(get(engine, RegisterARM::PC)? & !1);
-    let moved = if (sp - 4 * words as u32) != frame { ALIGNED } else { 0 };
+    let moved = if end != frame { ALIGNED } else { 0 };
     saved.push(get(engine, RegisterARM::XPSR)? & !ALIGNED | THUMB | moved);
     if floating {
         for index in 0..16 {
@@ -72,12 +83,12 @@ pub fn enter(
         saved.extend([get(engine, RegisterARM::FPSCR)?, 0]);
     }
     write(engine, frame, &saved)?;
-    put(engine, RegisterARM::SP, frame)?;
-    let code = if depth == 0 { TO_THREAD } else { TO_HANDLER };
-    put(engine, RegisterARM::LR, if floating { code & !BASIC_FRAME } else { code })?;
-    put(engine, RegisterARM::CONTROL, control & !(FLOATING_POINT as u32))?;
-    put(engine, RegisterARM::XPSR_NZCVQG, number as u32 | THUMB)?;
-    put(engine, RegisterARM::PC, vector | 1)
+    put(engine, RegisterARM::SP, frame)
+}
+
+/// Words of a frame.
+fn words(floating: bool) -> usize {
+    BASIC_WORDS + if floating { FLOATING_WORDS } else { 0 }
 }
 
 /// Returns from an exception by its return code; `running` is the exception returned to.
@@ -91,8 +102,7 @@ pub fn leave(engine: &mut Unicorn<'_, ()>, code: u32, running: usize) -> Result<
         return Err(Failure::Core(format!("the return code {code:#010x} fits no exception")));
     }
     let frame = get(engine, RegisterARM::SP)?;
-    let words = BASIC_WORDS + if floating { FLOATING_WORDS } else { 0 };
-    let saved = read(engine, frame, words)?;
+    let saved = read(engine, frame, words(floating))?;
     let status = saved[7];
     // First the number, so that all else is written to the registers that are then in use.
     put(engine, RegisterARM::XPSR_NZCVQG, status & !(0x1FF | ALIGNED) | running as u32)?;
@@ -100,17 +110,21 @@ pub fn leave(engine: &mut Unicorn<'_, ()>, code: u32, running: usize) -> Result<
         put(engine, register, *value)?;
     }
     if floating {
-        for index in 0..16 {
-            put_id(engine, RegisterARM::S0 as i32 + index, saved[8 + index as usize])?;
-        }
-        put(engine, RegisterARM::FPSCR, saved[24])?;
+        restore_floating(engine, &saved[BASIC_WORDS..])?;
     }
     let control = get(engine, RegisterARM::CONTROL)? & !(FLOATING_POINT as u32);
     let in_use = if floating { FLOATING_POINT as u32 } else { 0 };
     put(engine, RegisterARM::CONTROL, control | in_use)?;
     let moved = if status & ALIGNED != 0 { 4 } else { 0 };
-    put(engine, RegisterARM::SP, frame + 4 * words as u32 + moved)?;
+    put(engine, RegisterARM::SP, frame + 4 * words(floating) as u32 + moved)?;
     put(engine, RegisterARM::PC, saved[6] | 1)
+}
+
+fn restore_floating(engine: &mut Unicorn<'_, ()>, saved: &[u32]) -> Result<(), Failure> {
+    for index in 0..16 {
+        put_id(engine, RegisterARM::S0 as i32 + index, saved[index as usize])?;
+    }
+    put(engine, RegisterARM::FPSCR, saved[16])
 }
 
 fn write(engine: &mut Unicorn<'_, ()>, address: u32, words: &[u32]) -> Result<(), Failure> {

@@ -63,6 +63,8 @@ pub struct Flash {
     pub operations: u64,
     /// The power fails in the middle of the operation of this number.
     pub cut_at: Option<u64>,
+    /// How long a page takes to be erased.
+    pub erase: Time,
     /// What that operation leaves.
     pub torn: Torn,
     /// Waits of reads for an operation in their bank, to be added to the time [cycles].
@@ -84,6 +86,7 @@ impl Flash {
             running: None,
             operations: 0,
             cut_at: None,
+            erase: ERASE,
             torn: Torn::default(),
             stall: 0,
         }
@@ -96,8 +99,8 @@ impl Flash {
             (Some((_, done)), Torn::Done) => self.advance(done),
             _ => {}
         }
-        let operations = self.operations;
-        Self { unreadable: self.unreadable, operations, ..Self::new(self.bytes) }
+        let Self { operations, erase, torn, unreadable, .. } = self;
+        Self { operations, erase, torn, unreadable, ..Self::new(self.bytes) }
     }
 
     /// A double word half programmed has a checksum that does not fit; a page half erased has one
@@ -261,7 +264,7 @@ impl Flash {
             }
             let page = (value >> 3 & 0x7F) as usize;
             let at = (BANK2_START - FLASH_START) as usize + page * PAGE;
-            self.begin(Operation::Erase { at }, now + ERASE);
+            self.begin(Operation::Erase { at }, now + self.erase);
         }
         Ok(())
     }
