@@ -23,7 +23,15 @@ pub fn create_directory(directory: &Path) -> Result<(), Failure> {
 /// # Errors
 /// The file cannot be written.
 pub fn write_text(text: &str, path: &Path) -> Result<(), Failure> {
-    replace_file(path, |file| file.write_all(text.as_bytes()).map_err(Problem::Unwritable))?;
+    write_bytes(text.as_bytes(), path)
+}
+
+/// Writes a file of bytes, whole or not at all.
+///
+/// # Errors
+/// The file cannot be written.
+pub fn write_bytes(bytes: &[u8], path: &Path) -> Result<(), Failure> {
+    replace_file(path, |file| file.write_all(bytes).map_err(Problem::Unwritable))?;
     Ok(())
 }
 

@@ -52,12 +52,9 @@ fn every_command_of_the_page_does_what_it_says() {
         RobotFile::from_robot(&reference_robot()).write(at.join(name)).unwrap();
     }
     // Somebody has held the arm aside while the power came on, and then let go.
-    let settings = BoardSettings {
-        position_rad: [0.0, -1.3, 0.3],
-        incremental_encoders: true,
-        speed: 4.0,
-        ..BoardSettings::new(reference_robot())
-    };
+    let mut settings = BoardSettings { speed: 4.0, ..BoardSettings::new(reference_robot()) };
+    settings.arm.position_rad = [0.0, -1.3, 0.3];
+    settings.arm.incremental_encoders = true;
     let board = SimulatedBoard::start(settings).unwrap();
     let commands = commands();
     assert!(commands.len() >= 8, "{commands:?}");

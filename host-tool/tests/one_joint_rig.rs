@@ -16,12 +16,10 @@ fn joint_3_alone_is_homed_run_and_recorded() {
     let directory = tempfile::tempdir().unwrap();
     let at = directory.path();
     RobotFile::from_robot(&reference_robot()).write(at.join("model.toml")).unwrap();
-    let board = SimulatedBoard::start(BoardSettings {
-        incremental_encoders: true,
-        dead_encoders: [true, true, false],
-        ..BoardSettings::new(reference_robot())
-    })
-    .unwrap();
+    let mut settings = BoardSettings::new(reference_robot());
+    settings.arm.incremental_encoders = true;
+    settings.arm.dead_encoders = [true, true, false];
+    let board = SimulatedBoard::start(settings).unwrap();
     // Somebody turns joint 3 within the first second.
     std::thread::sleep(std::time::Duration::from_millis(1100));
     let text = said(at, &board, "home --at 0,-1.5708,0");

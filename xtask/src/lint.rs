@@ -4,6 +4,7 @@ use anyhow::Result;
 
 use crate::board::Board;
 use crate::command::{cargo, run as run_command, say};
+use crate::emulate;
 use crate::firmware;
 use crate::function_costs;
 use crate::source;
@@ -13,12 +14,15 @@ use crate::toolchain::FirmwareToolchain;
 pub fn run() -> Result<()> {
     say("looking for circles of imports");
     source::run("imports", &[])?;
+    source::run("imports", &["emulator"])?;
     say("checking the formatting");
     run_command(cargo("fmt").args(["--all", "--check"]))?;
     say("clippy for the host");
     lint_host(&["--workspace"])?;
     say("clippy for the host tool with a debug probe");
     lint_host(&["--package", "link", "--package", "host-tool", "--features", "probe"])?;
+    say("formatting and clippy of the emulator");
+    emulate::lint()?;
     let toolchain = FirmwareToolchain::find_or_make()?;
     let boards = Board::ALL.map(Board::binary);
     let mut binaries = boards.into_iter().chain([function_costs::BINARY]);

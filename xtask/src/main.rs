@@ -7,6 +7,7 @@ mod check_elf;
 mod code;
 mod command;
 mod demo;
+mod emulate;
 mod emulator;
 mod firmware;
 mod function_costs;
@@ -39,6 +40,8 @@ The project's chores: cargo xtask <task>
   bench [filter]            the benchmarks of all packages
   fuzz [target] [--runs N]  damaged inputs for all that takes bytes from outside (docs/fuzzing.md)
   function-costs            what elementary functions cost on the board's core, counted in QEMU
+  emulate [--tcp 5555]      the NUCLEO's image on an emulated board, its line at a TCP port
+  emulate --soak            its tests at their full length (docs/emulator.md)
   soak [--hours 24]         a simulated day of the whole board at a noisy line
   demo                      the host tool against the firmware on the emulated board
 
@@ -73,6 +76,7 @@ fn run(arguments: &[&str]) -> Result<()> {
         ["bench", filter @ ..] => bench::run(filter),
         ["fuzz", arguments @ ..] => fuzz::run(arguments),
         ["function-costs"] => function_costs::run(),
+        ["emulate", arguments @ ..] => emulate::run(arguments),
         ["soak", arguments @ ..] => soak::run(arguments),
         ["demo"] => demo::run(),
         [task, ..] => bail!("`{task}` is no task, or not with these arguments\n\n{HELP}"),

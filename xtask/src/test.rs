@@ -10,6 +10,7 @@ use test_support::{IMAGE_VARIABLE, SKIPPED_VARIABLE};
 use crate::board::Board;
 use crate::check_elf;
 use crate::command::{cargo, run as run_command, run_beside, say};
+use crate::emulate;
 use crate::emulator;
 use crate::firmware;
 use crate::image::Image;
@@ -21,11 +22,12 @@ pub fn run() -> Result<()> {
     let toolchain = FirmwareToolchain::find_or_make()?;
     emulator::ensure()?;
     say("building the tests and the images");
-    let image = run_beside(tests().arg("--no-run"), || {
-        let image = build_and_check(&toolchain, Board::Qemu)?;
-        build_and_check(&toolchain, Board::Nucleo).and(Ok(image))
+    let (qemu, nucleo) = run_beside(tests().arg("--no-run"), || {
+        let qemu = build_and_check(&toolchain, Board::Qemu)?;
+        Ok((qemu, build_and_check(&toolchain, Board::Nucleo)?))
     })?;
-    run_tests(&image)
+    run_tests(&qemu)?;
+    emulate::test(&nucleo)
 }
 
 /// The tests of all packages.

@@ -15,6 +15,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
+pub mod arm;
 pub mod board;
 pub mod friction_law;
 mod leapfrog;

@@ -1,7 +1,8 @@
-//! A whole board in this process, at a simulated robot, behind a TCP port: for tests.
+//! A whole board in this process, at a simulated robot, behind a TCP port: to practise on, and
+//! for tests.
 
 use std::io::{ErrorKind, Read, Write};
-use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::net::{Ipv4Addr, SocketAddr, TcpListener, TcpStream};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::JoinHandle;
@@ -10,52 +11,48 @@ use std::time::{Duration, Instant};
 use firmware::link::BoardRuntime;
 use firmware::store::{Layout, RamFlash, Store};
 use model::Robot;
+use rig::effects::Effect;
 
-use crate::sensor::counts;
-use crate::{Settings, SimulatedRobot};
+use crate::arm::{ArmSettings, SimulatedArm};
 
 /// The name in its Hello.
 pub const NAME: &str = "simulated";
 /// What 921,600 baud carry in a tick, each way [bytes].
 const BYTES_PER_TICK: usize = 92;
-const COUNTS_PER_TURN: u32 = 655_360;
-const TURNING_TICKS: u16 = 1000;
 
 type Flash = RamFlash<Vec<u8>>;
 
 /// What the board is like.
 #[derive(Clone, Debug)]
 pub struct BoardSettings {
-    /// The robot.
-    pub robot: Robot<f64>,
-    /// Where it is at rest at power-on [rad].
-    pub position_rad: [f64; 3],
+    /// The arm that it drives.
+    pub arm: ArmSettings,
     /// The flash, as an earlier board has left it.
     pub flash: Vec<u8>,
     /// Seconds of the board in a second of this machine.
     pub speed: f64,
     /// one byte in so many is broken, in both directions; none without.
     pub bytes_per_error: Option<u32>,
-    /// The encoders count from zero at power-on, wherever the robot is; within the second after
-    /// it somebody turns each joint by hand, and back.
-    pub incremental_encoders: bool,
-    /// Encoders that count nothing.
-    pub dead_encoders: [bool; 3],
+    /// Where its line is; port 0 for whichever is free.
+    pub address: SocketAddr,
 }
 
 impl BoardSettings {
     /// A robot hanging down, at a board that was never used, in real time.
     pub fn new(robot: Robot<f64>) -> Self {
         Self {
-            robot,
-            position_rad: model::HANGING_RAD,
-            flash: vec![0xFF; Layout::G474.used_bytes() as usize],
+            arm: ArmSettings::new(robot),
+            flash: erased_flash(),
             speed: 1.0,
             bytes_per_error: None,
-            incremental_encoders: false,
-            dead_encoders: [false; 3],
+            address: (Ipv4Addr::LOCALHOST, 0).into(),
         }
     }
+}
+
+/// The flash of a board that was never used.
+pub fn erased_flash() -> Vec<u8> {
+    vec![0xFF; Layout::G474.used_bytes() as usize]
 }
 
 /// A board that runs until it is switched off.
@@ -67,17 +64,29 @@ pub struct SimulatedBoard {
 }
 
 impl SimulatedBoard {
-    /// Switches it on.
+    /// Switches it on, at an arm that is as its model says.
     ///
     /// # Errors
-    /// The system gives no TCP port.
+    /// The system does not give the TCP port.
     pub fn start(settings: BoardSettings) -> std::io::Result<Self> {
-        let listener = TcpListener::bind("127.0.0.1:0")?;
+        Self::start_with_effects(settings, Vec::new())
+    }
+
+    /// Switches it on, at an arm that has these effects.
+    ///
+    /// # Errors
+    /// The system does not give the TCP port.
+    pub fn start_with_effects(
+        settings: BoardSettings,
+        effects: Vec<Box<dyn Effect>>,
+    ) -> std::io::Result<Self> {
+        let listener = TcpListener::bind(settings.address)?;
         listener.set_nonblocking(true)?;
         let address = listener.local_addr()?;
         let off = Arc::new(AtomicBool::new(false));
         let seen = off.clone();
-        let thread = std::thread::spawn(move || BoardLoop::new(settings, listener).run(&seen));
+        let thread =
+            std::thread::spawn(move || BoardLoop::new(settings, effects, listener).run(&seen));
         Ok(Self { address, off, thread: Some(thread) })
     }
 
@@ -104,32 +113,18 @@ struct BoardLoop {
     listener: TcpListener,
     connection: Option<TcpStream>,
     runtime: BoardRuntime<Store<Flash>>,
-    robot: SimulatedRobot,
-    /// Where the encoders count zero.
-    zero: [i64; 3],
-    dead: [bool; 3],
-    /// Ticks until nobody turns the joints by hand any more.
-    turning_ticks: u16,
-    command_v: [f64; 3],
+    arm: SimulatedArm,
     tick: Duration,
     noise: LineNoise,
 }
 
 impl BoardLoop {
-    fn new(settings: BoardSettings, listener: TcpListener) -> Self {
-        let simulation = Settings { sample_period_s: 1e-3, substeps: 10, noise_v: 0.004, seed: 1 };
-        let robot = SimulatedRobot::at_rest(settings.robot, settings.position_rad, &simulation);
-        let incremental = settings.incremental_encoders;
-        let zero = if incremental { counts(&robot.reading_rad(), COUNTS_PER_TURN) } else { [0; 3] };
+    fn new(settings: BoardSettings, effects: Vec<Box<dyn Effect>>, listener: TcpListener) -> Self {
         Self {
             listener,
             connection: None,
-            runtime: booted(settings.flash, incremental),
-            zero,
-            dead: settings.dead_encoders,
-            turning_ticks: if incremental { TURNING_TICKS } else { 0 },
-            robot,
-            command_v: [0.0; 3],
+            runtime: booted(settings.flash, settings.arm.incremental_encoders),
+            arm: SimulatedArm::new(&settings.arm, effects),
             tick: Duration::from_secs_f64(1e-3 / settings.speed),
             noise: LineNoise { bytes_per_error: settings.bytes_per_error, state: 1 },
         }
@@ -154,24 +149,11 @@ impl BoardLoop {
     }
 
     fn tick(&mut self) {
-        let now = counts(&self.robot.reading_rad(), COUNTS_PER_TURN);
-        let turned = self.turned_by_hand();
-        let counts = [0, 1, 2].map(|i| match self.dead[i] {
-            true => 0,
-            false => (now[i] - self.zero[i] + turned) as i32,
-        });
+        let counts = self.arm.counts();
         let health = self.runtime.health();
         let record = self.runtime.supervisor.tick(&counts, health);
         self.runtime.after_tick(&record);
-        self.command_v = record.codes.map(|code| f64::from(code.to_volts()));
-        self.robot.advance(&self.command_v);
-    }
-
-    /// How far a hand has turned each joint [counts].
-    fn turned_by_hand(&mut self) -> i64 {
-        self.turning_ticks = self.turning_ticks.saturating_sub(1);
-        let phase = f64::from(self.turning_ticks) / f64::from(TURNING_TICKS);
-        (10_000.0 * (std::f64::consts::PI * phase).sin().powi(2)) as i64
+        self.arm.advance(&record.codes.map(|code| f64::from(code.to_volts())));
     }
 
     /// A tick's worth of the line; a new connection replaces the one before.

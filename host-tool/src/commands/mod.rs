@@ -24,6 +24,7 @@ pub mod monitor;
 pub mod run;
 pub mod set_key;
 pub mod simulate;
+pub mod simulate_board;
 pub mod stop;
 pub mod upload;
 pub mod validate;
@@ -46,6 +47,10 @@ pub enum Command {
     InverseDynamics(inverse_dynamics::Arguments),
     /// Record experiments of the simulated robot.
     Simulate(simulate::Arguments),
+    /// Offer a simulated board with its robot at a TCP port, to practise on; until Ctrl-C.
+    ///
+    /// The commands that talk to a board take its line as --port tcp:127.0.0.1:5555.
+    SimulateBoard(simulate_board::Arguments),
     /// Validate a model on the held-out logs: the command and the motion that it reconstructs.
     Validate(validate::Arguments),
     /// Find what causes the gap between a real robot and its model.
@@ -96,6 +101,7 @@ impl Command {
             Self::InverseDynamics(arguments) => inverse_dynamics::run(&arguments),
             Self::Validate(arguments) => validate::run(&arguments),
             Self::Simulate(arguments) => simulate::run(&arguments),
+            Self::SimulateBoard(arguments) => simulate_board::run(&arguments),
             Self::Diagnose(arguments) => diagnose::run(&arguments),
             Self::DesignExcitation(arguments) => design_excitation::run(&arguments),
             Self::BlindTrial(arguments) => blind_trial::run(&arguments),

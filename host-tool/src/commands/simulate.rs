@@ -6,12 +6,13 @@ use clap::{Args, ValueEnum};
 use firmware::Mode;
 
 use crate::failure::Failure;
-use crate::options::compensation::{bad_effect, compensated};
+use crate::options::compensation::compensated;
+use crate::options::effects;
 use crate::options::mode::mode_named;
 use crate::output_files::create_directory;
 use crate::terminal::progress::Progress;
 use files::{Dataset, ExcitationFile, Experiment, RobotFile, Role};
-use rig::effects::{Catalogue, Effect};
+use rig::effects::Effect;
 use rig::{Plan, Recipe, Rig};
 use simulation::board::{Board, InProcess, Qemu, QemuSettings};
 use simulation::{Settings, SimulatedRobot, record_robot, start_of};
@@ -59,9 +60,6 @@ pub struct Arguments {
     #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub substeps: u32,
 }
-
-const EFFECT_HINT: &str = "write cogging:3:amplitude_V=0.1,harmonic=8,phase_rad=0, say; \
-                           docs/effects.md lists the catalogue";
 
 /// A log's format.
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -169,16 +167,9 @@ impl Arguments {
 
     /// The effects of the model file and those of the command line.
     fn effects(&self) -> Result<Vec<Box<dyn Effect>>, Failure> {
-        let listed = RobotFile::read(&self.model)?.effects;
-        let from_file = listed.iter().map(|table| {
-            Catalogue::standard().effect_of(table).map_err(|error| bad_effect(&self.model, &error))
-        });
-        let from_line = self.effect.iter().map(|text| {
-            let effect = rig::effects::table_from_text(text)
-                .and_then(|table| Catalogue::standard().effect_of(&table));
-            effect.map_err(|error| Failure::new(format!("--effect {text}: {error}"), EFFECT_HINT))
-        });
-        from_file.chain(from_line).collect()
+        let mut all = effects::of_file(&RobotFile::read(&self.model)?.effects, &self.model)?;
+        all.extend(effects::of_options(&self.effect)?);
+        Ok(all)
     }
 
     fn board(&self) -> Result<Box<dyn Board>, Failure> {

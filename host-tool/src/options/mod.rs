@@ -3,6 +3,7 @@
 pub mod block;
 pub mod board;
 pub mod compensation;
+pub mod effects;
 pub mod key_file;
 pub mod mode;
 pub mod slot;

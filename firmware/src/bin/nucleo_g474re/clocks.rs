@@ -1,20 +1,40 @@
 //! Clocks and who may interrupt whom.
 
-use embassy_stm32::Config;
 use embassy_stm32::interrupt::{self, InterruptExt, Priority};
-use embassy_stm32::rcc::{Hse, HseMode, Pll, PllMul, PllPreDiv, PllRDiv, PllSource, Sysclk};
+use embassy_stm32::rcc::{self, Hse, HseMode, Pll, PllMul, PllPreDiv, PllRDiv, PllSource, Sysclk};
 use embassy_stm32::time::Hertz;
+use embassy_stm32::{Peripherals, pac};
 
 /// The crystal X3 of the board.
 const CRYSTAL: Hertz = Hertz(24_000_000);
+/// R1MODE of PWR_CR5: while it is set, the core has the voltage for 150 MHz only.
+const NORMAL_VOLTAGE: u32 = 1 << 8;
 /// All but the tick.
 const SLOW: Priority = Priority::P6;
 
+/// Begins at 16 MHz, raises the core's voltage, then its clock.
+pub fn start() -> Peripherals {
+    let mut config = embassy_stm32::Config::default();
+    config.bdma_interrupt_priority = SLOW;
+    let mut peripherals = embassy_stm32::init(config);
+    raise_core_voltage();
+    rcc::reinit(full_speed(), &mut peripherals.RCC);
+    peripherals
+}
+
+/// Gives the core the voltage for 170 MHz.
+///
+/// `boost` of the driver means the same, but stm32-metapac 21 clears bit 0 of the register where
+/// RM0440, 6.4.23, has bit 8; and `init` resets the register, so it cannot be set before.
+fn raise_core_voltage() {
+    pac::PWR.cr5().modify(|w| w.0 &= !NORMAL_VOLTAGE);
+}
+
 /// 170 MHz for the core, both buses and all timers.
-pub fn config() -> Config {
-    let mut config = Config::default();
-    config.rcc.hse = Some(Hse { freq: CRYSTAL, mode: HseMode::Oscillator });
-    config.rcc.pll = Some(Pll {
+fn full_speed() -> rcc::Config {
+    let mut config = rcc::Config::default();
+    config.hse = Some(Hse { freq: CRYSTAL, mode: HseMode::Oscillator });
+    config.pll = Some(Pll {
         source: PllSource::HSE,
         prediv: PllPreDiv::DIV6,
         mul: PllMul::MUL85,
@@ -22,10 +42,9 @@ pub fn config() -> Config {
         divq: None,
         divr: Some(PllRDiv::DIV2),
     });
-    config.rcc.sys = Sysclk::PLL1_R;
+    config.sys = Sysclk::PLL1_R;
     // Above 150 MHz the core needs the higher voltage.
-    config.rcc.boost = true;
-    config.bdma_interrupt_priority = SLOW;
+    config.boost = true;
     config
 }
 

@@ -41,7 +41,7 @@ bind_interrupts!(struct Interrupts {
 
 #[embassy_executor::main]
 async fn main(spawner: Spawner) {
-    let p = embassy_stm32::init(clocks::config());
+    let p = clocks::start();
     clocks::put_tick_above_all();
     let watchdog_reset = health::was_reset_by_watchdog();
     let mut store = flash::store(p.FLASH);

@@ -8,11 +8,11 @@ use core::sync::atomic::Ordering::{Acquire, Relaxed, Release};
 use core::sync::atomic::{AtomicPtr, AtomicU32};
 
 use cortex_m::singleton;
-use embassy_stm32::Peri;
 use embassy_stm32::interrupt::{self, InterruptExt};
 use embassy_stm32::peripherals::TIM6;
 use embassy_stm32::time::Hertz;
 use embassy_stm32::timer::low_level::Timer;
+use embassy_stm32::{Peri, pac};
 use firmware::DacCode;
 use firmware::link::SupervisorAccess;
 use firmware::supervisor::{
@@ -27,6 +27,8 @@ use crate::latch;
 
 const TIMER_CLOCK: Hertz = Hertz(10_000_000);
 const COUNTS_PER_PERIOD: u16 = 10_000;
+/// Longer from the end of a tick to the end of the next means that a whole one was missed [us].
+const MISSED_US: u16 = 1_500;
 
 /// What the interrupt works on, once [`start`] has put it there.
 static TICK: AtomicPtr<Tick> = AtomicPtr::new(ptr::null_mut());
@@ -42,6 +44,8 @@ struct Tick {
     health: Health,
     /// Whether the outputs follow the codes.
     released: bool,
+    /// When the last tick ended, by the executor's clock, which begins anew every 65 ms [us].
+    ended_us: Option<u16>,
 }
 
 /// Sets the converter up and begins to tick; the outputs stay at 0 V.
@@ -70,6 +74,7 @@ pub fn start(
         latched,
         health: Health { converter_fault, ..Health::default() },
         released: false,
+        ended_us: None,
     };
     TICK.store(defmt::unwrap!(singleton!(: Tick = tick)), Release);
     // SAFETY: no critical section is open that the interrupt could break.
@@ -172,7 +177,7 @@ impl Tick {
     fn measure_tick_time(&mut self) {
         let mut taken = u32::from(self.timer.regs_core().cnt().read().cnt());
         // The timer's event has come again: the interrupt follows at once, late.
-        self.health.overrun = self.timer.regs_core().sr().read().uif();
+        self.health.overrun = self.timer.regs_core().sr().read().uif() || self.missed_a_tick();
         if self.health.overrun {
             taken += u32::from(COUNTS_PER_PERIOD);
             count(&SHARED.overruns);
@@ -180,6 +185,14 @@ impl Tick {
         self.health.tick_time_tenth_us = taken.min(u32::from(u16::MAX)) as u16;
         let longest = SHARED.longest_tenth_us.load(Relaxed).max(taken);
         SHARED.longest_tenth_us.store(longest, Relaxed);
+    }
+
+    /// Whether interrupts were held off for a whole period: the timer's event then has come twice
+    /// and is seen once. The watchdog bites before this clock has gone round.
+    fn missed_a_tick(&mut self) -> bool {
+        let now_us = pac::TIM5.cnt().read() as u16;
+        let before = self.ended_us.replace(now_us);
+        before.is_some_and(|before_us| now_us.wrapping_sub(before_us) > MISSED_US)
     }
 }
 

@@ -1,0 +1,116 @@
+//! The image's codes at the converter are those of the library on this machine, bit for bit.
+#![allow(missing_docs)]
+
+mod common;
+
+use std::rc::Rc;
+
+use common::{board_with_arm, commit, home_and_run, image, told};
+use emulator::image::Image;
+use emulator::operator::Operator;
+use emulator::registers::US;
+use emulator::registers::rcc::Reset;
+use emulator::replica::Replica;
+use emulator::trace::Handler;
+use firmware::{Mode, ParameterBlock};
+use model::reference_robot::reference_robot;
+use rig::compensation::Compensations;
+use rig::effects::{Catalogue, table_from_text};
+use rig::{Rig, plan};
+use simulation::start_of;
+
+/// Seconds of the motion; `RRR_SOAK` has a minute of it.
+fn seconds() -> u64 {
+    if std::env::var_os("RRR_SOAK").is_some() { 60 } else { 4 }
+}
+
+/// Effects of every kind that the board compensates for, so that the tick does all that it can.
+const EFFECTS: [&str; 12] = [
+    "cogging:1:amplitude_V=0.08,harmonic=12,phase_rad=0.4",
+    "cogging:2:amplitude_V=0.15,harmonic=8,phase_rad=0.9",
+    "position_friction:2:relative_amplitude=0.3,harmonic=2,phase_rad=2.0",
+    "cogging:3:amplitude_V=0.1,harmonic=8,phase_rad=-0.5",
+    "dead_zone:3:half_width_V=0.05",
+    "payload:mass_kg=0.3",
+    "base_tilt:tilt_x_rad=0.03,tilt_y_rad=-0.02",
+    "table:1:axis=position,knots=-1 0.5 1.7 3.2,values_V=0.05 -0.04 0.08 0",
+    "table:3:axis=load,knots=-3 -0.5 0.4 2.5,values_V=0.06 -0.02 0.03 -0.06",
+    "torque_ripple:2:relative_amplitude=0.08,harmonic=16,phase_rad=-1.2",
+    "asymmetric_friction:3:relative_asymmetry=0.2",
+    "quadratic_drag:1:coefficient_V_s2_per_rad2=0.01",
+];
+
+/// A rig that compensates for them, at an arm that has none of them.
+fn rig_that_compensates() -> Rig {
+    let tables: Vec<_> = EFFECTS.iter().map(|text| table_from_text(text).unwrap()).collect();
+    let (compensations, left_out) = Compensations::of(&tables, &Catalogue::standard()).unwrap();
+    assert!(left_out.is_empty(), "{left_out:?}");
+    Rig::new(reference_robot()).with_compensations(compensations)
+}
+
+/// A board that has played a block for so long, from a boot with that block.
+fn played(image: &Rc<Image>, block: &ParameterBlock, seconds: u64) -> Operator {
+    let start = start_of(block);
+    let mut board = board_with_arm(image, start);
+    board.run_ms(100).unwrap();
+    commit(&mut board, block);
+    // The same flash, and no parameters replaced since the boot.
+    board.machine.reset(Reset::Pin).unwrap();
+    board.machine.board().trace.ticks.clear();
+    board.telemetry.clear();
+    home_and_run(&mut board, start);
+    board.machine.board().trace.handler = Handler::default();
+    board.run_ms(1000 * seconds).unwrap();
+    assert_eq!(board.strange, 0);
+    board
+}
+
+/// Compares all of its ticks with the library's.
+fn assert_same_codes(board: &Operator, block: &ParameterBlock, seconds: u64) {
+    let machine = board.machine.board();
+    let replica = Replica::new(&machine.flash.bytes, told(start_of(block)));
+    let comparison = replica.compare(&machine.trace.ticks, &board.telemetry);
+    println!("{comparison:?}");
+    assert_eq!(comparison.first, None);
+    assert!(comparison.running as u64 > 1000 * seconds - 100, "{comparison:?}");
+}
+
+/// What the ticks took, for the figures of `docs/emulator.md`.
+fn tell(board: &Operator) {
+    let machine = board.machine.board();
+    let latencies = machine.trace.ticks.iter().filter_map(|tick| tick.latency);
+    let (least, most) = latencies.fold((u64::MAX, 0), |(a, b), x| (a.min(x), b.max(x)));
+    println!("timer to LDAC: {least} to {most} cycles");
+    let handler = machine.trace.handler;
+    println!(
+        "the tick: {} instructions on average, {handler:?}",
+        handler.instructions / handler.runs
+    );
+    println!("of {} instructions {} fetched a line", machine.instructions, machine.cost.misses);
+    println!("watchdog reloaded every {} us at least", machine.watchdog.longest / US);
+}
+
+#[test]
+fn the_validation_motion_is_played_bit_for_bit() {
+    let Some(image) = image() else { return };
+    let rig = Rig::new(reference_robot());
+    let block = plan::task(60.0).with_mode(Mode::PdModel).block(&rig);
+    let board = played(&image, &block, seconds());
+    assert_same_codes(&board, &block, seconds());
+    tell(&board);
+    let (deepest, stack) = (board.machine.deepest, board.machine.stack_bytes());
+    println!("{deepest} exceptions at once, {stack} bytes of stack");
+    println!("{} frames with floating-point registers", board.machine.floating_frames);
+    assert!(board.machine.floating_frames > 0);
+    assert!(stack <= 64 << 10, "twice as much would meet the variables");
+}
+
+#[test]
+fn with_every_compensation_on_the_codes_are_the_same() {
+    let Some(image) = image() else { return };
+    let block = plan::task(60.0).with_mode(Mode::PdModel).block(&rig_that_compensates());
+    let seconds = seconds() / 2;
+    let board = played(&image, &block, seconds);
+    assert_same_codes(&board, &block, seconds);
+    tell(&board);
+}

@@ -1,0 +1,82 @@
+//! What the tests share: the image, an arm at the board, the commands to get it going.
+#![allow(dead_code)]
+
+use std::path::PathBuf;
+use std::rc::Rc;
+
+use emulator::image::Image;
+use emulator::machine::Machine;
+use emulator::operator::Operator;
+use emulator::plant::{Plant, Still};
+use firmware::block::MAX_BYTES;
+use firmware::link::Command;
+use firmware::{Angle, ParameterBlock};
+use model::reference_robot::reference_robot;
+use simulation::arm::{ArmSettings, SimulatedArm};
+
+/// Holds the path of the image; `cargo xtask emulate` sets it.
+const IMAGE_VARIABLE: &str = "RRR_NUCLEO_FIRMWARE";
+
+/// The image; `None`, said, where none is named.
+pub fn image() -> Option<Rc<Image>> {
+    let Some(path) = std::env::var_os(IMAGE_VARIABLE).map(PathBuf::from) else {
+        eprintln!("skipped, because {IMAGE_VARIABLE} names no image");
+        return None;
+    };
+    Some(Rc::new(Image::read(&path).unwrap_or_else(|error| panic!("{error}"))))
+}
+
+/// An arm at rest, exactly as its model.
+pub fn arm(position_rad: [f64; 3]) -> Box<dyn Plant> {
+    let mut settings = ArmSettings::new(reference_robot());
+    settings.position_rad = position_rad;
+    settings.incremental_encoders = true;
+    Box::new(SimulatedArm::new(&settings, Vec::new()))
+}
+
+/// A position, as the host tells it.
+pub fn told(position_rad: [f64; 3]) -> [Angle; 3] {
+    position_rad.map(|q_rad| Angle::from_radians(q_rad as f32))
+}
+
+/// A board with an arm at rest, its ticks kept.
+pub fn board_with_arm(image: &Rc<Image>, position_rad: [f64; 3]) -> Operator {
+    let machine = Machine::new(image.clone(), arm(position_rad)).unwrap();
+    machine.board().trace.is_on = true;
+    Operator::new(machine)
+}
+
+/// A board whose arm does not move.
+pub fn board_alone(image: &Rc<Image>) -> Operator {
+    Operator::new(Machine::new(image.clone(), Box::new(Still)).unwrap())
+}
+
+/// A block as bytes.
+pub fn encoded(block: &ParameterBlock) -> Vec<u8> {
+    block.encode(&mut [0; MAX_BYTES]).unwrap().to_vec()
+}
+
+/// Asks for what must be done.
+pub fn done(operator: &mut Operator, command: Command<'_>) {
+    let words = format!("{command:?}");
+    let answer = operator.ask(command).unwrap_or_else(|error| panic!("{words}: {error}"));
+    assert_eq!(answer, Some(Ok(())), "{words}");
+}
+
+/// Uploads and stores a block.
+pub fn commit(operator: &mut Operator, block: &ParameterBlock) {
+    assert!(operator.hello().unwrap());
+    assert_eq!(operator.upload(&encoded(block)).unwrap(), Some(Ok(())));
+    done(operator, Command::Commit);
+}
+
+/// From a boot to the first tick of the run.
+pub fn home_and_run(operator: &mut Operator, position_rad: [f64; 3]) {
+    operator.run_ms(1500).unwrap();
+    assert!(operator.hello().unwrap());
+    done(operator, Command::Stream { on: true });
+    done(operator, Command::Home { position: told(position_rad) });
+    operator.run_ms(200).unwrap();
+    done(operator, Command::Arm);
+    done(operator, Command::Run { host_timeout_ms: None });
+}

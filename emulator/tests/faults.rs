@@ -1,0 +1,173 @@
+//! What the board does when tick, thread, converter or memory fail.
+#![allow(missing_docs)]
+
+mod common;
+
+use std::rc::Rc;
+
+use common::{board_alone, board_with_arm, commit, done, home_and_run, image};
+use emulator::image::Image;
+use emulator::operator::Operator;
+use emulator::registers::rcc::Reset;
+use emulator::registers::{MS, US};
+use firmware::Mode;
+use firmware::link::Command;
+use firmware::supervisor::{Fault, State};
+use model::reference_robot::reference_robot;
+use rig::{Plan, Rig, plan};
+use simulation::start_of;
+
+/// A board that plays the task, its outputs released.
+fn running(image: &Rc<Image>, plan: Plan) -> Operator {
+    let rig = Rig::new(reference_robot());
+    let block = plan.with_mode(Mode::PdModel).block(&rig);
+    let mut board = board_with_arm(image, start_of(&block));
+    board.run_ms(50).unwrap();
+    commit(&mut board, &block);
+    home_and_run(&mut board, start_of(&block));
+    board.run_ms(500).unwrap();
+    assert!(board.machine.board().converter.is_released());
+    board
+}
+
+/// Fault and state after so many milliseconds, asked over the line.
+fn after_ms(board: &mut Operator, ms: u64) -> (Option<Fault>, State) {
+    board.run_ms(ms).unwrap();
+    assert!(board.hello().unwrap());
+    let report = board.query().unwrap().unwrap();
+    (report.fault.map(|fault| fault.fault), report.state)
+}
+
+/// Milliseconds from a time to the fall of CLR.
+fn cleared_after_ms(board: &Operator, since: u64) -> f64 {
+    let board = board.machine.board();
+    assert!(!board.converter.is_released());
+    assert_eq!(board.converter.volts(), [0.0; 3]);
+    (board.trace.cleared_at.unwrap() - since) as f64 / MS as f64
+}
+
+#[test]
+fn the_watchdog_bites_when_the_tick_stops() {
+    let Some(image) = image() else { return };
+    let mut board = running(&image, plan::task(20.0));
+    let since = board.machine.board().now;
+    // The interrupt of TIM6 is disabled, line 54.
+    board.machine.board().nvic.write(0x84, 4, 1 << 22).unwrap();
+    assert_eq!(after_ms(&mut board, 100), (Some(Fault::Watchdog), State::Faulted));
+    let within_ms = cleared_after_ms(&board, since);
+    println!("tick stopped: 0 V after {within_ms} ms");
+    assert!(within_ms < 39.0 && board.machine.resets.len() == 1);
+    assert_eq!(board.machine.resets[0].0, Reset::Watchdog);
+}
+
+#[test]
+fn the_watchdog_bites_when_the_thread_hangs() {
+    let Some(image) = image() else { return };
+    let mut board = running(&image, plan::task(20.0));
+    board.machine.hang_thread().unwrap();
+    let since = board.machine.board().now;
+    assert_eq!(after_ms(&mut board, 100), (Some(Fault::Watchdog), State::Faulted));
+    let within_ms = cleared_after_ms(&board, since);
+    println!("thread hangs: 0 V after {within_ms} ms");
+    assert!(within_ms < 34.0 && board.machine.resets.len() == 1);
+    // A reset does not clear it, a host does.
+    board.machine.reset(Reset::Pin).unwrap();
+    assert_eq!(after_ms(&mut board, 100), (Some(Fault::Watchdog), State::Faulted));
+    done(&mut board, Command::ClearFault);
+    board.machine.reset(Reset::PowerOn).unwrap();
+    assert_eq!(after_ms(&mut board, 100), (None, State::Disarmed));
+}
+
+#[test]
+fn a_crash_pulls_clr_low_at_once_and_resets_the_board() {
+    let Some(image) = image() else { return };
+    let mut board = running(&image, plan::task(20.0));
+    board.machine.crash_thread().unwrap();
+    let since = board.machine.board().now;
+    board.run_ms(1).unwrap();
+    let within_ms = cleared_after_ms(&board, since);
+    println!("crash: 0 V after {within_ms} ms");
+    assert!(within_ms < 0.01 && board.machine.board().trace.faults.len() == 1);
+    assert_eq!(after_ms(&mut board, 100), (Some(Fault::Watchdog), State::Faulted));
+    assert_eq!(board.machine.resets.len(), 1);
+}
+
+#[test]
+fn a_tick_that_comes_late_is_a_fault() {
+    let Some(image) = image() else { return };
+    let mut board = running(&image, plan::hold(20.0));
+    let since = board.machine.board().now;
+    board.machine.mask_interrupts(true).unwrap();
+    board.machine.run_until(since + 3 * MS).unwrap();
+    board.machine.mask_interrupts(false).unwrap();
+    assert_eq!(after_ms(&mut board, 20), (Some(Fault::TickOverrun), State::Faulted));
+    let within_ms = cleared_after_ms(&board, since);
+    println!("tick late by 3 ms: 0 V after {within_ms} ms");
+    assert!(within_ms < 5.0 && board.machine.resets.is_empty());
+}
+
+#[test]
+fn a_converter_without_supply_is_found_at_power_on_and_not_before() {
+    let Some(image) = image() else { return };
+    let mut board = running(&image, plan::task(20.0));
+    board.machine.board().converter.supply_lost = true;
+    let (fault, state) = after_ms(&mut board, 5);
+    println!("supply lost while running: {fault:?}, {state:?} after 5 ms");
+    assert_eq!((fault, state), (None, State::Running), "only the arm's motion tells");
+    board.machine.reset(Reset::Pin).unwrap();
+    assert_eq!(after_ms(&mut board, 100), (Some(Fault::Converter), State::Faulted));
+    assert_eq!(board.machine.board().converter.volts(), [0.0; 3]);
+}
+
+#[test]
+fn a_board_without_its_crystal_waits_for_ever() {
+    let Some(image) = image() else { return };
+    let mut board = board_alone(&image);
+    board.machine.board().rcc.crystal = false;
+    board.run_ms(200).unwrap();
+    assert!(!board.hello().unwrap() && !board.machine.board().converter.is_released());
+}
+
+#[test]
+fn a_broken_word_of_the_flash_comes_by_the_nmi_and_costs_a_slot_at_most() {
+    let Some(image) = image() else { return };
+    let mut board = board_alone(&image);
+    let rig = Rig::new(reference_robot());
+    board.run_ms(50).unwrap();
+    commit(&mut board, &plan::task(20.0).block(&rig));
+    // The first double words of both slots.
+    let bank2 = emulator::memory_map::BANK_BYTES;
+    for offset in [64, 4096 + 64] {
+        board.machine.board().flash.unreadable.insert(bank2 + offset);
+    }
+    board.machine.reset(Reset::Pin).unwrap();
+    let found = after_ms(&mut board, 100);
+    println!("both slots broken: {found:?}");
+    assert_eq!(found, (Some(Fault::CorruptParameters), State::Faulted));
+    assert!(board.machine.board().trace.faults.is_empty() && board.machine.resets.len() == 1);
+    commit_after_clearing(&mut board, &rig);
+}
+
+fn commit_after_clearing(board: &mut Operator, rig: &Rig) {
+    let _ = board.ask(Command::ClearFault).unwrap();
+    commit(board, &plan::task(20.0).block(rig));
+    board.machine.reset(Reset::Pin).unwrap();
+    assert_eq!(after_ms(board, 100), (None, State::Disarmed));
+}
+
+#[test]
+fn the_slowest_erase_does_not_wake_the_fastest_watchdog() {
+    let Some(image) = image() else { return };
+    let mut board = board_alone(&image);
+    let rig = Rig::new(reference_robot());
+    // The extremes of the data sheet, over temperature and supply.
+    board.machine.board().watchdog.clock_hz = 34_000;
+    board.machine.board().flash.erase = 24_500 * US;
+    board.run_ms(50).unwrap();
+    for seconds in [10.0, 20.0, 30.0, 40.0] {
+        commit(&mut board, &plan::task(seconds).block(&rig));
+        assert_eq!(board.machine.resets, []);
+    }
+    let longest_ms = board.machine.board().watchdog.longest as f64 / MS as f64;
+    println!("reloaded after {longest_ms} ms at the latest");
+}

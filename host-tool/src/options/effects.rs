@@ -1,0 +1,34 @@
+//! Effects that a simulated robot has, from its model file and from the command line.
+
+use std::path::Path;
+
+use super::compensation::bad_effect;
+use crate::failure::Failure;
+use files::EffectTable;
+use rig::effects::{Catalogue, Effect, table_from_text};
+
+const HINT: &str = "write cogging:3:amplitude_V=0.1,harmonic=8,phase_rad=0, say; \
+                    docs/effects.md lists the catalogue";
+
+/// The effects that a model file lists.
+///
+/// # Errors
+/// A table that is no effect of the catalogue.
+pub fn of_file(tables: &[EffectTable], path: &Path) -> Result<Vec<Box<dyn Effect>>, Failure> {
+    let effect = |table| Catalogue::standard().effect_of(table);
+    tables.iter().map(|table| effect(table).map_err(|error| bad_effect(path, &error))).collect()
+}
+
+/// The effects of options `--effect`.
+///
+/// # Errors
+/// A text that is no effect of the catalogue.
+pub fn of_options(texts: &[String]) -> Result<Vec<Box<dyn Effect>>, Failure> {
+    texts.iter().map(|text| of_option(text)).collect()
+}
+
+fn of_option(text: &str) -> Result<Box<dyn Effect>, Failure> {
+    table_from_text(text)
+        .and_then(|table| Catalogue::standard().effect_of(&table))
+        .map_err(|error| Failure::new(format!("--effect {text}: {error}"), HINT))
+}

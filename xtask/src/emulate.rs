@@ -1,0 +1,71 @@
+//! `cargo xtask emulate`: the NUCLEO's image on an emulated board, for tests and to connect to.
+
+use std::path::PathBuf;
+use std::process::Command;
+
+use anyhow::Result;
+
+use crate::board::Board;
+use crate::command::{cargo, run as run_command, say};
+use crate::firmware;
+use crate::image::Image;
+use crate::packages;
+use crate::toolchain::FirmwareToolchain;
+use crate::workspace;
+
+/// What building the engine takes beside a compiler.
+const PACKAGES: [&str; 3] = ["cmake", "make", "libclang-dev"];
+/// What the emulator's tests are told: the image, the host tool, and to take their time.
+const IMAGE_VARIABLE: &str = "RRR_NUCLEO_FIRMWARE";
+const TOOL_VARIABLE: &str = "RRR_TOOL";
+const SOAK_VARIABLE: &str = "RRR_SOAK";
+
+/// With `--soak` the tests at their full length, else the image at a port with these arguments.
+pub fn run(arguments: &[&str]) -> Result<()> {
+    let toolchain = FirmwareToolchain::find_or_make()?;
+    let image = firmware::build(&toolchain, Board::Nucleo)?;
+    if let ["--soak"] = arguments {
+        run_command(cargo("build").args(["--quiet", "--release", "--package", "host-tool"]))?;
+        return run_tests(&image, true);
+    }
+    packages::ensure(&PACKAGES)?;
+    let mut emulator = emulator("run");
+    emulator.args(["--", "--image"]).arg(image.path()).args(arguments);
+    run_command(&mut emulator)
+}
+
+/// The short tests; the host tool has been built.
+pub fn test(image: &Image) -> Result<()> {
+    run_tests(image, false)
+}
+
+fn run_tests(image: &Image, soak: bool) -> Result<()> {
+    packages::ensure(&PACKAGES)?;
+    say("running the tests of the emulated NUCLEO");
+    let mut test = emulator("test");
+    test.env(IMAGE_VARIABLE, image.path()).env(TOOL_VARIABLE, tool());
+    if soak {
+        test.env(SOAK_VARIABLE, "1").args(["--", "--nocapture", "--test-threads", "1"]);
+    }
+    run_command(&mut test)
+}
+
+fn tool() -> PathBuf {
+    workspace::target_dir().join("release").join("rrr")
+}
+
+/// A cargo command in the emulator's own workspace, which builds beside the others.
+fn emulator(subcommand: &str) -> Command {
+    let mut command = cargo(subcommand);
+    command.args(["--quiet", "--release", "--manifest-path", "emulator/Cargo.toml"]);
+    command.env("CARGO_TARGET_DIR", workspace::target_dir());
+    command
+}
+
+/// Formatting and clippy of the emulator.
+pub fn lint() -> Result<()> {
+    packages::ensure(&PACKAGES)?;
+    run_command(cargo("fmt").args(["--manifest-path", "emulator/Cargo.toml", "--check"]))?;
+    let mut clippy = emulator("clippy");
+    run_command(clippy.args(["--all-targets", "--", "-D", "warnings"]))
+}
