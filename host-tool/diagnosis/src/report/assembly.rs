@@ -46,7 +46,7 @@ impl Assembly<'_> {
     pub fn diagnosis(&self, file: &RobotFile, mut remarks: Vec<String>) -> Diagnosis {
         let (subject, judgement) = (self.subject, self.judgement);
         let criteria = &subject.criteria;
-        let Judgement { refitted, last, confirmation, .. } = judgement;
+        let Judgement { refitted, confirmation, .. } = judgement;
         let given_v = self.evidence.volts(&residual_rows(self.evidence, &as_given(subject)));
         let stages = Stages {
             given_v: &given_v,
@@ -59,20 +59,8 @@ impl Assembly<'_> {
         let (detectable, untestable) =
             detectable::detectable(&refitted.linear, &refitted.evidence, subject);
         let (causes, alternatives) = causes(subject, judgement);
-        let verdict = verdict(
-            refitted,
-            last,
-            &self.tables.residual_v,
-            causes.len(),
-            confirmation,
-            &criteria.verdict,
-        );
-        let fault = self.fault.as_ref().map(|fault| ModelFaultFound {
-            what: fault.fault.words(subject),
-            explained: fault.explained,
-        });
-        let verdict = if fault.is_some() { Verdict::Unknown } else { verdict };
-        if fault.is_none() {
+        let verdict = self.verdict(causes.len());
+        if self.fault.is_none() {
             remarks.extend(misfit::remark(subject, refitted, verdict));
         }
         let report = Report {
@@ -88,7 +76,7 @@ impl Assembly<'_> {
             untestable,
             detectable,
             remarks,
-            model_fault: fault,
+            model_fault: self.model_fault(),
         };
         Diagnosis {
             report,
@@ -99,6 +87,23 @@ impl Assembly<'_> {
             catalogue: subject.catalogue.clone(),
             criteria: criteria.clone(),
         }
+    }
+
+    /// The verdict in one word; no cause is sought in a model that is at fault itself.
+    fn verdict(&self, named: usize) -> Verdict {
+        let Judgement { refitted, last, confirmation, .. } = self.judgement;
+        let (tables_v, criteria) = (&self.tables.residual_v, &self.subject.criteria.verdict);
+        match self.fault {
+            Some(_) => Verdict::Unknown,
+            None => verdict(refitted, last, tables_v, named, confirmation, criteria),
+        }
+    }
+
+    fn model_fault(&self) -> Option<ModelFaultFound> {
+        self.fault.as_ref().map(|found| ModelFaultFound {
+            what: found.fault.words(self.subject),
+            explained: found.explained,
+        })
     }
 
     fn gap(&self, given_v: &Rows) -> Gap {

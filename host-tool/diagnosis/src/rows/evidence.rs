@@ -50,49 +50,26 @@ impl Evidence {
         noise: &NoiseByRate,
         criteria: &Criteria,
     ) -> Self {
-        let of_rows = &criteria.rows;
         stretches.sort_by_key(|stretch| stretch.role == Role::Holdout);
-        let train = stretches.iter().filter(|s| s.role == Role::Train).count();
-        let filters = [0, 1, 2].map(|joint| {
-            let filter = |s: &Stretch| {
-                let corner_hz = noise.of(joint, s.period_s).corner_hz();
-                let highest_hz = of_rows.highest_corner_part / s.period_s;
-                let corner_hz = corner_hz.clamp(of_rows.lowest_corner_hz, highest_hz);
-                RowFilter::new(s.period_s, s.broadband, corner_hz, of_rows)
-            };
-            stretches.iter().map(filter).collect::<Vec<_>>()
-        });
-        let behind = |filter: &RowFilter, s: &Stretch, noise: Noise| {
-            noise.behind(|f| filter.gain(f), s.period_s)
+        let filters = [0, 1, 2].map(|joint| filters(&stretches, joint, noise, criteria));
+        let of_all = |joint: usize, of: &dyn Fn(&Stretch, &RowFilter) -> f64| {
+            let both = stretches.iter().zip(&filters[joint]);
+            both.map(|(stretch, filter)| of(stretch, filter)).collect::<Vec<f64>>()
         };
-        let floors_v = [0, 1, 2].map(|joint| {
-            let floor = |(s, filter): (&Stretch, &RowFilter)| {
-                let seen_v = behind(filter, s, noise.of(joint, s.period_s));
-                let fast_v = s.fast_command_v(joint, criteria.logs.fast_part);
-                seen_v.hypot(of_rows.between_samples_per_s * s.period_s * fast_v)
-            };
-            stretches.iter().zip(&filters[joint]).map(floor).collect()
-        });
-        let steps_v = [0, 1, 2].map(|joint| {
-            let steps = |(s, filter): (&Stretch, &RowFilter)| {
-                behind(filter, s, noise.of_steps(joint, s.period_s))
-            };
-            stretches.iter().zip(&filters[joint]).map(steps).collect()
-        });
-        let regressors = stretches.iter().map(|_| Default::default()).collect();
-        let criteria = criteria.clone();
-        let stretches = stretches.into();
-        let weights = Default::default();
+        let floors_v =
+            [0, 1, 2].map(|joint| of_all(joint, &|s, f| floor_v(s, f, joint, noise, criteria)));
+        let steps_v = [0, 1, 2]
+            .map(|joint| of_all(joint, &|s, f| behind(f, s, noise.of_steps(joint, s.period_s))));
         let mut evidence = Self {
-            stretches,
+            train: stretches.iter().filter(|s| s.role == Role::Train).count(),
+            regressors: stretches.iter().map(|_| Default::default()).collect(),
+            stretches: stretches.into(),
             joints,
             filters,
             floors_v,
             steps_v,
-            train,
-            criteria,
-            regressors,
-            weights,
+            criteria: criteria.clone(),
+            weights: Default::default(),
         };
         evidence.weights = [0, 1, 2].map(|joint| evidence.weights_of_noise(joint));
         evidence
@@ -242,4 +219,39 @@ impl Evidence {
     pub fn train_stretches(&self) -> usize {
         self.train
     }
+}
+
+/// Filters of a joint's rows that make its noise white, stretch by stretch.
+fn filters(
+    stretches: &[Stretch],
+    joint: usize,
+    noise: &NoiseByRate,
+    criteria: &Criteria,
+) -> Vec<RowFilter> {
+    let of_rows = &criteria.rows;
+    let filter = |s: &Stretch| {
+        let corner_hz = noise.of(joint, s.period_s).corner_hz();
+        let highest_hz = of_rows.highest_corner_part / s.period_s;
+        let corner_hz = corner_hz.clamp(of_rows.lowest_corner_hz, highest_hz);
+        RowFilter::new(s.period_s, s.broadband, corner_hz, of_rows)
+    };
+    stretches.iter().map(filter).collect()
+}
+
+/// Noise of a joint's rows in a stretch, rms [V]: what is seen, and what happens between samples.
+fn floor_v(
+    stretch: &Stretch,
+    filter: &RowFilter,
+    joint: usize,
+    noise: &NoiseByRate,
+    criteria: &Criteria,
+) -> f64 {
+    let seen_v = behind(filter, stretch, noise.of(joint, stretch.period_s));
+    let fast_v = stretch.fast_command_v(joint, criteria.logs.fast_part);
+    seen_v.hypot(criteria.rows.between_samples_per_s * stretch.period_s * fast_v)
+}
+
+/// What a filter leaves of noise, rms [V].
+fn behind(filter: &RowFilter, stretch: &Stretch, noise: Noise) -> f64 {
+    noise.behind(|f| filter.gain(f), stretch.period_s)
 }
