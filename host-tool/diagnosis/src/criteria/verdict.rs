@@ -13,6 +13,11 @@ criteria! {
         /// Nor is it none if the refitted model, its parameters within their doubt, leaves so many
         /// times the noise of the confirming logs.
         far_above_noise: f64 = 5.0,
+        /// Where the confirming logs leave less than `no_gap_ratio` times the noise, it is none, too, if
+        /// no train log leaves so many times its noise,
+        most_in_one_log: f64 = 10.0,
+        /// and the refitted parameters are not further off than this prior penalty.
+        most_prior_penalty: f64 = 240.0,
         /// Weight of a log-likelihood in a probability: what a wrong effect leaves is structured, and
         /// counts as fewer independent deviations than its correlation tells.
         log_likelihood_weight: f64 = 0.1,

@@ -110,8 +110,14 @@ fn refitted(
     now: &Linearisation,
     batch: Vec<Candidate>,
 ) -> Vec<Finalist> {
-    let refit =
-        |candidate: Candidate| finalist(subject, before, now.hypothesis.with(candidate.effect));
+    let known = subject.known_effects.len();
+    let refit = |candidate: Candidate| {
+        let mut start = now.hypothesis.clone();
+        if let Some(place) = start.spring_replaced_by(&candidate.effect, known) {
+            start.effects.remove(place);
+        }
+        finalist(subject, before, start.with(candidate.effect))
+    };
     batch.into_par_iter().filter_map(refit).collect()
 }
 

@@ -31,8 +31,17 @@ pub fn is_accepted(before: &FittedModel, after: &FittedModel, criteria: &Criteri
     (from.excess > 0.0 || !after.ends_with_spring())
         && !makes_implausible(from, to, criteria)
         && !takes_noise_for_motion(from, to, criteria)
-        && (reduces_excess(before, after, criteria) || restores_prior(from, to, criteria))
+        && (is_exchange(before, after)
+            || reduces_excess(before, after, criteria)
+            || restores_prior(from, to, criteria))
         && gain(before, after) > criteria.selection.least_log_likelihood
+}
+
+/// Whether one effect took the place of another, as a better spring does: then to explain better is
+/// enough.
+fn is_exchange(before: &FittedModel, after: &FittedModel) -> bool {
+    let count = |model: &FittedModel| model.linear.hypothesis.effects.len();
+    count(before) == count(after)
 }
 
 /// Log-likelihood that a model gains over another. Rows count as independent as in what that one

@@ -117,6 +117,11 @@ impl Search<'_> {
             finalists.insert(0, best);
             return Round::Refused(finalists);
         }
+        let known = self.subject.known_effects.len();
+        let before = &self.last.linear.hypothesis;
+        if let Some(place) = before.spring_replaced_by(&best.effect, known) {
+            self.rivals.remove(place - known);
+        }
         self.last = finished;
         self.rivals.push(finalists);
         Round::Added

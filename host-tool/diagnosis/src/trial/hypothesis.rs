@@ -94,4 +94,12 @@ impl Hypothesis {
         hypothesis.effects.push(effect);
         hypothesis
     }
+
+    /// Place of the spring, of those from `first` on, that one more effect takes the place of: a
+    /// joint has one spring between motor and link.
+    pub fn spring_replaced_by(&self, effect: &EffectInstance, first: usize) -> Option<usize> {
+        let is_other = |other: &EffectInstance| other.is_spring() && other.joint == effect.joint;
+        let mut others = self.effects.iter().skip(first);
+        others.position(|other| effect.is_spring() && is_other(other)).map(|place| first + place)
+    }
 }

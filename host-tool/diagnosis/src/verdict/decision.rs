@@ -53,6 +53,24 @@ pub fn is_sound(effect: &EffectInstance, worth: &Worth, criteria: &VerdictCriter
     rings || !effect.is_spring()
 }
 
+/// Whether there is no gap: train logs leave noise alone and confirming ones not much more, or the
+/// confirming ones leave noise alone and no train log much more. One log may leave more than its
+/// noise where it is sampled too coarsely for what it holds: commands between samples, say.
+fn is_no_gap(
+    refitted: &FittedModel,
+    last: &FittedModel,
+    confirmation: &Confirmation,
+    criteria: &VerdictCriteria,
+) -> bool {
+    let gap = &refitted.stats;
+    let over_noise = confirmation.over_noise(last);
+    let quiet = gap.excess == 0.0 || gap.worst() < criteria.no_gap_ratio;
+    let confirmed = over_noise < criteria.no_gap_ratio
+        && gap.worst() < criteria.most_in_one_log
+        && gap.prior_penalty < criteria.most_prior_penalty;
+    (quiet && over_noise < criteria.far_above_noise) || confirmed
+}
+
 /// The verdict in one word; `last` has just the causes that are named.
 pub fn verdict(
     refitted: &FittedModel,
@@ -62,11 +80,8 @@ pub fn verdict(
     confirmation: &Confirmation,
     criteria: &VerdictCriteria,
 ) -> Verdict {
-    let gap = &refitted.stats;
-    let no_gap = (gap.excess == 0.0 || gap.worst() < criteria.no_gap_ratio)
-        && confirmation.over_noise(last) < criteria.far_above_noise;
     match named {
-        0 if no_gap => Verdict::None,
+        0 if is_no_gap(refitted, last, confirmation, criteria) => Verdict::None,
         0 => Verdict::Unknown,
         _ if confirmation.explained(last) >= criteria.explained
             && confirmation.is_drawn(last, with_tables_v) =>
