@@ -122,6 +122,7 @@ fn fool() -> Report {
         untestable: Vec::new(),
         detectable: Vec::new(),
         remarks: Vec::new(),
+        model_fault: None,
     }
 }
 

@@ -249,7 +249,7 @@ mod tests {
         let mut state = FrictionState { deflection_rad: T::zero() };
         let mut last = T::zero();
         for k in 0..700 {
-            let velocity = T::constant(0.4 * libm::cos(9e-3 * f64::from(k)));
+            let velocity = T::constant(0.4 * libm::cos(9e-3 * <f64 as Real>::from_i32(k)));
             last = state.step(friction, velocity, T::constant(1e-3));
         }
         last

@@ -65,6 +65,7 @@ fn report(verdict: Verdict, causes: Vec<Cause>, with_effects_v: f64) -> Report {
         untestable: Vec::new(),
         detectable: Vec::new(),
         remarks: Vec::new(),
+        model_fault: None,
     }
 }
 
