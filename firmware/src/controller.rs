@@ -24,6 +24,7 @@ use crate::block::{Gains, ParameterBlock};
 use crate::compensation::{JointMotion, less_tables};
 use crate::encoder::{Encoder, EncoderScale};
 use crate::reference::{InjectionSource, Setpoint, Time};
+use crate::start_fade::StartFade;
 use crate::velocity::{TrackerGains, VelocityTracker};
 use crate::{Angle, DacCode};
 
@@ -76,6 +77,8 @@ pub struct Controller {
     last_tick: u32,
     tick: u32,
     running: bool,
+    /// What the feedback leaves out at first, so that a run begins without a step.
+    start_fade: StartFade,
     block: ParameterBlock,
     /// Fingerprint of the block when it was taken.
     fingerprint: u32,
@@ -91,6 +94,7 @@ impl Controller {
             last_tick: last_tick(&block, rate_per_s),
             tick: 0,
             running: false,
+            start_fade: StartFade::default(),
             fingerprint: block.fingerprint(),
             block,
         }
@@ -140,6 +144,14 @@ impl Controller {
         }
         self.tick = 0;
         self.running = true;
+        self.start_fade = StartFade::default();
+    }
+
+    /// Begins the reference at the next tick, with joints at rest at these angles: what the
+    /// feedback makes of their distance from its `start` is faded in.
+    pub fn start_from(&mut self, start: &[Angle; 3], measured: &[Angle; 3]) {
+        self.start();
+        self.start_fade = StartFade::new(&self.block, start, measured);
     }
 
     /// Puts out 0 V from the next tick on.
@@ -192,6 +204,7 @@ impl Controller {
         for i in 0..3 {
             let now = ahead[i].earlier(0.5 * self.block.sample_period_s);
             let feedback_v = self.block.gains[i].feedback(&now, &measured[i]);
+            let feedback_v = self.start_fade.applied_to(feedback_v, i, self.tick);
             let motion = self.block.mode[i].feedforward_motion(&ahead[i], &measured[i]);
             let terms = self.terms(i, motion, feedback_v, inverse_dynamics_v[i]);
             let motor_v = terms.sum(self.block.mode[i]) + injected_v[i];

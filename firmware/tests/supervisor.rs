@@ -169,20 +169,20 @@ fn a_joint_that_is_too_fast() {
 fn a_command_that_stays_at_its_limit() {
     let mut block = holding(Mode::Pd);
     block.command_limit_v = 1.0;
-    block.safety.stuck_s = 9.0;
-    // 0.1 rad off, 8 V wanted: cut from the first tick on, 500 ticks are allowed.
-    block.reference = Reference::hold([0.0, 0.0, 0.1]);
-    assert_found(play(&mut running(block), quiet(|_| [0; 3], 600)), Fault::Saturation, 3, 501);
+    // 0.1 rad off from the first tick on, 8 V wanted: 500 ticks at the limit are allowed.
+    let count = |k: i32| [0, 0, (0.1 * COUNTS_PER_RAD) as i32 * k.min(40) / 40];
+    let found = play(&mut running(block), quiet(count, 600)).unwrap();
+    assert_eq!((found.record.fault, found.record.joint), (Fault::Saturation, 3));
+    assert!((501..510).contains(&found.tick), "{}", found.tick);
 }
 
 #[test]
 fn a_pause_of_the_saturation_begins_it_anew_and_it_is_counted() {
     let mut block = holding(Mode::Pd);
     block.command_limit_v = 1.0;
-    block.reference = Reference::hold([0.0, 0.0, 0.1]);
     let mut supervisor = running(block);
     let there = (0.1 * COUNTS_PER_RAD) as i32;
-    // Every 400 ticks a glide to the reference and back.
+    // Every 400 ticks a glide away from the reference and back.
     let count = |k: i32| there * (k % 400).min(400 - k % 400) / 200;
     assert!(play(&mut supervisor, quiet(|k| [0, 0, count(k)], 4000)).is_none());
     assert!(supervisor.counters().saturated[2] > 2000);
@@ -286,9 +286,9 @@ fn a_fault_is_left_by_a_clear_alone_and_not_while_its_cause_is_there() {
 
 #[test]
 fn the_output_is_zero_unless_it_runs() {
-    // 0.1 rad off its reference: a running controller puts out 8 V.
+    // 0.04 rad off its reference: a running controller puts out up to 3.2 V.
     let mut block = holding(Mode::Pd);
-    block.reference = Reference::hold([0.1; 3]);
+    block.reference = Reference::hold([0.04; 3]);
     let mut supervisor = Supervisor::default();
     let codes = |supervisor: &mut Supervisor| supervisor.tick(&[0; 3], Health::default()).codes;
     assert_eq!(codes(&mut supervisor), ZERO, "without parameters");
@@ -299,11 +299,14 @@ fn the_output_is_zero_unless_it_runs() {
     supervisor.execute(Order::Arm).unwrap();
     assert!((0..200).all(|_| codes(&mut supervisor) == ZERO), "armed");
     supervisor.execute(RUN).unwrap();
-    assert!(codes(&mut supervisor).iter().all(|code| code.0 > 20_000), "running");
+    codes(&mut supervisor);
+    assert!((0..300).all(|_| codes(&mut supervisor) != ZERO), "running");
+    assert!(codes(&mut supervisor).iter().all(|code| code.0 > 6_000), "0.6 of it, 1.9 V");
     supervisor.execute(Order::Stop).unwrap();
     assert_eq!(supervisor.state(), State::Armed);
     assert_eq!(codes(&mut supervisor), ZERO, "stopped");
     supervisor.execute(RUN).unwrap();
+    codes(&mut supervisor);
     assert_ne!(codes(&mut supervisor), ZERO);
     supervisor.execute(Order::Disarm).unwrap();
     assert_eq!((supervisor.state(), codes(&mut supervisor)), (State::Disarmed, ZERO));
@@ -372,6 +375,32 @@ fn a_run_does_not_begin_far_from_its_reference() {
     }
     block.mode = [Mode::OpenLoop; 3];
     assert_eq!(armed(block).execute(RUN), Ok(()), "it has no reference there");
+}
+
+#[test]
+fn a_run_begins_near_its_reference_and_without_a_step() {
+    for (off_rad, begins) in [(0.45, false), (0.06, false), (0.04, true), (-0.04, true)] {
+        let mut block = holding(Mode::Pd);
+        block.reference = Reference::hold([off_rad; 3]);
+        let mut supervisor = armed(block);
+        assert_eq!(supervisor.execute(RUN).is_ok(), begins, "{off_rad} rad");
+        let mut before_v = 0.0;
+        for tick in 1..=if begins { 600 } else { 0 } {
+            let code = supervisor.tick(&[0; 3], Health::default()).codes[1];
+            let change_v = (code.to_volts() - before_v).abs();
+            assert!(change_v < 0.01, "{change_v} V in tick {tick}");
+            before_v = code.to_volts();
+        }
+        assert!(!begins || (before_v - 80.0 * off_rad).abs() < 0.01, "{before_v} V in the end");
+    }
+}
+
+#[test]
+fn no_block_widens_the_start_beyond_a_tenth_of_a_radian() {
+    let mut block = holding(Mode::Pd);
+    block.safety.start_error_rad[2] = 0.11;
+    let error = firmware::block::HardLimits::default().check(&block).unwrap_err();
+    assert_eq!((error.name, error.joint), ("start_error_limit_rad", 3));
 }
 
 #[test]

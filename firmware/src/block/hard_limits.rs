@@ -17,6 +17,8 @@ pub struct HardLimits {
     pub speed_rad_per_s: f32,
     /// Largest tracking error limit that a block may set [rad].
     pub tracking_error_rad: f32,
+    /// Largest distance from the reference's start that a block may allow [rad].
+    pub start_error_rad: f32,
     /// Largest acceleration limit that a block may set [rad/s^2].
     pub acceleration_rad_per_s2: f32,
     /// Longest saturation limit that a block may set [s].
@@ -41,6 +43,8 @@ impl Default for HardLimits {
             speed_rad_per_s: 30.0,
             // Half a turn could never be exceeded.
             tracking_error_rad: 2.0,
+            // As far as a person sees the arm move and is not hit by it.
+            start_error_rad: 0.1,
             acceleration_rad_per_s2: 50_000.0,
             saturation_s: 5.0,
             stuck_travel_rad: 0.5,
@@ -82,6 +86,7 @@ impl HardLimits {
         let (speed, error) = (safety.speed_rad_per_s[joint], safety.tracking_error_rad[joint]);
         below("speed_limit_rad_per_s", speed, self.speed_rad_per_s)?;
         below("tracking_error_limit_rad", error, self.tracking_error_rad)?;
+        below("start_error_limit_rad", safety.start_error_rad[joint], self.start_error_rad)?;
         let acceleration = safety.acceleration_rad_per_s2[joint];
         below("acceleration_limit_rad_per_s2", acceleration, self.acceleration_rad_per_s2)?;
         Ok(())

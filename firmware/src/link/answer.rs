@@ -127,7 +127,7 @@ pub enum Refusal {
         /// What is wrong with it.
         why: Implausible,
     },
-    /// The reference begins further from where the joint is than its tracking error may be.
+    /// The reference begins further from where the joint is than the limit of a start allows.
     FarFromStart {
         /// The joint, 1 to 3.
         joint: u8,

@@ -2,7 +2,7 @@
 
 use super::joint_monitor::{JointMonitor, JointSample, has_reference};
 use super::orders::OrderError;
-use crate::{Controller, DacCode, Mode, TickOutput};
+use crate::{Angle, Controller, DacCode, Mode, TickOutput};
 
 /// A controller and the monitors of its joints.
 #[derive(Clone, Debug)]
@@ -63,9 +63,9 @@ impl MonitoredController {
         }
     }
 
-    /// Whether every joint that has a reference is near the reference's start.
-    pub fn is_near_start(&self) -> Result<(), OrderError> {
-        let limits = self.controller.block().safety.tracking_error_rad;
+    /// Where the reference begins, if every joint that has one is near.
+    pub fn near_start(&self) -> Result<[Angle; 3], OrderError> {
+        let limits = self.controller.block().safety.start_error_rad;
         let start = self.controller.start_of_reference();
         for (number, index) in (1..).zip(0..3) {
             let distance_rad = start[index].minus(self.last.measured[index]);
@@ -73,7 +73,13 @@ impl MonitoredController {
                 return Err(OrderError::FarFromStart { joint: number, distance_rad });
             }
         }
-        Ok(())
+        Ok(start)
+    }
+
+    /// Begins the reference, without a step of the feedback where the joints are off its start.
+    pub fn start(&mut self, start: &[Angle; 3]) {
+        self.controller.start_from(start, &self.last.measured);
+        self.joints.iter_mut().for_each(JointMonitor::begin_run);
     }
 
     /// Sets the codes to 0 V, in this tick too.

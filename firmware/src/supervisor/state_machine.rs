@@ -4,7 +4,7 @@ use super::counters::TickCounters;
 use super::fault::{Fault, FaultRecord, State};
 use super::health::{BootReport, Health};
 use super::home::Home;
-use super::joint_monitor::{JointMonitor, LimitViolation, has_reference};
+use super::joint_monitor::{LimitViolation, has_reference};
 use super::monitored_controller::MonitoredController;
 use super::orders::{Order, OrderError};
 use crate::{Angle, Controller, ParameterBlock};
@@ -148,9 +148,8 @@ impl Supervisor {
     fn run(&mut self, host_timeout_ticks: Option<u32>) -> Result<(), OrderError> {
         let monitored = self.monitored.as_mut().ok_or(OrderError::NoParameters)?;
         monitored.is_plausible()?;
-        monitored.is_near_start()?;
-        monitored.controller.start();
-        monitored.joints.iter_mut().for_each(JointMonitor::begin_run);
+        let start = monitored.near_start()?;
+        monitored.start(&start);
         self.host_timeout_ticks = host_timeout_ticks;
         self.silent_ticks = 0;
         self.state = State::Running;
