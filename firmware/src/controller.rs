@@ -277,6 +277,14 @@ impl Controller {
         robot.torque_to_voltage(&torque_nm)
     }
 
+    /// Motor voltages that gravity takes at these angles [V].
+    #[cold]
+    pub fn gravity_v(&self, angles: &[Angle; 3]) -> [f32; 3] {
+        let robot = &self.block.robot;
+        let posture = Posture::from_sines(angles[1].sin_cos(), angles[2].sin_cos());
+        robot.torque_to_voltage(&posture.gravity(&robot.base, &robot.geometry))
+    }
+
     /// Motor voltages less what tables add at the reference.
     #[inline]
     fn less_tables(&self, voltage_v: [f32; 3], wanted: &[Setpoint; 3]) -> [f32; 3] {

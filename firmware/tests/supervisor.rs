@@ -176,17 +176,61 @@ fn a_command_that_stays_at_its_limit() {
     assert!((501..510).contains(&found.tick), "{}", found.tick);
 }
 
-#[test]
-fn a_pause_of_the_saturation_begins_it_anew_and_it_is_counted() {
+/// A block that cuts at 1 V, with 80 V/rad, and a motion to and fro of that share of ticks at it.
+fn limit_cycle(away_ticks: i32, of_ticks: i32) -> Option<Found> {
     let mut block = holding(Mode::Pd);
     block.command_limit_v = 1.0;
     let mut supervisor = running(block);
-    let there = (0.1 * COUNTS_PER_RAD) as i32;
-    // Every 400 ticks a glide away from the reference and back.
-    let count = |k: i32| there * (k % 400).min(400 - k % 400) / 200;
-    assert!(play(&mut supervisor, quiet(|k| [0, 0, count(k)], 4000)).is_none());
-    assert!(supervisor.counters().saturated[2] > 2000);
-    assert_eq!(supervisor.counters().saturated[0], 0);
+    let there = (0.05 * COUNTS_PER_RAD) as i32;
+    // A glide away from the reference and back within 20 ticks each.
+    let count = |k: i32| {
+        let at = k % of_ticks;
+        there * at.min(away_ticks - at).clamp(0, 20) / 20
+    };
+    let found = play(&mut supervisor, quiet(|k| [0, 0, count(k)], 60_000));
+    let [first, _, third] = supervisor.counters().saturated;
+    assert!(first == 0 && (found.is_some() || third > 2000), "{third} ticks at the limit");
+    found
+}
+
+#[test]
+fn a_limit_cycle_at_the_limit_is_saturation_too() {
+    for (away_ticks, of_ticks) in [(395, 400), (200, 400), (120, 400)] {
+        let found = limit_cycle(away_ticks, of_ticks).expect("it goes on for a minute");
+        assert_eq!((found.record.fault, found.record.joint), (Fault::Saturation, 3));
+    }
+}
+
+#[test]
+fn a_command_that_is_cut_now_and_then_is_counted_and_no_fault() {
+    assert!(limit_cycle(60, 400).is_none());
+}
+
+#[test]
+fn a_joint_that_should_move_and_does_not() {
+    // Held 0.045 rad off with the amplifier off: 3.6 V and no motion.
+    let mut block = holding(Mode::Pd);
+    block.reference = Reference::hold([0.0, -1.57, 0.045]);
+    let hanging = [0, (-1.57 * COUNTS_PER_RAD) as i32, 0];
+    let mut supervisor = disarmed(block);
+    play(&mut supervisor, quiet(|_| hanging, 200));
+    supervisor.execute(Order::Arm).unwrap();
+    supervisor.execute(RUN).unwrap();
+    let found = play(&mut supervisor, quiet(|_| hanging, 2000)).expect("not found in 2 s");
+    assert_eq!((found.record.fault, found.record.joint), (Fault::Stalled, 3));
+    assert!((500..900).contains(&found.tick), "{}", found.tick);
+    assert!(found.record.value > found.record.limit);
+}
+
+#[test]
+fn a_joint_that_gravity_holds_against_its_voltage_is_not_stalled() {
+    let mut block = block(Mode::PdModel);
+    block.reference = Reference::hold([0.0; 3]);
+    let mut supervisor = running(block);
+    let ticks = quiet(|_| [0; 3], 5000);
+    assert!(play(&mut supervisor, ticks).is_none());
+    let code = supervisor.tick(&[0; 3], Health::default()).codes[1];
+    assert!(code.to_volts() > 2.5, "stretched out, it is held by {} V", code.to_volts());
 }
 
 #[test]

@@ -29,6 +29,10 @@ pub struct HardLimits {
     pub stuck_voltage_v: f32,
     /// Longest `stuck_s` that a block may set [s].
     pub stuck_s: f32,
+    /// Largest `stalled_margin_v` that a block may set [V].
+    pub stalled_margin_v: f32,
+    /// Longest `stalled_s` that a block may set [s].
+    pub stalled_s: f32,
     /// Largest proportional gain [V/rad].
     pub proportional_gain_v_per_rad: f32,
     /// Largest derivative gain [V s/rad].
@@ -50,6 +54,8 @@ impl Default for HardLimits {
             stuck_travel_rad: 0.5,
             stuck_voltage_v: 9.0,
             stuck_s: 2.0,
+            stalled_margin_v: 5.0,
+            stalled_s: 2.0,
             proportional_gain_v_per_rad: 10_000.0,
             derivative_gain_v_s_per_rad: 500.0,
         }
@@ -72,6 +78,8 @@ impl HardLimits {
         below("stuck_travel_rad", safety.stuck_travel_rad, self.stuck_travel_rad)?;
         below("stuck_voltage_V", safety.stuck_voltage_v, self.stuck_voltage_v)?;
         below("stuck_s", safety.stuck_s, self.stuck_s)?;
+        below("stalled_margin_V", safety.stalled_margin_v, self.stalled_margin_v)?;
+        below("stalled_s", safety.stalled_s, self.stalled_s)?;
         (0..3).try_for_each(|joint| self.check_joint(block, joint))
     }
 

@@ -24,6 +24,11 @@ pub struct SafetyLimits {
     pub stuck_s: f32,
     /// Largest distance of each joint from the reference's start at which a run may begin [rad].
     pub start_error_rad: [f32; 3],
+    /// Voltage beyond gravity and twice the static friction at which a tracked joint may stand
+    /// still [V],
+    pub stalled_margin_v: f32,
+    /// and the time for which a larger one is accepted [s].
+    pub stalled_s: f32,
 }
 
 impl Default for SafetyLimits {
@@ -39,6 +44,10 @@ impl Default for SafetyLimits {
             stuck_s: 0.2,
             // What an arm sags by after an approach; at 80 V/rad it is worth 4 V, faded in.
             start_error_rad: [0.05; 3],
+            // Above what the torque constant and gravity of a first model file are wrong by.
+            stalled_margin_v: 1.0,
+            // As long as a saturation.
+            stalled_s: 0.5,
         }
     }
 }
@@ -58,6 +67,8 @@ impl SafetyLimits {
         named("stuck_travel_rad", self.stuck_travel_rad).positive()?;
         named("stuck_voltage_V", self.stuck_voltage_v).positive()?;
         named("stuck_s", self.stuck_s).positive()?;
+        named("stalled_margin_V", self.stalled_margin_v).positive()?;
+        named("stalled_s", self.stalled_s).positive()?;
         Ok(())
     }
 }

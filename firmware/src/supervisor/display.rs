@@ -25,7 +25,7 @@ impl Display for State {
 
 impl Fault {
     /// Every fault.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::EncoderJump,
         Self::EncoderStuck,
         Self::TrackingError,
@@ -37,6 +37,7 @@ impl Fault {
         Self::CorruptParameters,
         Self::Watchdog,
         Self::Converter,
+        Self::Stalled,
     ];
 
     /// The name that messages use.
@@ -53,7 +54,13 @@ impl Fault {
             Self::CorruptParameters => "corrupt parameters",
             Self::Watchdog => "watchdog",
             Self::Converter => "converter",
+            Self::Stalled => "stalled",
         }
+    }
+
+    /// The number on the line and in the documentation, from 1 up; that of a fault never changes.
+    pub fn number(self) -> u8 {
+        self as u8 + 1
     }
 
     /// The unit of a record's value and limit; empty where there are none.
@@ -63,7 +70,11 @@ impl Fault {
             Self::EncoderStuck => "rad of reference, or V, while the encoder stands still",
             Self::TrackingError => "rad from the reference",
             Self::Speed => "rad/s",
-            Self::Saturation => "s at the limit without a pause",
+            Self::Saturation => "s at the limit, less a quarter of the pauses",
+            Self::Stalled => {
+                "V beyond gravity at a joint that stands still (amplifier off, brake, obstacle or \
+                 encoder)"
+            }
             Self::LinkLost => "s without a word from the host",
             Self::TickOverrun
             | Self::NotFinite

@@ -18,7 +18,8 @@ pub enum State {
     Faulted,
 }
 
-/// Why the supervisor ended a run, or does not let one begin.
+/// Why the supervisor ended a run, or does not let one begin. Its number on the line is its
+/// place here and never changes: new ones come last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Fault {
     /// An encoder moved further in a tick than its joint can. Value and limit in rad per tick.
@@ -30,7 +31,7 @@ pub enum Fault {
     TrackingError,
     /// The joint is too fast [rad/s].
     Speed,
-    /// The command was at its limit for too long without a pause [s].
+    /// The command was at its limit for too long [s], a quarter of the pauses taken off.
     Saturation,
     /// A tick was not done when the next one was due.
     TickOverrun,
@@ -44,6 +45,8 @@ pub enum Fault {
     Watchdog,
     /// The converter does not answer as it should.
     Converter,
+    /// A joint does not move although its voltage, less gravity's, exceeds friction [V].
+    Stalled,
 }
 
 /// The first cause, with the figures that made it one.

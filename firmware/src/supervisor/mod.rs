@@ -23,6 +23,7 @@ mod joint_monitor;
 pub mod latch;
 mod monitored_controller;
 mod orders;
+mod stall;
 mod state_machine;
 mod tick;
 mod tick_record;

@@ -76,6 +76,30 @@ impl MonitoredController {
         Ok(start)
     }
 
+    /// The voltage at joint `index` (0 to 2) less gravity's, and what friction may hold of it [V].
+    #[cold]
+    pub fn unbalanced_v(&self, index: usize) -> (f32, f32) {
+        let command_v = self.last.codes[index].to_volts();
+        // A joint without a reference may not know where it is.
+        let posture = [0, 1, 2].map(|i| match has_reference(self.mode[i]) {
+            true => self.last.measured[i],
+            false => self.last.reference[i],
+        });
+        let net_v = command_v - self.controller.gravity_v(&posture)[index];
+        (net_v.abs(), self.joints[index].stall_limit_v())
+    }
+
+    /// Whether joint `index` (0 to 2), which stands under a voltage, does not stand by itself.
+    #[cold]
+    pub fn is_stalled(&mut self, index: usize) -> bool {
+        let (net_v, limit_v) = self.unbalanced_v(index);
+        let is_stalled = net_v > limit_v;
+        if !is_stalled {
+            self.joints[index].stall().moves();
+        }
+        is_stalled
+    }
+
     /// Begins the reference, without a step of the feedback where the joints are off its start.
     pub fn start(&mut self, start: &[Angle; 3]) {
         self.controller.start_from(start, &self.last.measured);

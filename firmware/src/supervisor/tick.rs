@@ -68,6 +68,11 @@ impl Supervisor {
             let joint = &mut monitored.joints[index];
             let fault =
                 if running { joint.check_running(&sample) } else { joint.check_at_rest(&sample) };
+            let is_due = running && fault.is_none() && joint.stall().is_due();
+            let fault = match is_due && monitored.is_stalled(index) {
+                true => Some(Fault::Stalled),
+                false => fault,
+            };
             let cut = u32::from(sample.saturated);
             self.counters.saturated[index] = self.counters.saturated[index].wrapping_add(cut);
             if fault == Some(Fault::EncoderJump) {
@@ -87,7 +92,13 @@ impl Supervisor {
             self.home.invalidate(index);
         }
         let Some(monitored) = &self.monitored else { return };
-        let violation = monitored.joints[index].violation(fault, &monitored.sample(index, count));
+        let violation = match fault {
+            Fault::Stalled => {
+                let (value, limit) = monitored.unbalanced_v(index);
+                LimitViolation { fault, value, limit }
+            }
+            _ => monitored.joints[index].violation(fault, &monitored.sample(index, count)),
+        };
         self.enter_fault(index as u8 + 1, violation);
     }
 

@@ -67,6 +67,8 @@ fn hard_limit(name: &str) -> Option<f32> {
         "saturation_limit_s" => Some(limits.saturation_s),
         "stuck_travel_rad" => Some(limits.stuck_travel_rad),
         "stuck_voltage_V" => Some(limits.stuck_voltage_v),
+        "stalled_margin_V" => Some(limits.stalled_margin_v),
+        "stalled_s" => Some(limits.stalled_s),
         "start_error_limit_rad" => Some(limits.start_error_rad),
         "stuck_s" => Some(limits.stuck_s),
         _ => None,
