@@ -23,7 +23,7 @@ use crate::Mode;
 use crate::block::{Gains, ParameterBlock};
 use crate::compensation::{JointMotion, less_tables};
 use crate::encoder::{Encoder, EncoderScale};
-use crate::reference::{InjectionSource, Setpoint, Time};
+use crate::reference::{BRAKING_S, InjectionSource, Setpoint, Time, braking_time_s};
 use crate::start_fade::StartFade;
 use crate::velocity::{TrackerGains, VelocityTracker};
 use crate::{Angle, DacCode};
@@ -75,6 +75,10 @@ pub struct Controller {
     joints: [Joint; 3],
     rate_per_s: f32,
     last_tick: u32,
+    /// When the reference of this run ends: in its last tick, or before.
+    end_tick: u32,
+    /// Time in which each joint brakes after that [s].
+    braking_s: [f32; 3],
     tick: u32,
     running: bool,
     /// What the feedback leaves out at first, so that a run begins without a step.
@@ -92,6 +96,8 @@ impl Controller {
             joints: [0, 1, 2].map(|i| Joint::new(&block, i, rate_per_s)),
             rate_per_s,
             last_tick: last_tick(&block, rate_per_s),
+            end_tick: last_tick(&block, rate_per_s),
+            braking_s: [BRAKING_S; 3],
             tick: 0,
             running: false,
             start_fade: StartFade::default(),
@@ -143,6 +149,7 @@ impl Controller {
             joint.friction = FrictionState::default();
         }
         self.tick = 0;
+        (self.end_tick, self.braking_s) = (self.last_tick, [BRAKING_S; 3]);
         self.running = true;
         self.start_fade = StartFade::default();
     }
@@ -152,6 +159,19 @@ impl Controller {
     pub fn start_from(&mut self, start: &[Angle; 3], measured: &[Angle; 3]) {
         self.start();
         self.start_fade = StartFade::new(&self.block, start, measured);
+    }
+
+    /// Ends the reference at the next tick: joints at these velocities brake to rest as fast as
+    /// their ranges say that they can, and are held.
+    pub fn brake(&mut self, velocity_rad_per_s: &[f32; 3]) {
+        if self.tick >= self.end_tick {
+            return;
+        }
+        self.end_tick = self.tick;
+        self.braking_s = [0, 1, 2].map(|i| match &self.block.safety.position[i] {
+            Some(range) => braking_time_s(velocity_rad_per_s[i], range.braking_rad_per_s2),
+            None => BRAKING_S,
+        });
     }
 
     /// Puts out 0 V from the next tick on.
@@ -247,13 +267,16 @@ impl Controller {
     /// The setpoints in the middle of the interval that begins with this tick.
     #[inline]
     fn reference_ahead(&self) -> [Setpoint; 3] {
-        let tick = if self.tick < self.last_tick { self.tick } else { self.last_tick };
+        let tick = if self.tick < self.end_tick { self.tick } else { self.end_tick };
         let time = Time::new(tick, self.block.sample_period_s, self.rate_per_s);
         let since_end_s = (self.tick - tick) as f32 * self.block.sample_period_s;
-        self.block.reference.motion.each_ref().map(|motion| {
-            let setpoint = motion.at(time);
-            if tick < self.last_tick { setpoint } else { setpoint.brought_to_rest(since_end_s) }
-        })
+        let mut wanted = self.block.reference.motion.each_ref().map(|motion| motion.at(time));
+        if tick == self.end_tick {
+            for (setpoint, braking_s) in wanted.iter_mut().zip(self.braking_s) {
+                *setpoint = setpoint.brought_to_rest(since_end_s, braking_s);
+            }
+        }
+        wanted
     }
 
     /// Motor voltages of the reference, the inverse dynamics of eq. (3), less the external load's.
@@ -299,7 +322,7 @@ impl Controller {
     /// Injected voltages; none once the reference has ended.
     #[inline]
     fn injected(&mut self) -> [f32; 3] {
-        if self.tick >= self.last_tick {
+        if self.tick >= self.end_tick {
             return [0.0; 3];
         }
         let time = Time::new(self.tick, self.block.sample_period_s, self.rate_per_s);

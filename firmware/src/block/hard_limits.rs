@@ -4,6 +4,7 @@ use model::ParameterError;
 use model::parameter::named;
 
 use super::parameters::ParameterBlock;
+use super::position_limits::PositionLimits;
 use crate::dac::FULL_SCALE_V;
 
 /// The limits that no parameter block may exceed on a board, whoever sends it.
@@ -33,6 +34,8 @@ pub struct HardLimits {
     pub stalled_margin_v: f32,
     /// Longest `stalled_s` that a block may set [s].
     pub stalled_s: f32,
+    /// The range of each joint of the rig, within which a block's must lie; `None`: any.
+    pub position: [Option<PositionLimits>; 3],
     /// Largest proportional gain [V/rad].
     pub proportional_gain_v_per_rad: f32,
     /// Largest derivative gain [V s/rad].
@@ -56,6 +59,7 @@ impl Default for HardLimits {
             stuck_s: 2.0,
             stalled_margin_v: 5.0,
             stalled_s: 2.0,
+            position: [None; 3],
             proportional_gain_v_per_rad: 10_000.0,
             derivative_gain_v_s_per_rad: 500.0,
         }
@@ -95,10 +99,17 @@ impl HardLimits {
         below("speed_limit_rad_per_s", speed, self.speed_rad_per_s)?;
         below("tracking_error_limit_rad", error, self.tracking_error_rad)?;
         below("start_error_limit_rad", safety.start_error_rad[joint], self.start_error_rad)?;
+        if let Some(widest) = &self.position[joint] {
+            let range = safety.position[joint];
+            named("position limits_rad", range.map_or(f32::INFINITY, |range| range.upper_rad))
+                .of_joint(joint as u8 + 1)
+                .require(range.is_some_and(|range| range.is_within(widest)), WITHIN)?;
+        }
         let acceleration = safety.acceleration_rad_per_s2[joint];
         below("acceleration_limit_rad_per_s2", acceleration, self.acceleration_rad_per_s2)?;
         Ok(())
     }
 }
 
+const WITHIN: &str = "lie within the rig's hard limits";
 const BELOW: &str = "not exceed the board's hard limit";

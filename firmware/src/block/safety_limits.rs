@@ -4,6 +4,8 @@ use model::ParameterError;
 use model::parameter::named;
 use serde::{Deserialize, Serialize};
 
+use super::position_limits::PositionLimits;
+
 /// The limits of a parameter block; exceeding one is a fault.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SafetyLimits {
@@ -29,6 +31,8 @@ pub struct SafetyLimits {
     pub stalled_margin_v: f32,
     /// and the time for which a larger one is accepted [s].
     pub stalled_s: f32,
+    /// Range of each joint; `None` where it may turn without end.
+    pub position: [Option<PositionLimits>; 3],
 }
 
 impl Default for SafetyLimits {
@@ -48,6 +52,7 @@ impl Default for SafetyLimits {
             stalled_margin_v: 1.0,
             // As long as a saturation.
             stalled_s: 0.5,
+            position: [None; 3],
         }
     }
 }
@@ -61,6 +66,7 @@ impl SafetyLimits {
             of("speed_limit_rad_per_s", self.speed_rad_per_s[joint])?;
             of("tracking_error_limit_rad", self.tracking_error_rad[joint])?;
             of("acceleration_limit_rad_per_s2", self.acceleration_rad_per_s2[joint])?;
+            self.position[joint].iter().try_for_each(|range| range.check(number))?;
             of("start_error_limit_rad", self.start_error_rad[joint])?;
         }
         named("saturation_limit_s", self.saturation_s).positive()?;

@@ -5,6 +5,10 @@ use core::fmt::{Display, Formatter, Result};
 use super::fault::{Fault, FaultRecord, Implausible, State};
 
 impl State {
+    /// Every state.
+    pub const ALL: [Self; 6] =
+        [Self::Boot, Self::Disarmed, Self::Armed, Self::Running, Self::Faulted, Self::Stopping];
+
     /// The name that messages use.
     pub fn name(self) -> &'static str {
         match self {
@@ -13,6 +17,7 @@ impl State {
             Self::Armed => "armed",
             Self::Running => "running",
             Self::Faulted => "faulted",
+            Self::Stopping => "stopping",
         }
     }
 }
@@ -25,7 +30,7 @@ impl Display for State {
 
 impl Fault {
     /// Every fault.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 15] = [
         Self::EncoderJump,
         Self::EncoderStuck,
         Self::TrackingError,
@@ -38,6 +43,9 @@ impl Fault {
         Self::Watchdog,
         Self::Converter,
         Self::Stalled,
+        Self::EmergencyStop,
+        Self::DrivePower,
+        Self::PositionLimit,
     ];
 
     /// The name that messages use.
@@ -55,6 +63,9 @@ impl Fault {
             Self::Watchdog => "watchdog",
             Self::Converter => "converter",
             Self::Stalled => "stalled",
+            Self::EmergencyStop => "emergency stop",
+            Self::DrivePower => "drive power",
+            Self::PositionLimit => "position limit",
         }
     }
 
@@ -75,12 +86,15 @@ impl Fault {
                 "V beyond gravity at a joint that stands still (amplifier off, brake, obstacle or \
                  encoder)"
             }
+            Self::PositionLimit => "rad, where it would come to rest",
             Self::LinkLost => "s without a word from the host",
             Self::TickOverrun
             | Self::NotFinite
             | Self::CorruptParameters
             | Self::Watchdog
-            | Self::Converter => "",
+            | Self::Converter
+            | Self::EmergencyStop
+            | Self::DrivePower => "",
         }
     }
 }
@@ -99,7 +113,9 @@ impl Display for FaultRecord {
         }
         if !self.fault.unit().is_empty() {
             let (value, limit, unit) = (self.value, self.limit, self.fault.unit());
-            write!(f, ": {value:.4} {unit}, at most {limit:.4} allowed")?;
+            let at =
+                if self.fault == Fault::PositionLimit && value < limit { "least" } else { "most" };
+            write!(f, ": {value:.4} {unit}, at {at} {limit:.4} allowed")?;
         }
         write!(f, " (tick {})", self.tick)
     }

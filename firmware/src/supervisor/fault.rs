@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What the board is doing. The outputs are at 0 V in every state but Running.
+/// What the board is doing. The outputs are at 0 V in every state but Running and Stopping.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum State {
     /// Parameters are looked for, the converter is checked.
@@ -16,6 +16,8 @@ pub enum State {
     Running,
     /// Something was wrong; left by an explicit clear and by nothing else, not even a reset.
     Faulted,
+    /// A fault is latched; the arm is braked to rest and held for a moment before it is Faulted.
+    Stopping,
 }
 
 /// Why the supervisor ended a run, or does not let one begin. Its number on the line is its
@@ -47,6 +49,12 @@ pub enum Fault {
     Converter,
     /// A joint does not move although its voltage, less gravity's, exceeds friction [V].
     Stalled,
+    /// The emergency stop was pressed while armed.
+    EmergencyStop,
+    /// The amplifiers lost their power while armed.
+    DrivePower,
+    /// A joint would have left its range [rad].
+    PositionLimit,
 }
 
 /// The first cause, with the figures that made it one.

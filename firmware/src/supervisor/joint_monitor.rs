@@ -3,6 +3,7 @@
 use core::f32::consts::TAU;
 
 use super::fault::{Fault, Implausible};
+use super::range_monitor::RangeMonitor;
 use super::stall::StallMonitor;
 use crate::{Angle, Mode, ParameterBlock};
 
@@ -99,6 +100,7 @@ pub(super) struct JointMonitor {
     saturated_quarters: u32,
     standstill: Standstill,
     stall: StallMonitor,
+    range: RangeMonitor,
     window: Window,
 }
 
@@ -138,6 +140,7 @@ impl JointMonitor {
             saturated_quarters: 0,
             standstill: Standstill::default(),
             stall: StallMonitor::new(block, index),
+            range: RangeMonitor::new(block, index),
             window: Window::default(),
         }
     }
@@ -147,6 +150,7 @@ impl JointMonitor {
         let fresh = Self::new(block, index);
         self.limits == fresh.limits
             && self.stall.fresh() == fresh.stall
+            && self.range == fresh.range
             && self.has_reference == fresh.has_reference
             && self.radians_per_count == fresh.radians_per_count
             && self.rate_per_s == fresh.rate_per_s
@@ -211,6 +215,11 @@ impl JointMonitor {
         &mut self.stall
     }
 
+    /// The range of the joint.
+    pub fn range(&self) -> &RangeMonitor {
+        &self.range
+    }
+
     /// What friction and the model's errors may hold [V].
     pub fn stall_limit_v(&self) -> f32 {
         self.stall.limit_v()
@@ -230,6 +239,9 @@ impl JointMonitor {
                 (sample.reference.minus(self.standstill.reference).abs(), limits.stuck_travel_rad)
             }
             Fault::EncoderStuck => (sample.command_v.abs(), limits.stuck_voltage_v),
+            Fault::PositionLimit => {
+                self.range.leaves(sample.count, sample.velocity_rad_per_s).unwrap_or_default()
+            }
             Fault::Saturation => {
                 (seconds(self.saturated_quarters), seconds(limits.saturated_quarters))
             }

@@ -76,6 +76,26 @@ impl MonitoredController {
         Ok(start)
     }
 
+    /// Whether every joint that has a range is in it.
+    pub fn is_in_range(&self) -> Result<(), OrderError> {
+        for (joint, monitor) in (1..).zip(&self.joints) {
+            if let Some((position_rad, _)) = monitor.range().outside(monitor.last_count()) {
+                return Err(OrderError::OutsideRange { joint, position_rad });
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether every joint can be braked by its reference.
+    pub fn can_brake(&self) -> bool {
+        self.mode.iter().all(|mode| *mode != Mode::FrictionOnly)
+    }
+
+    /// Brakes the joints to rest.
+    pub fn brake(&mut self) {
+        self.controller.brake(&self.last.velocity_rad_per_s);
+    }
+
     /// The voltage at joint `index` (0 to 2) less gravity's, and what friction may hold of it [V].
     #[cold]
     pub fn unbalanced_v(&self, index: usize) -> (f32, f32) {

@@ -16,11 +16,12 @@ use embassy_stm32::{Peri, pac};
 use firmware::DacCode;
 use firmware::link::SupervisorAccess;
 use firmware::supervisor::{
-    BootReport, CHECK_EVERY_TICKS, FaultRecord, Health, State, Supervisor, TickRecord,
+    BootReport, CHECK_EVERY_TICKS, FaultRecord, Health, Supervisor, TickRecord,
 };
 use heapless::spsc::Consumer;
 
 use crate::converter::Converter;
+use crate::drive::Drive;
 use crate::encoders::Encoders;
 use crate::exchange::{Inbox, Question, Remote, Reply, SHARED, channel};
 use crate::latch;
@@ -33,10 +34,18 @@ const MISSED_US: u16 = 1_500;
 /// What the interrupt works on, once [`start`] has put it there.
 static TICK: AtomicPtr<Tick> = AtomicPtr::new(ptr::null_mut());
 
+/// What the tick reads and sets.
+pub struct Wired {
+    pub encoders: Encoders,
+    pub converter: Converter,
+    pub drive: Drive,
+}
+
 struct Tick {
     timer: Timer<'static, TIM6>,
     encoders: Encoders,
     converter: Converter,
+    drive: Drive,
     inbox: Inbox,
     supervisor: Supervisor,
     /// What is in the memory that a reset leaves alone.
@@ -51,11 +60,11 @@ struct Tick {
 /// Sets the converter up and begins to tick; the outputs stay at 0 V.
 pub fn start(
     timer: Peri<'static, TIM6>,
-    encoders: Encoders,
-    mut converter: Converter,
+    wired: Wired,
     mut supervisor: Supervisor,
     report: BootReport,
 ) -> (Remote, Consumer<'static, TickRecord>) {
+    let Wired { encoders, mut converter, drive } = wired;
     let set_up = converter.set_up();
     if let Err(fault) = set_up {
         defmt::error!("the converter does not answer: {}", fault);
@@ -69,6 +78,7 @@ pub fn start(
         timer: millisecond_timer(timer),
         encoders,
         converter,
+        drive,
         inbox,
         supervisor,
         latched,
@@ -108,8 +118,10 @@ impl Tick {
         let counts = self.encoders.read();
         self.health.host_heard = SHARED.host_heard.load(Relaxed);
         SHARED.host_heard.store(false, Relaxed);
+        self.drive.read(&mut self.health);
         let record = self.supervisor.tick(&counts, self.health);
         self.put_out(&record);
+        self.drive.write(self.supervisor.drive_outputs());
         self.latch();
         self.answer();
         self.check_parameters(record.tick);
@@ -134,7 +146,7 @@ impl Tick {
     }
 
     fn put_out(&mut self, record: &TickRecord) {
-        if record.state != State::Running {
+        if !record.state.drives() {
             self.converter.hold_at_zero();
             self.released = false;
             return;
