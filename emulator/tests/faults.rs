@@ -137,16 +137,22 @@ fn an_emergency_stop_and_lost_power_are_seen_at_the_pins() {
 }
 
 #[test]
-fn a_converter_without_supply_is_found_at_power_on_and_not_before() {
+fn a_converter_without_supply_is_found_while_running_and_set_up_again_when_it_is_back() {
     let Some(image) = image() else { return };
     let mut board = running(&image, plan::task(20.0));
+    let since = board.machine.board().now;
     board.machine.board().converter.supply_lost = true;
-    let (fault, state) = after_ms(&mut board, 5);
-    println!("supply lost while running: {fault:?}, {state:?} after 5 ms");
-    assert_eq!((fault, state), (None, State::Running), "only the arm's motion tells");
+    assert_eq!(after_ms(&mut board, 100), (Some(Fault::Converter), State::Faulted));
+    let within_ms = cleared_after_ms(&board, since);
+    println!("supply lost while running: CLR low after {within_ms} ms");
+    assert!(within_ms < 65.0);
+    assert_ne!(board.ask(Command::ClearFault).unwrap(), Some(Ok(())), "it is still lost");
     board.machine.reset(Reset::Pin).unwrap();
     assert_eq!(after_ms(&mut board, 100), (Some(Fault::Converter), State::Faulted));
     assert_eq!(board.machine.board().converter.volts(), [0.0; 3]);
+    board.machine.board().converter.supply_lost = false;
+    done(&mut board, Command::ClearFault);
+    assert_eq!(after_ms(&mut board, 10), (None, State::Disarmed));
 }
 
 #[test]

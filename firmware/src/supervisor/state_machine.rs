@@ -38,6 +38,11 @@ impl Supervisor {
         self.fault
     }
 
+    /// What has become of the board since the last tick, for the next order.
+    pub fn set_health(&mut self, health: Health) {
+        self.health = health;
+    }
+
     /// The levels for amplifiers and brakes.
     pub fn drive_outputs(&self) -> DriveOutputs {
         let holds = self.state == State::Stopping && self.controlled_stop.brakes_engage();
