@@ -13,7 +13,7 @@ use super::mode::mode_named;
 use crate::failure::Failure;
 use files::{ExcitationFile, RobotFile};
 use rig::joints::with_joints;
-use rig::{Plan, Rig, plan};
+use rig::{Plan, Rig, plan, range};
 
 /// What the board is to do with the model.
 #[derive(Clone, Debug, Args)]
@@ -42,6 +42,20 @@ pub struct BlockOptions {
 fn refused(model: &Path, why: &dyn Display) -> Failure {
     let message = format!("{}: the board refuses it: {why}", model.display());
     Failure::new(message, "correct the value in the model file")
+}
+
+/// Refuses a reference that leaves the joints' ranges.
+///
+/// # Errors
+/// It does; with the time at which it would.
+pub fn refuse_leaving(block: &ParameterBlock) -> Result<(), Failure> {
+    match range::leaving(block) {
+        None => Ok(()),
+        Some(leaving) => Err(Failure::new(
+            leaving.to_string(),
+            "limits_rad of the model file has the ranges: take another reference, or a slower one",
+        )),
+    }
 }
 
 /// Words for a value that is beyond a hard limit of the board, with the limit.
@@ -96,6 +110,7 @@ impl BlockOptions {
             [] => block,
             joints => with_joints(block, joints),
         };
+        refuse_leaving(&block)?;
         block.check().map_err(|error| refused(model, &error))?;
         HardLimits::default().check(&block).map_err(|error| beyond_limit(model, &error))?;
         Ok(block)
