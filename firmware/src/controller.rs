@@ -161,6 +161,12 @@ impl Controller {
         self.start_fade = StartFade::new(&self.block, start, measured);
     }
 
+    /// For how long the reference has ended [s].
+    #[inline]
+    pub fn held_s(&self) -> f32 {
+        self.tick.saturating_sub(self.end_tick) as f32 * self.block.sample_period_s
+    }
+
     /// Ends the reference at the next tick: joints at these velocities brake to rest as fast as
     /// their ranges say that they can, and are held.
     pub fn brake(&mut self, velocity_rad_per_s: &[f32; 3]) {

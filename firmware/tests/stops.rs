@@ -164,6 +164,20 @@ fn a_silent_host_brakes_the_arm_and_holds_it_before_the_voltage_goes() {
 }
 
 #[test]
+fn holding_has_an_end() {
+    let mut block = moving(3.0);
+    block.reference.duration_s = 2.0;
+    block.safety.hold_s = 3.0;
+    let mut arm = Follower::new(block);
+    arm.run(None);
+    let (tick, record) = arm.until_fault(8000).expect("it is held for ever");
+    assert_eq!((record.fault, record.state), (Some((Fault::HoldTooLong, 0)), State::Stopping));
+    assert!((5000..5003).contains(&tick), "{tick}");
+    let stopping = (0..).take_while(|_| arm.tick(FINE).state == State::Stopping).count();
+    assert_eq!(stopping, 2000, "held while the brakes engage");
+}
+
+#[test]
 fn a_graver_fault_cuts_a_controlled_stop_short() {
     let mut arm = Follower::new(moving(1.0));
     arm.run(Some(500));

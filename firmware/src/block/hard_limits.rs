@@ -34,6 +34,8 @@ pub struct HardLimits {
     pub stalled_margin_v: f32,
     /// Longest `stalled_s` that a block may set [s].
     pub stalled_s: f32,
+    /// Longest `hold_s` that a block may set [s].
+    pub hold_s: f32,
     /// The range of each joint of the rig, within which a block's must lie; `None`: any.
     pub position: [Option<PositionLimits>; 3],
     /// Largest proportional gain [V/rad].
@@ -59,6 +61,7 @@ impl Default for HardLimits {
             stuck_s: 2.0,
             stalled_margin_v: 5.0,
             stalled_s: 2.0,
+            hold_s: 300.0,
             position: [None; 3],
             proportional_gain_v_per_rad: 10_000.0,
             derivative_gain_v_s_per_rad: 500.0,
@@ -84,6 +87,7 @@ impl HardLimits {
         below("stuck_s", safety.stuck_s, self.stuck_s)?;
         below("stalled_margin_V", safety.stalled_margin_v, self.stalled_margin_v)?;
         below("stalled_s", safety.stalled_s, self.stalled_s)?;
+        below("hold_s", safety.hold_s, self.hold_s)?;
         (0..3).try_for_each(|joint| self.check_joint(block, joint))
     }
 

@@ -31,6 +31,8 @@ pub struct SafetyLimits {
     pub stalled_margin_v: f32,
     /// and the time for which a larger one is accepted [s].
     pub stalled_s: f32,
+    /// Longest time for which joints are held after their reference has ended [s].
+    pub hold_s: f32,
     /// Range of each joint; `None` where it may turn without end.
     pub position: [Option<PositionLimits>; 3],
 }
@@ -52,6 +54,8 @@ impl Default for SafetyLimits {
             stalled_margin_v: 1.0,
             // As long as a saturation.
             stalled_s: 0.5,
+            // A host ends a run within a second; a person has time to support the arm.
+            hold_s: 30.0,
             position: [None; 3],
         }
     }
@@ -75,6 +79,7 @@ impl SafetyLimits {
         named("stuck_s", self.stuck_s).positive()?;
         named("stalled_margin_V", self.stalled_margin_v).positive()?;
         named("stalled_s", self.stalled_s).positive()?;
+        named("hold_s", self.hold_s).positive()?;
         Ok(())
     }
 }

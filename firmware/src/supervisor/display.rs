@@ -30,7 +30,7 @@ impl Display for State {
 
 impl Fault {
     /// Every fault.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::EncoderJump,
         Self::EncoderStuck,
         Self::TrackingError,
@@ -46,6 +46,7 @@ impl Fault {
         Self::EmergencyStop,
         Self::DrivePower,
         Self::PositionLimit,
+        Self::HoldTooLong,
     ];
 
     /// The name that messages use.
@@ -66,6 +67,7 @@ impl Fault {
             Self::EmergencyStop => "emergency stop",
             Self::DrivePower => "drive power",
             Self::PositionLimit => "position limit",
+            Self::HoldTooLong => "hold too long",
         }
     }
 
@@ -86,6 +88,7 @@ impl Fault {
                 "V beyond gravity at a joint that stands still (amplifier off, brake, obstacle or \
                  encoder)"
             }
+            Self::HoldTooLong => "s of holding after the reference",
             Self::PositionLimit => "rad, where it would come to rest",
             Self::LinkLost => "s without a word from the host",
             Self::TickOverrun

@@ -55,6 +55,8 @@ pub enum Fault {
     DrivePower,
     /// A joint would have left its range [rad].
     PositionLimit,
+    /// The joints were held for too long after their reference had ended [s].
+    HoldTooLong,
 }
 
 /// The first cause, with the figures that made it one.

@@ -52,8 +52,20 @@ impl Supervisor {
         if self.health.overrun && self.state.enables() {
             return Some(LimitViolation::of(Fault::TickOverrun));
         }
+        if let Some(violation) = self.held_too_long() {
+            return Some(violation);
+        }
         let most = self.host_timeout_ticks?;
         (self.silent_ticks > most).then(|| self.link_lost(most))
+    }
+
+    /// Whether the joints have been held for too long.
+    #[inline]
+    fn held_too_long(&self) -> Option<LimitViolation> {
+        let controller =
+            &self.monitored.as_ref().filter(|_| self.state == State::Running)?.controller;
+        let (value, limit) = (controller.held_s(), controller.block().safety.hold_s);
+        (value > limit).then_some(LimitViolation { fault: Fault::HoldTooLong, value, limit })
     }
 
     fn link_lost(&self, most_ticks: u32) -> LimitViolation {

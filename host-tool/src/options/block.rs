@@ -82,6 +82,7 @@ fn hard_limit(name: &str) -> Option<f32> {
         "stuck_travel_rad" => Some(limits.stuck_travel_rad),
         "stuck_voltage_V" => Some(limits.stuck_voltage_v),
         "stalled_margin_V" => Some(limits.stalled_margin_v),
+        "hold_s" => Some(limits.hold_s),
         "stalled_s" => Some(limits.stalled_s),
         "start_error_limit_rad" => Some(limits.start_error_rad),
         "stuck_s" => Some(limits.stuck_s),
