@@ -57,7 +57,7 @@ impl Replica {
                 Some(told) => self.as_told(counts, told),
                 None => self.tick(counts),
             };
-            let running = record.state == State::Running;
+            let running = record.state.drives();
             comparison.ticks += 1;
             comparison.running += usize::from(running);
             let codes = if running { record.codes.map(|code| code.0) } else { [0; 3] };

@@ -8,6 +8,7 @@ use std::rc::Rc;
 use common::{board_alone, board_with_arm, commit, done, home_and_run, image};
 use emulator::image::Image;
 use emulator::operator::Operator;
+use emulator::registers::gpio::Pin;
 use emulator::registers::rcc::Reset;
 use emulator::registers::{MS, US};
 use firmware::Mode;
@@ -106,17 +107,52 @@ fn a_tick_that_comes_late_is_a_fault() {
     assert!(within_ms < 5.0 && board.machine.resets.is_empty());
 }
 
+/// Pins of port C: what the board is told, and what it tells.
+const NOT_PRESSED: usize = 5;
+const ENABLE: usize = 6;
+const POWER_GOOD: usize = 8;
+const BRAKES: usize = 9;
+
+/// Enable of the amplifiers and release of the brakes.
+fn drive_outputs(board: &Operator) -> [Pin; 2] {
+    [ENABLE, BRAKES].map(|pin| board.machine.board().gpio[2].pin(pin))
+}
+
 #[test]
-fn a_converter_without_supply_is_found_at_power_on_and_not_before() {
+fn an_emergency_stop_and_lost_power_are_seen_at_the_pins() {
+    let Some(image) = image() else { return };
+    for (pin, fault) in [(NOT_PRESSED, Fault::EmergencyStop), (POWER_GOOD, Fault::DrivePower)] {
+        let mut board = running(&image, plan::task(20.0));
+        assert_eq!(drive_outputs(&board), [Pin::Output(true); 2]);
+        let since = board.machine.board().now;
+        board.machine.board().gpio[2].wires &= !(1 << pin);
+        assert_eq!(after_ms(&mut board, 5), (Some(fault), State::Faulted));
+        let within_ms = cleared_after_ms(&board, since);
+        println!("{fault}: 0 V after {within_ms} ms");
+        assert!(within_ms < 2.1);
+        assert_eq!(drive_outputs(&board), [Pin::Output(false); 2]);
+        done(&mut board, Command::ClearFault);
+        assert_ne!(board.ask(Command::Arm).unwrap(), Some(Ok(())), "not while it is pressed");
+    }
+}
+
+#[test]
+fn a_converter_without_supply_is_found_while_running_and_set_up_again_when_it_is_back() {
     let Some(image) = image() else { return };
     let mut board = running(&image, plan::task(20.0));
+    let since = board.machine.board().now;
     board.machine.board().converter.supply_lost = true;
-    let (fault, state) = after_ms(&mut board, 5);
-    println!("supply lost while running: {fault:?}, {state:?} after 5 ms");
-    assert_eq!((fault, state), (None, State::Running), "only the arm's motion tells");
+    assert_eq!(after_ms(&mut board, 100), (Some(Fault::Converter), State::Faulted));
+    let within_ms = cleared_after_ms(&board, since);
+    println!("supply lost while running: CLR low after {within_ms} ms");
+    assert!(within_ms < 65.0);
+    assert_ne!(board.ask(Command::ClearFault).unwrap(), Some(Ok(())), "it is still lost");
     board.machine.reset(Reset::Pin).unwrap();
     assert_eq!(after_ms(&mut board, 100), (Some(Fault::Converter), State::Faulted));
     assert_eq!(board.machine.board().converter.volts(), [0.0; 3]);
+    board.machine.board().converter.supply_lost = false;
+    done(&mut board, Command::ClearFault);
+    assert_eq!(after_ms(&mut board, 10), (None, State::Disarmed));
 }
 
 #[test]

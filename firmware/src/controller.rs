@@ -23,7 +23,8 @@ use crate::Mode;
 use crate::block::{Gains, ParameterBlock};
 use crate::compensation::{JointMotion, less_tables};
 use crate::encoder::{Encoder, EncoderScale};
-use crate::reference::{InjectionSource, Setpoint, Time};
+use crate::reference::{BRAKING_S, InjectionSource, Setpoint, Time, braking_time_s};
+use crate::start_fade::StartFade;
 use crate::velocity::{TrackerGains, VelocityTracker};
 use crate::{Angle, DacCode};
 
@@ -74,8 +75,14 @@ pub struct Controller {
     joints: [Joint; 3],
     rate_per_s: f32,
     last_tick: u32,
+    /// When the reference of this run ends: in its last tick, or before.
+    end_tick: u32,
+    /// Time in which each joint brakes after that [s].
+    braking_s: [f32; 3],
     tick: u32,
     running: bool,
+    /// What the feedback leaves out at first, so that a run begins without a step.
+    start_fade: StartFade,
     block: ParameterBlock,
     /// Fingerprint of the block when it was taken.
     fingerprint: u32,
@@ -89,8 +96,11 @@ impl Controller {
             joints: [0, 1, 2].map(|i| Joint::new(&block, i, rate_per_s)),
             rate_per_s,
             last_tick: last_tick(&block, rate_per_s),
+            end_tick: last_tick(&block, rate_per_s),
+            braking_s: [BRAKING_S; 3],
             tick: 0,
             running: false,
+            start_fade: StartFade::default(),
             fingerprint: block.fingerprint(),
             block,
         }
@@ -139,7 +149,35 @@ impl Controller {
             joint.friction = FrictionState::default();
         }
         self.tick = 0;
+        (self.end_tick, self.braking_s) = (self.last_tick, [BRAKING_S; 3]);
         self.running = true;
+        self.start_fade = StartFade::default();
+    }
+
+    /// Begins the reference at the next tick, with joints at rest at these angles: what the
+    /// feedback makes of their distance from its `start` is faded in.
+    pub fn start_from(&mut self, start: &[Angle; 3], measured: &[Angle; 3]) {
+        self.start();
+        self.start_fade = StartFade::new(&self.block, start, measured);
+    }
+
+    /// For how long the reference has ended [s].
+    #[inline]
+    pub fn held_s(&self) -> f32 {
+        self.tick.saturating_sub(self.end_tick) as f32 * self.block.sample_period_s
+    }
+
+    /// Ends the reference at the next tick: joints at these velocities brake to rest as fast as
+    /// their ranges say that they can, and are held.
+    pub fn brake(&mut self, velocity_rad_per_s: &[f32; 3]) {
+        if self.tick >= self.end_tick {
+            return;
+        }
+        self.end_tick = self.tick;
+        self.braking_s = [0, 1, 2].map(|i| match &self.block.safety.position[i] {
+            Some(range) => braking_time_s(velocity_rad_per_s[i], range.braking_rad_per_s2),
+            None => BRAKING_S,
+        });
     }
 
     /// Puts out 0 V from the next tick on.
@@ -192,6 +230,7 @@ impl Controller {
         for i in 0..3 {
             let now = ahead[i].earlier(0.5 * self.block.sample_period_s);
             let feedback_v = self.block.gains[i].feedback(&now, &measured[i]);
+            let feedback_v = self.start_fade.applied_to(feedback_v, i, self.tick);
             let motion = self.block.mode[i].feedforward_motion(&ahead[i], &measured[i]);
             let terms = self.terms(i, motion, feedback_v, inverse_dynamics_v[i]);
             let motor_v = terms.sum(self.block.mode[i]) + injected_v[i];
@@ -234,13 +273,16 @@ impl Controller {
     /// The setpoints in the middle of the interval that begins with this tick.
     #[inline]
     fn reference_ahead(&self) -> [Setpoint; 3] {
-        let tick = if self.tick < self.last_tick { self.tick } else { self.last_tick };
+        let tick = if self.tick < self.end_tick { self.tick } else { self.end_tick };
         let time = Time::new(tick, self.block.sample_period_s, self.rate_per_s);
         let since_end_s = (self.tick - tick) as f32 * self.block.sample_period_s;
-        self.block.reference.motion.each_ref().map(|motion| {
-            let setpoint = motion.at(time);
-            if tick < self.last_tick { setpoint } else { setpoint.brought_to_rest(since_end_s) }
-        })
+        let mut wanted = self.block.reference.motion.each_ref().map(|motion| motion.at(time));
+        if tick == self.end_tick {
+            for (setpoint, braking_s) in wanted.iter_mut().zip(self.braking_s) {
+                *setpoint = setpoint.brought_to_rest(since_end_s, braking_s);
+            }
+        }
+        wanted
     }
 
     /// Motor voltages of the reference, the inverse dynamics of eq. (3), less the external load's.
@@ -264,6 +306,14 @@ impl Controller {
         robot.torque_to_voltage(&torque_nm)
     }
 
+    /// Motor voltages that gravity takes at these angles [V].
+    #[cold]
+    pub fn gravity_v(&self, angles: &[Angle; 3]) -> [f32; 3] {
+        let robot = &self.block.robot;
+        let posture = Posture::from_sines(angles[1].sin_cos(), angles[2].sin_cos());
+        robot.torque_to_voltage(&posture.gravity(&robot.base, &robot.geometry))
+    }
+
     /// Motor voltages less what tables add at the reference.
     #[inline]
     fn less_tables(&self, voltage_v: [f32; 3], wanted: &[Setpoint; 3]) -> [f32; 3] {
@@ -278,7 +328,7 @@ impl Controller {
     /// Injected voltages; none once the reference has ended.
     #[inline]
     fn injected(&mut self) -> [f32; 3] {
-        if self.tick >= self.last_tick {
+        if self.tick >= self.end_tick {
             return [0.0; 3];
         }
         let time = Time::new(self.tick, self.block.sample_period_s, self.rate_per_s);

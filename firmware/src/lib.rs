@@ -34,6 +34,7 @@ pub mod link;
 pub mod lockstep;
 pub mod mode;
 pub mod reference;
+mod start_fade;
 pub mod store;
 pub mod supervisor;
 pub mod velocity;

@@ -27,6 +27,9 @@ fn running(key: Option<[u8; 32]>) -> Bench {
     bench
 }
 
+/// From the silence of a host to 0 V: a second to brake at most, and one to hold.
+const CONTROLLED_STOP_TICKS: u32 = 2001;
+
 #[test]
 fn stop_and_disarm_are_executed_under_any_number() {
     for (command, state) in [(Command::Stop, State::Armed), (Command::Disarm, State::Disarmed)] {
@@ -77,6 +80,9 @@ fn a_flash_that_does_not_keep_a_fault_is_not_worn_out_by_it() {
     assert_eq!(tried, 0);
     bench.handler.store().fails = false;
     assert!(!bench.handler.store_fault(&bench.supervisor), "three failures are enough");
+    for _ in 0..CONTROLLED_STOP_TICKS {
+        bench.supervisor.tick(&[0; 3], Health::default());
+    }
     bench.ask(Command::ClearFault).unwrap();
     assert_eq!(bench.handler.store().fault, None);
 }
@@ -85,7 +91,8 @@ fn a_flash_that_does_not_keep_a_fault_is_not_worn_out_by_it() {
 fn a_fault_that_is_cleared_but_not_in_the_flash_is_told() {
     let mut bench = running(None);
     bench.stand(102);
-    assert!(bench.handler.store_fault(&bench.supervisor));
+    assert!(bench.handler.store_fault(&bench.supervisor), "while it brakes");
+    bench.stand(CONTROLLED_STOP_TICKS);
     bench.handler.store().fails = true;
     let refused = bench.ask(Command::ClearFault);
     assert_eq!(refused, Err(Refusal::Store(StoreRefusal::Write)));

@@ -65,6 +65,8 @@ fn a_day_at_the_rig() {
     ] {
         assert_eq!(bench.ask(command), Ok(Owned::Done), "{command:?}");
         assert_eq!(bench.report().state, state);
+        // The feedback begins at 0 V and is faded in.
+        bench.supervisor.tick(&[0; 3], Health::default());
         let codes = bench.supervisor.tick(&[0; 3], Health::default()).codes;
         assert_eq!(codes[0].0 != 0, state == State::Running);
     }

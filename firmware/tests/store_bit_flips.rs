@@ -43,7 +43,7 @@ fn a_flipped_bit_in_the_newest_block_brings_back_the_other() {
         }
     }
     println!("{} bits", 8 * bytes);
-    assert_eq!(8 * bytes, 3_008);
+    assert_eq!(8 * bytes, 3_264);
 }
 
 #[test]

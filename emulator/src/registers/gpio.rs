@@ -23,6 +23,8 @@ pub struct Gpio {
     pull: u32,
     output: u32,
     alternate: [u32; 2],
+    /// What the wires outside pull the pins to, bit by bit.
+    pub wires: u32,
 }
 
 impl Gpio {
@@ -33,7 +35,9 @@ impl Gpio {
             1 => (0xFFFF_FEBF, 0, 0x0000_0100),
             _ => (0xFFFF_FFFF, 0, 0),
         };
-        Self { mode, output_type: 0, speed, pull, output: 0, alternate: [0; 2] }
+        // PC5 and PC8: the emergency stop is not pressed, the amplifiers have power.
+        let wires = if port == 2 { 1 << 5 | 1 << 8 } else { 0 };
+        Self { mode, output_type: 0, speed, pull, output: 0, alternate: [0; 2], wires }
     }
 
     /// What a pin is.
@@ -43,6 +47,16 @@ impl Gpio {
             2 => Pin::Alternate(self.alternate[number / 8] >> (4 * (number % 8)) & 0xF),
             _ => Pin::Floating,
         }
+    }
+
+    /// The levels that the input register shows: what a pin drives, else its wire.
+    fn input(&self) -> u32 {
+        let level = |number: usize| match self.mode >> (2 * number) & 3 {
+            0 => self.wires >> number & 1,
+            1 => self.output >> number & 1,
+            _ => 0,
+        };
+        (0..16).map(|number| level(number) << number).sum()
     }
 
     /// A register.
@@ -55,6 +69,7 @@ impl Gpio {
             0x04 => Ok(self.output_type),
             0x08 => Ok(self.speed),
             0x0C => Ok(self.pull),
+            0x10 => Ok(self.input()),
             0x14 => Ok(self.output),
             0x20 | 0x24 => Ok(self.alternate[(offset as usize - 0x20) / 4]),
             _ => Err(Refusal::NotModelled),

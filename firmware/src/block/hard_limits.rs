@@ -4,6 +4,7 @@ use model::ParameterError;
 use model::parameter::named;
 
 use super::parameters::ParameterBlock;
+use super::position_limits::PositionLimits;
 use crate::dac::FULL_SCALE_V;
 
 /// The limits that no parameter block may exceed on a board, whoever sends it.
@@ -17,6 +18,8 @@ pub struct HardLimits {
     pub speed_rad_per_s: f32,
     /// Largest tracking error limit that a block may set [rad].
     pub tracking_error_rad: f32,
+    /// Largest distance from the reference's start that a block may allow [rad].
+    pub start_error_rad: f32,
     /// Largest acceleration limit that a block may set [rad/s^2].
     pub acceleration_rad_per_s2: f32,
     /// Longest saturation limit that a block may set [s].
@@ -27,6 +30,14 @@ pub struct HardLimits {
     pub stuck_voltage_v: f32,
     /// Longest `stuck_s` that a block may set [s].
     pub stuck_s: f32,
+    /// Largest `stalled_margin_v` that a block may set [V].
+    pub stalled_margin_v: f32,
+    /// Longest `stalled_s` that a block may set [s].
+    pub stalled_s: f32,
+    /// Longest `hold_s` that a block may set [s].
+    pub hold_s: f32,
+    /// The range of each joint of the rig, within which a block's must lie; `None`: any.
+    pub position: [Option<PositionLimits>; 3],
     /// Largest proportional gain [V/rad].
     pub proportional_gain_v_per_rad: f32,
     /// Largest derivative gain [V s/rad].
@@ -41,11 +52,17 @@ impl Default for HardLimits {
             speed_rad_per_s: 30.0,
             // Half a turn could never be exceeded.
             tracking_error_rad: 2.0,
+            // As far as a person sees the arm move and is not hit by it.
+            start_error_rad: 0.1,
             acceleration_rad_per_s2: 50_000.0,
             saturation_s: 5.0,
             stuck_travel_rad: 0.5,
             stuck_voltage_v: 9.0,
             stuck_s: 2.0,
+            stalled_margin_v: 5.0,
+            stalled_s: 2.0,
+            hold_s: 300.0,
+            position: [None; 3],
             proportional_gain_v_per_rad: 10_000.0,
             derivative_gain_v_s_per_rad: 500.0,
         }
@@ -68,6 +85,9 @@ impl HardLimits {
         below("stuck_travel_rad", safety.stuck_travel_rad, self.stuck_travel_rad)?;
         below("stuck_voltage_V", safety.stuck_voltage_v, self.stuck_voltage_v)?;
         below("stuck_s", safety.stuck_s, self.stuck_s)?;
+        below("stalled_margin_V", safety.stalled_margin_v, self.stalled_margin_v)?;
+        below("stalled_s", safety.stalled_s, self.stalled_s)?;
+        below("hold_s", safety.hold_s, self.hold_s)?;
         (0..3).try_for_each(|joint| self.check_joint(block, joint))
     }
 
@@ -82,10 +102,18 @@ impl HardLimits {
         let (speed, error) = (safety.speed_rad_per_s[joint], safety.tracking_error_rad[joint]);
         below("speed_limit_rad_per_s", speed, self.speed_rad_per_s)?;
         below("tracking_error_limit_rad", error, self.tracking_error_rad)?;
+        below("start_error_limit_rad", safety.start_error_rad[joint], self.start_error_rad)?;
+        if let Some(widest) = &self.position[joint] {
+            let range = safety.position[joint];
+            named("position limits_rad", range.map_or(f32::INFINITY, |range| range.upper_rad))
+                .of_joint(joint as u8 + 1)
+                .require(range.is_some_and(|range| range.is_within(widest)), WITHIN)?;
+        }
         let acceleration = safety.acceleration_rad_per_s2[joint];
         below("acceleration_limit_rad_per_s2", acceleration, self.acceleration_rad_per_s2)?;
         Ok(())
     }
 }
 
+const WITHIN: &str = "lie within the rig's hard limits";
 const BELOW: &str = "not exceed the board's hard limit";

@@ -7,9 +7,11 @@ mod check;
 mod encoding;
 mod hard_limits;
 mod parameters;
+mod position_limits;
 mod safety_limits;
 
 pub use encoding::{BlockError, MAX_BYTES, VERSION};
 pub use hard_limits::HardLimits;
 pub use parameters::{Gains, ParameterBlock};
+pub use position_limits::PositionLimits;
 pub use safety_limits::SafetyLimits;

@@ -4,12 +4,14 @@ use model::ParameterError;
 use model::parameter::named;
 use serde::{Deserialize, Serialize};
 
+use super::position_limits::PositionLimits;
+
 /// The limits of a parameter block; exceeding one is a fault.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SafetyLimits {
     /// Speed limit of each joint [rad/s].
     pub speed_rad_per_s: [f32; 3],
-    /// Tracking error limit of each joint [rad]; also of its distance from the reference's start.
+    /// Tracking error limit of each joint [rad].
     pub tracking_error_rad: [f32; 3],
     /// Acceleration limit [rad/s^2], above what the motor or a person can cause: a larger one
     /// is an encoder error.
@@ -22,6 +24,17 @@ pub struct SafetyLimits {
     pub stuck_voltage_v: f32,
     /// and the time for which a larger one is accepted [s].
     pub stuck_s: f32,
+    /// Largest distance of each joint from the reference's start at which a run may begin [rad].
+    pub start_error_rad: [f32; 3],
+    /// Voltage beyond gravity and twice the static friction at which a tracked joint may stand
+    /// still [V],
+    pub stalled_margin_v: f32,
+    /// and the time for which a larger one is accepted [s].
+    pub stalled_s: f32,
+    /// Longest time for which joints are held after their reference has ended [s].
+    pub hold_s: f32,
+    /// Range of each joint; `None` where it may turn without end.
+    pub position: [Option<PositionLimits>; 3],
 }
 
 impl Default for SafetyLimits {
@@ -35,6 +48,15 @@ impl Default for SafetyLimits {
             stuck_travel_rad: 0.05,
             stuck_voltage_v: 3.0,
             stuck_s: 0.2,
+            // What an arm sags by after an approach; at 80 V/rad it is worth 4 V, faded in.
+            start_error_rad: [0.05; 3],
+            // Above what the torque constant and gravity of a first model file are wrong by.
+            stalled_margin_v: 1.0,
+            // As long as a saturation.
+            stalled_s: 0.5,
+            // A host ends a run within a second; a person has time to support the arm.
+            hold_s: 30.0,
+            position: [None; 3],
         }
     }
 }
@@ -48,11 +70,16 @@ impl SafetyLimits {
             of("speed_limit_rad_per_s", self.speed_rad_per_s[joint])?;
             of("tracking_error_limit_rad", self.tracking_error_rad[joint])?;
             of("acceleration_limit_rad_per_s2", self.acceleration_rad_per_s2[joint])?;
+            self.position[joint].iter().try_for_each(|range| range.check(number))?;
+            of("start_error_limit_rad", self.start_error_rad[joint])?;
         }
         named("saturation_limit_s", self.saturation_s).positive()?;
         named("stuck_travel_rad", self.stuck_travel_rad).positive()?;
         named("stuck_voltage_V", self.stuck_voltage_v).positive()?;
         named("stuck_s", self.stuck_s).positive()?;
+        named("stalled_margin_V", self.stalled_margin_v).positive()?;
+        named("stalled_s", self.stalled_s).positive()?;
+        named("hold_s", self.hold_s).positive()?;
         Ok(())
     }
 }

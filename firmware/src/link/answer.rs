@@ -127,7 +127,7 @@ pub enum Refusal {
         /// What is wrong with it.
         why: Implausible,
     },
-    /// The reference begins further from where the joint is than its tracking error may be.
+    /// The reference begins further from where the joint is than the limit of a start allows.
     FarFromStart {
         /// The joint, 1 to 3.
         joint: u8,
@@ -148,6 +148,17 @@ pub enum Refusal {
     /// After `Commit`: the block is stored for the next reset, but a fault came between: the old
     /// one is still in use.
     StoredNotInUse,
+    /// The emergency stop is pressed, or its wire is broken.
+    EmergencyStop,
+    /// The amplifiers have no power, or the wire that says so is broken.
+    NoDrivePower,
+    /// A joint is outside its range.
+    OutsideRange {
+        /// The joint, 1 to 3.
+        joint: u8,
+        /// Where it is [rad].
+        position_rad: f32,
+    },
 }
 
 /// Why a parameter block is refused.

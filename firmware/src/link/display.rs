@@ -18,6 +18,15 @@ impl Display for Refusal {
             Self::FarFromStart { joint, distance_rad } => {
                 write!(f, "joint {joint} is {distance_rad:.3} rad from where its reference begins")
             }
+            Self::EmergencyStop => {
+                f.write_str("the emergency stop is pressed, or its wire is broken")
+            }
+            Self::NoDrivePower => {
+                f.write_str("the amplifiers have no power, or the wire that says so is broken")
+            }
+            Self::OutsideRange { joint, position_rad } => {
+                write!(f, "joint {joint} is at {position_rad:.3} rad, outside its range")
+            }
             Self::FaultPersists => f.write_str("the cause of the fault is still there"),
             Self::Upload { taken } => {
                 write!(f, "the upload is out of step: the board has {taken} bytes of it")

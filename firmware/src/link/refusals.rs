@@ -15,6 +15,11 @@ impl From<OrderError> for Refusal {
                 Self::FarFromStart { joint, distance_rad }
             }
             OrderError::FaultPersists => Self::FaultPersists,
+            OrderError::EmergencyStop => Self::EmergencyStop,
+            OrderError::NoDrivePower => Self::NoDrivePower,
+            OrderError::OutsideRange { joint, position_rad } => {
+                Self::OutsideRange { joint, position_rad }
+            }
         }
     }
 }

@@ -18,7 +18,7 @@ pub use fourier::{FourierSeries, TERMS};
 pub use injection::{FrictionExcitation, Injection, InjectionSource};
 pub use motion::Motion;
 pub use noise::{Noise, NoiseSource};
-pub use setpoint::Setpoint;
+pub use setpoint::{BRAKING_S, Setpoint, braking_distance_rad, braking_time_s};
 pub use sine::Sine;
 pub use time::Time;
 pub use wave::FadeIn;

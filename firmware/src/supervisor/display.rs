@@ -5,6 +5,10 @@ use core::fmt::{Display, Formatter, Result};
 use super::fault::{Fault, FaultRecord, Implausible, State};
 
 impl State {
+    /// Every state.
+    pub const ALL: [Self; 6] =
+        [Self::Boot, Self::Disarmed, Self::Armed, Self::Running, Self::Faulted, Self::Stopping];
+
     /// The name that messages use.
     pub fn name(self) -> &'static str {
         match self {
@@ -13,6 +17,7 @@ impl State {
             Self::Armed => "armed",
             Self::Running => "running",
             Self::Faulted => "faulted",
+            Self::Stopping => "stopping",
         }
     }
 }
@@ -25,7 +30,7 @@ impl Display for State {
 
 impl Fault {
     /// Every fault.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 16] = [
         Self::EncoderJump,
         Self::EncoderStuck,
         Self::TrackingError,
@@ -37,6 +42,11 @@ impl Fault {
         Self::CorruptParameters,
         Self::Watchdog,
         Self::Converter,
+        Self::Stalled,
+        Self::EmergencyStop,
+        Self::DrivePower,
+        Self::PositionLimit,
+        Self::HoldTooLong,
     ];
 
     /// The name that messages use.
@@ -53,7 +63,17 @@ impl Fault {
             Self::CorruptParameters => "corrupt parameters",
             Self::Watchdog => "watchdog",
             Self::Converter => "converter",
+            Self::Stalled => "stalled",
+            Self::EmergencyStop => "emergency stop",
+            Self::DrivePower => "drive power",
+            Self::PositionLimit => "position limit",
+            Self::HoldTooLong => "hold too long",
         }
+    }
+
+    /// The number on the line and in the documentation, from 1 up; that of a fault never changes.
+    pub fn number(self) -> u8 {
+        self as u8 + 1
     }
 
     /// The unit of a record's value and limit; empty where there are none.
@@ -63,13 +83,21 @@ impl Fault {
             Self::EncoderStuck => "rad of reference, or V, while the encoder stands still",
             Self::TrackingError => "rad from the reference",
             Self::Speed => "rad/s",
-            Self::Saturation => "s at the limit without a pause",
+            Self::Saturation => "s at the limit, less a quarter of the pauses",
+            Self::Stalled => {
+                "V beyond gravity at a joint that stands still (amplifier off, brake, obstacle or \
+                 encoder)"
+            }
+            Self::HoldTooLong => "s of holding after the reference",
+            Self::PositionLimit => "rad, where it would come to rest",
             Self::LinkLost => "s without a word from the host",
             Self::TickOverrun
             | Self::NotFinite
             | Self::CorruptParameters
             | Self::Watchdog
-            | Self::Converter => "",
+            | Self::Converter
+            | Self::EmergencyStop
+            | Self::DrivePower => "",
         }
     }
 }
@@ -88,7 +116,9 @@ impl Display for FaultRecord {
         }
         if !self.fault.unit().is_empty() {
             let (value, limit, unit) = (self.value, self.limit, self.fault.unit());
-            write!(f, ": {value:.4} {unit}, at most {limit:.4} allowed")?;
+            let at =
+                if self.fault == Fault::PositionLimit && value < limit { "least" } else { "most" };
+            write!(f, ": {value:.4} {unit}, at {at} {limit:.4} allowed")?;
         }
         write!(f, " (tick {})", self.tick)
     }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What the board is doing. The outputs are at 0 V in every state but Running.
+/// What the board is doing. The outputs are at 0 V in every state but Running and Stopping.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum State {
     /// Parameters are looked for, the converter is checked.
@@ -16,9 +16,12 @@ pub enum State {
     Running,
     /// Something was wrong; left by an explicit clear and by nothing else, not even a reset.
     Faulted,
+    /// A fault is latched; the arm is braked to rest and held for a moment before it is Faulted.
+    Stopping,
 }
 
-/// Why the supervisor ended a run, or does not let one begin.
+/// Why the supervisor ended a run, or does not let one begin. Its number on the line is its
+/// place here and never changes: new ones come last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Fault {
     /// An encoder moved further in a tick than its joint can. Value and limit in rad per tick.
@@ -30,7 +33,7 @@ pub enum Fault {
     TrackingError,
     /// The joint is too fast [rad/s].
     Speed,
-    /// The command was at its limit for too long without a pause [s].
+    /// The command was at its limit for too long [s], a quarter of the pauses taken off.
     Saturation,
     /// A tick was not done when the next one was due.
     TickOverrun,
@@ -44,6 +47,16 @@ pub enum Fault {
     Watchdog,
     /// The converter does not answer as it should.
     Converter,
+    /// A joint does not move although its voltage, less gravity's, exceeds friction [V].
+    Stalled,
+    /// The emergency stop was pressed while armed.
+    EmergencyStop,
+    /// The amplifiers lost their power while armed.
+    DrivePower,
+    /// A joint would have left its range [rad].
+    PositionLimit,
+    /// The joints were held for too long after their reference had ended [s].
+    HoldTooLong,
 }
 
 /// The first cause, with the figures that made it one.

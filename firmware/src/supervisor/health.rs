@@ -11,6 +11,10 @@ pub struct Health {
     pub converter_fault: bool,
     /// The parameters in use are not those that were checked.
     pub parameters_corrupt: bool,
+    /// The emergency stop is pressed, or its wire is broken.
+    pub emergency_stop: bool,
+    /// The amplifiers have no power, or the wire that says so is broken.
+    pub drive_power_lost: bool,
     /// The host was heard since the last tick.
     pub host_heard: bool,
     /// From the last tick's beginning to its codes [0.1 us].

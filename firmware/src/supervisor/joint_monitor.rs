@@ -3,6 +3,8 @@
 use core::f32::consts::TAU;
 
 use super::fault::{Fault, Implausible};
+use super::range_monitor::RangeMonitor;
+use super::stall::StallMonitor;
 use crate::{Angle, Mode, ParameterBlock};
 
 /// Ticks over which the velocity estimate is compared with the encoder's travel.
@@ -13,6 +15,10 @@ const REST_RAD_PER_S: f32 = 0.05;
 const DISAGREEMENT_RAD_PER_S: f32 = 0.1;
 /// Dither of an encoder at a joint at rest, and about a smooth motion [counts].
 const DITHER_COUNTS: u32 = 3;
+
+/// A tick at the limit counts as many of those below it, so that no limit cycle with a fifth of
+/// its ticks at the limit goes on.
+const SATURATION_WEIGHT: u32 = 4;
 
 /// What is measured and commanded at a joint in a tick.
 #[derive(Clone, Copy, Debug)]
@@ -47,7 +53,7 @@ struct Limits {
     jump_counts: u32,
     speed_rad_per_s: f32,
     tracking_error_rad: f32,
-    saturated_ticks: u32,
+    saturated_quarters: u32,
     stuck_travel_rad: f32,
     stuck_voltage_v: f32,
     stuck_ticks: u32,
@@ -64,7 +70,8 @@ impl Limits {
             jump_counts: (jump as u32).saturating_add(DITHER_COUNTS),
             speed_rad_per_s: safety.speed_rad_per_s[index],
             tracking_error_rad: safety.tracking_error_rad[index],
-            saturated_ticks: (safety.saturation_s / period_s + 0.5) as u32,
+            saturated_quarters: ((safety.saturation_s / period_s + 0.5) as u32)
+                .saturating_mul(SATURATION_WEIGHT),
             stuck_travel_rad: safety.stuck_travel_rad,
             // Commands that are cut below that must not hide a dead encoder.
             stuck_voltage_v: safety.stuck_voltage_v.min(0.9 * block.command_limit_v),
@@ -89,8 +96,11 @@ pub(super) struct JointMonitor {
     /// Ticks seen so far, counted until the estimates have settled.
     ticks: u32,
     ticks_since_jump: u32,
-    saturated_ticks: u32,
+    /// Ticks at the limit, [`SATURATION_WEIGHT`] each, less those below it.
+    saturated_quarters: u32,
     standstill: Standstill,
+    stall: StallMonitor,
+    range: RangeMonitor,
     window: Window,
 }
 
@@ -127,8 +137,10 @@ impl JointMonitor {
             jump_counts: 0,
             ticks: 0,
             ticks_since_jump: WINDOW_TICKS,
-            saturated_ticks: 0,
+            saturated_quarters: 0,
             standstill: Standstill::default(),
+            stall: StallMonitor::new(block, index),
+            range: RangeMonitor::new(block, index),
             window: Window::default(),
         }
     }
@@ -137,6 +149,8 @@ impl JointMonitor {
     pub fn has_limits_of(&self, block: &ParameterBlock, index: usize) -> bool {
         let fresh = Self::new(block, index);
         self.limits == fresh.limits
+            && self.stall.fresh() == fresh.stall
+            && self.range == fresh.range
             && self.has_reference == fresh.has_reference
             && self.radians_per_count == fresh.radians_per_count
             && self.rate_per_s == fresh.rate_per_s
@@ -150,7 +164,8 @@ impl JointMonitor {
 
     /// Begins a run: resets what an earlier one has counted.
     pub fn begin_run(&mut self) {
-        self.saturated_ticks = 0;
+        self.saturated_quarters = 0;
+        self.stall.moves();
         self.window.ticks = 0;
         self.window.sum_rad_per_s = 0.0;
         self.standstill.pushed_ticks = 0;
@@ -187,11 +202,27 @@ impl JointMonitor {
             Some(Fault::TrackingError)
         } else if stuck {
             Some(Fault::EncoderStuck)
-        } else if self.saturated_ticks > self.limits.saturated_ticks {
+        } else if self.saturated_quarters > self.limits.saturated_quarters {
             Some(Fault::Saturation)
         } else {
             None
         }
+    }
+
+    /// Counts, and whether it is time to look what holds the joint.
+    #[inline]
+    pub fn stall(&mut self) -> &mut StallMonitor {
+        &mut self.stall
+    }
+
+    /// The range of the joint.
+    pub fn range(&self) -> &RangeMonitor {
+        &self.range
+    }
+
+    /// What friction and the model's errors may hold [V].
+    pub fn stall_limit_v(&self) -> f32 {
+        self.stall.limit_v()
     }
 
     /// Value and limit of a fault found in this tick.
@@ -199,7 +230,7 @@ impl JointMonitor {
     pub fn violation(&self, fault: Fault, sample: &JointSample) -> LimitViolation {
         let limits = &self.limits;
         let radians = |counts: u32| counts as f32 * self.radians_per_count;
-        let seconds = |ticks: u32| ticks as f32 * self.sample_period_s;
+        let seconds = |quarters: u32| (quarters / SATURATION_WEIGHT) as f32 * self.sample_period_s;
         let (value, limit) = match fault {
             Fault::EncoderJump => (radians(self.jump_counts), radians(limits.jump_counts)),
             Fault::Speed => (sample.velocity_rad_per_s.abs(), limits.speed_rad_per_s),
@@ -208,7 +239,12 @@ impl JointMonitor {
                 (sample.reference.minus(self.standstill.reference).abs(), limits.stuck_travel_rad)
             }
             Fault::EncoderStuck => (sample.command_v.abs(), limits.stuck_voltage_v),
-            Fault::Saturation => (seconds(self.saturated_ticks), seconds(limits.saturated_ticks)),
+            Fault::PositionLimit => {
+                self.range.leaves(sample.count, sample.velocity_rad_per_s).unwrap_or_default()
+            }
+            Fault::Saturation => {
+                (seconds(self.saturated_quarters), seconds(limits.saturated_quarters))
+            }
             _ => (0.0, 0.0),
         };
         LimitViolation { fault, value, limit }
@@ -267,7 +303,11 @@ impl JointMonitor {
 
     #[inline]
     fn count_saturation(&mut self, saturated: bool) {
-        self.saturated_ticks = if saturated { self.saturated_ticks.saturating_add(1) } else { 0 };
+        let quarters = self.saturated_quarters;
+        self.saturated_quarters = match saturated {
+            true => quarters.saturating_add(SATURATION_WEIGHT),
+            false => quarters.saturating_sub(1),
+        };
     }
 
     /// Whether the encoder does not move although its joint must.
@@ -277,9 +317,11 @@ impl JointMonitor {
         if sample.count.wrapping_sub(standstill.count).unsigned_abs() > DITHER_COUNTS {
             let (count, reference) = (sample.count, sample.reference);
             *standstill = Standstill { count, reference, pushed_ticks: 0 };
+            self.stall.moves();
             return false;
         }
         if self.has_reference {
+            self.stall.stands(sample.command_v);
             let travel_rad = sample.reference.minus(standstill.reference).abs();
             return travel_rad > self.limits.stuck_travel_rad;
         }

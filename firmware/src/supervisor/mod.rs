@@ -7,10 +7,13 @@
 //! | Armed | Running | [`Order::Run`], if every joint is where its reference begins |
 //! | Running | Armed | [`Order::Stop`] |
 //! | Armed, Running | Disarmed | [`Order::Disarm`] |
-//! | any | Faulted | a fault, see [`Fault`] |
+//! | Running | Stopping | a fault whose [`StopCategory`] is a controlled stop |
+//! | Stopping | Faulted | rest, and a second of holding; or another fault |
+//! | any | Faulted | any other fault, see [`Fault`] |
 //! | Faulted | Disarmed | [`Order::ClearFault`], and nothing else |
 //!
-//! The codes are zero in every state but Running, and in the very tick that finds a fault.
+//! The codes are zero in every state but Running and Stopping, and in the very tick that finds a
+//! fault, unless it is braked to rest first.
 //! Orders and new parameters come between ticks, so they take effect at a tick's
 //! boundary, all at once.
 
@@ -23,7 +26,10 @@ mod joint_monitor;
 pub mod latch;
 mod monitored_controller;
 mod orders;
+mod range_monitor;
+mod stall;
 mod state_machine;
+mod stop_category;
 mod tick;
 mod tick_record;
 
@@ -32,4 +38,5 @@ pub use fault::{Fault, FaultRecord, Implausible, State};
 pub use health::{BootReport, Health};
 pub use orders::{Order, OrderError};
 pub use state_machine::{CHECK_EVERY_TICKS, Supervisor};
+pub use stop_category::{DriveOutputs, StopCategory};
 pub use tick_record::TickRecord;

@@ -2,7 +2,7 @@
 
 use super::joint_monitor::{JointMonitor, JointSample, has_reference};
 use super::orders::OrderError;
-use crate::{Controller, DacCode, Mode, TickOutput};
+use crate::{Angle, Controller, DacCode, Mode, TickOutput};
 
 /// A controller and the monitors of its joints.
 #[derive(Clone, Debug)]
@@ -63,9 +63,9 @@ impl MonitoredController {
         }
     }
 
-    /// Whether every joint that has a reference is near the reference's start.
-    pub fn is_near_start(&self) -> Result<(), OrderError> {
-        let limits = self.controller.block().safety.tracking_error_rad;
+    /// Where the reference begins, if every joint that has one is near.
+    pub fn near_start(&self) -> Result<[Angle; 3], OrderError> {
+        let limits = self.controller.block().safety.start_error_rad;
         let start = self.controller.start_of_reference();
         for (number, index) in (1..).zip(0..3) {
             let distance_rad = start[index].minus(self.last.measured[index]);
@@ -73,7 +73,57 @@ impl MonitoredController {
                 return Err(OrderError::FarFromStart { joint: number, distance_rad });
             }
         }
+        Ok(start)
+    }
+
+    /// Whether every joint that has a range is in it.
+    pub fn is_in_range(&self) -> Result<(), OrderError> {
+        for (joint, monitor) in (1..).zip(&self.joints) {
+            if let Some((position_rad, _)) = monitor.range().outside(monitor.last_count()) {
+                return Err(OrderError::OutsideRange { joint, position_rad });
+            }
+        }
         Ok(())
+    }
+
+    /// Whether every joint can be braked by its reference.
+    pub fn can_brake(&self) -> bool {
+        self.mode.iter().all(|mode| *mode != Mode::FrictionOnly)
+    }
+
+    /// Brakes the joints to rest.
+    pub fn brake(&mut self) {
+        self.controller.brake(&self.last.velocity_rad_per_s);
+    }
+
+    /// The voltage at joint `index` (0 to 2) less gravity's, and what friction may hold of it [V].
+    #[cold]
+    pub fn unbalanced_v(&self, index: usize) -> (f32, f32) {
+        let command_v = self.last.codes[index].to_volts();
+        // A joint without a reference may not know where it is.
+        let posture = [0, 1, 2].map(|i| match has_reference(self.mode[i]) {
+            true => self.last.measured[i],
+            false => self.last.reference[i],
+        });
+        let net_v = command_v - self.controller.gravity_v(&posture)[index];
+        (net_v.abs(), self.joints[index].stall_limit_v())
+    }
+
+    /// Whether joint `index` (0 to 2), which stands under a voltage, does not stand by itself.
+    #[cold]
+    pub fn is_stalled(&mut self, index: usize) -> bool {
+        let (net_v, limit_v) = self.unbalanced_v(index);
+        let is_stalled = net_v > limit_v;
+        if !is_stalled {
+            self.joints[index].stall().moves();
+        }
+        is_stalled
+    }
+
+    /// Begins the reference, without a step of the feedback where the joints are off its start.
+    pub fn start(&mut self, start: &[Angle; 3]) {
+        self.controller.start_from(start, &self.last.measured);
+        self.joints.iter_mut().for_each(JointMonitor::begin_run);
     }
 
     /// Sets the codes to 0 V, in this tick too.

@@ -52,4 +52,15 @@ pub enum OrderError {
     },
     /// The cause of the fault is still there.
     FaultPersists,
+    /// The emergency stop is pressed, or its wire is broken.
+    EmergencyStop,
+    /// The amplifiers have no power, or the wire that says so is broken.
+    NoDrivePower,
+    /// A joint is outside its range.
+    OutsideRange {
+        /// The joint, 1 to 3.
+        joint: u8,
+        /// Where it is [rad].
+        position_rad: f32,
+    },
 }

@@ -4,9 +4,10 @@ use super::counters::TickCounters;
 use super::fault::{Fault, FaultRecord, State};
 use super::health::{BootReport, Health};
 use super::home::Home;
-use super::joint_monitor::{JointMonitor, LimitViolation, has_reference};
+use super::joint_monitor::{LimitViolation, has_reference};
 use super::monitored_controller::MonitoredController;
 use super::orders::{Order, OrderError};
+use super::stop_category::{ControlledStop, DriveOutputs, StopCategory};
 use crate::{Angle, Controller, ParameterBlock};
 
 /// Ticks between two calls of [`Supervisor::parameters_are_intact`] by a board.
@@ -22,6 +23,7 @@ pub struct Supervisor {
     pub(super) health: Health,
     pub(super) host_timeout_ticks: Option<u32>,
     pub(super) silent_ticks: u32,
+    pub(super) controlled_stop: ControlledStop,
     pub(super) counters: TickCounters,
 }
 
@@ -34,6 +36,17 @@ impl Supervisor {
     /// The first cause, while Faulted.
     pub fn fault(&self) -> Option<FaultRecord> {
         self.fault
+    }
+
+    /// What has become of the board since the last tick, for the next order.
+    pub fn set_health(&mut self, health: Health) {
+        self.health = health;
+    }
+
+    /// The levels for amplifiers and brakes.
+    pub fn drive_outputs(&self) -> DriveOutputs {
+        let holds = self.state == State::Stopping && self.controlled_stop.brakes_engage();
+        DriveOutputs { enable: self.state.enables(), release_brakes: self.state.drives() && !holds }
     }
 
     /// What it has counted since power-on; saturation included.
@@ -125,11 +138,18 @@ impl Supervisor {
         if self.health.converter_fault || self.health.parameters_corrupt {
             return Err(OrderError::FaultPersists);
         }
+        if self.health.emergency_stop {
+            return Err(OrderError::EmergencyStop);
+        }
+        if self.health.drive_power_lost {
+            return Err(OrderError::NoDrivePower);
+        }
         let monitored = self.monitored.as_ref().ok_or(OrderError::NoParameters)?;
         monitored.is_plausible()?;
         for (joint, index) in (1..).zip(0..3) {
-            let why = self.home.implausible(index).filter(|_| has_reference(monitored.mode[index]));
-            if let Some(why) = why {
+            let is_needed =
+                has_reference(monitored.mode[index]) || monitored.joints[index].range().is_there();
+            if let Some(why) = self.home.implausible(index).filter(|_| is_needed) {
                 return Err(OrderError::Implausible { joint, why });
             }
         }
@@ -148,16 +168,16 @@ impl Supervisor {
     fn run(&mut self, host_timeout_ticks: Option<u32>) -> Result<(), OrderError> {
         let monitored = self.monitored.as_mut().ok_or(OrderError::NoParameters)?;
         monitored.is_plausible()?;
-        monitored.is_near_start()?;
-        monitored.controller.start();
-        monitored.joints.iter_mut().for_each(JointMonitor::begin_run);
+        monitored.is_in_range()?;
+        let start = monitored.near_start()?;
+        monitored.start(&start);
         self.host_timeout_ticks = host_timeout_ticks;
         self.silent_ticks = 0;
         self.state = State::Running;
         Ok(())
     }
 
-    fn stop(&mut self, state: State) {
+    pub(super) fn stop(&mut self, state: State) {
         self.state = state;
         self.host_timeout_ticks = None;
         if let Some(monitored) = &mut self.monitored {
@@ -174,12 +194,30 @@ impl Supervisor {
         Ok(())
     }
 
-    /// Latches the first cause and takes the voltage away.
+    /// Latches the first cause, and takes the voltage away or brakes the arm first.
     pub(super) fn enter_fault(&mut self, joint: u8, violation: LimitViolation) {
         let LimitViolation { fault, value, limit } = violation;
         let tick = self.counters.ticks;
         self.fault.get_or_insert(FaultRecord { fault, joint, tick, value, limit });
-        self.stop(State::Faulted);
+        match fault.stop_category() {
+            StopCategory::Controlled if self.state == State::Running => self.brake(),
+            StopCategory::Controlled if self.state == State::Stopping => {}
+            _ => self.stop(State::Faulted),
+        }
+    }
+
+    /// Begins a controlled stop, where every joint can be braked.
+    fn brake(&mut self) {
+        match &mut self.monitored {
+            Some(monitored) if monitored.can_brake() => {
+                let period_s = monitored.controller.block().sample_period_s;
+                monitored.brake();
+                self.controlled_stop = ControlledStop::new(period_s);
+                self.host_timeout_ticks = None;
+                self.state = State::Stopping;
+            }
+            _ => self.stop(State::Faulted),
+        }
     }
 }
 

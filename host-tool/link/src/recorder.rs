@@ -93,7 +93,9 @@ impl Recorder {
         }
         match (report.state, report.fault) {
             (State::Running, _) => return self.tick_range.runs_at(ticks),
-            (State::Faulted, Some(fault)) => self.tick_range.ended_before(fault.tick),
+            (State::Faulted | State::Stopping, Some(fault)) => {
+                self.tick_range.ended_before(fault.tick)
+            }
             _ => self.tick_range.ended_before(ticks.wrapping_add(1)),
         }
         self.dropped.see(report.counters.telemetry_dropped, true);
@@ -106,7 +108,10 @@ impl Recorder {
         }
         match record.state == State::Running {
             true => self.add_running(record),
-            false if self.unwrapped.is_none() && record.state == State::Faulted => {
+            false
+                if self.unwrapped.is_none()
+                    && matches!(record.state, State::Faulted | State::Stopping) =>
+            {
                 self.tick_range.ended_before(record.sequence);
             }
             false if self.unwrapped.is_none() => {

@@ -23,6 +23,7 @@ pub fn with_joints(mut block: ParameterBlock, joints: &[u8]) -> ParameterBlock {
         if !joints.contains(&joint) {
             block.mode[index] = Mode::OpenLoop;
             block.reference.injection[index] = Injection::None;
+            block.safety.position[index] = None;
             block.reference.motion[index] = Motion::Hold { angle_rad: HANGING_RAD[index] };
         }
     }

@@ -8,6 +8,7 @@ pub mod designed_excitation;
 pub mod effects;
 pub mod joints;
 pub mod plan;
+pub mod range;
 pub mod recipe;
 mod rig;
 

@@ -1,5 +1,6 @@
 //! A rig as its board sees it: the model, the converter, the encoders, the gains.
 
+use firmware::block::{PositionLimits, SafetyLimits};
 use firmware::reference::Reference;
 use firmware::{Gains, Mode, ParameterBlock};
 use model::{Posture, Robot};
@@ -22,6 +23,8 @@ pub struct Rig {
     pub loop_frequency_rad_per_s: f64,
     /// Bandwidth of the velocity estimates [rad/s].
     pub velocity_bandwidth_rad_per_s: f64,
+    /// Lower and upper end of each joint's range [rad]; `None`: it may turn without end.
+    pub limits_rad: [Option<[f64; 2]>; 3],
     /// What the board compensates for beyond the model.
     pub compensations: Compensations,
 }
@@ -38,6 +41,7 @@ impl Rig {
             command_limit_v: 10.0,
             loop_frequency_rad_per_s: 32.0,
             velocity_bandwidth_rad_per_s: 300.0,
+            limits_rad: [None; 3],
             compensations: Compensations::default(),
         }
     }
@@ -67,6 +71,12 @@ impl Rig {
             rig.encoder_counts_per_turn = counts as u32;
         }
         rig.sample_period_s = table.sample_period_s.unwrap_or(rig.sample_period_s);
+        if let Some(limits) = &table.limits_rad {
+            rig.limits_rad = match limits[..] {
+                [alone] => [None, None, Some(alone)],
+                _ => [0, 1, 2].map(|i| limits.get(i).copied()),
+            };
+        }
         rig.command_limit_v = table.command_limit_v.unwrap_or(rig.command_limit_v);
         rig
     }
@@ -87,8 +97,36 @@ impl Rig {
             reference,
             compensations: self.compensations.joints.clone(),
             external_load: self.compensations.outside(),
-            safety: Default::default(),
+            safety: SafetyLimits { position: self.position_limits(), ..Default::default() },
         }
+    }
+
+    /// The ranges as the board takes them.
+    fn position_limits(&self) -> [Option<PositionLimits>; 3] {
+        let braking = self.braking_rad_per_s2();
+        [0, 1, 2].map(|i| {
+            self.limits_rad[i].map(|[lower, upper]| PositionLimits {
+                lower_rad: lower as f32,
+                upper_rad: upper as f32,
+                braking_rad_per_s2: braking[i] as f32,
+            })
+        })
+    }
+
+    /// What each joint can be decelerated with wherever the arm is [rad/s^2]: half of what is left
+    /// of the command limit when the stretched arm is held against gravity.
+    pub fn braking_rad_per_s2(&self) -> [f64; 3] {
+        const SHARE: f64 = 0.5;
+        const LEAST: f64 = 0.5;
+        let stretched = Posture::new(0.0, 0.0);
+        let (base, geometry) = (&self.model.base, &self.model.geometry);
+        let inertia = stretched.mass_matrix(base, geometry);
+        let gravity_v = self.model.torque_to_voltage(&stretched.gravity(base, geometry));
+        [0, 1, 2].map(|i| {
+            let left_v = self.command_limit_v - gravity_v[i].abs();
+            let k_t = self.model.torque_constant_nm_per_v[i];
+            (SHARE * left_v * k_t / inertia[i][i]).max(LEAST)
+        })
     }
 
     /// The same rig, compensating for these effects.

@@ -77,6 +77,11 @@ fn refusal_hint(why: &Refusal) -> &'static str {
         Refusal::FarFromStart { .. } => {
             "before a run the arm hangs at 0 V: let the reference begin where it comes to rest"
         }
+        Refusal::EmergencyStop => "release it; without one, docs/board.md names the jumper",
+        Refusal::NoDrivePower => {
+            "switch the amplifiers' supply on; without that signal, docs/board.md names the jumper"
+        }
+        Refusal::OutsideRange { .. } => "bring the joint back by hand, inside limits_rad",
         Refusal::FaultPersists => "remove the cause first; docs/safety.md lists the faults",
         Refusal::Block(BlockRefusal::Value { .. }) => "correct the value in the model file",
         Refusal::Block(BlockRefusal::Version { .. }) => {

@@ -13,7 +13,7 @@ use super::mode::mode_named;
 use crate::failure::Failure;
 use files::{ExcitationFile, RobotFile};
 use rig::joints::with_joints;
-use rig::{Plan, Rig, plan};
+use rig::{Plan, Rig, plan, range};
 
 /// What the board is to do with the model.
 #[derive(Clone, Debug, Args)]
@@ -44,6 +44,20 @@ fn refused(model: &Path, why: &dyn Display) -> Failure {
     Failure::new(message, "correct the value in the model file")
 }
 
+/// Refuses a reference that leaves the joints' ranges.
+///
+/// # Errors
+/// It does; with the time at which it would.
+pub fn refuse_leaving(block: &ParameterBlock) -> Result<(), Failure> {
+    match range::leaving(block) {
+        None => Ok(()),
+        Some(leaving) => Err(Failure::new(
+            leaving.to_string(),
+            "limits_rad of the model file has the ranges: take another reference, or a slower one",
+        )),
+    }
+}
+
 /// Words for a value that is beyond a hard limit of the board, with the limit.
 fn beyond_limit(model: &Path, error: &ParameterError) -> Failure {
     let limit = hard_limit(error.name).map_or_else(String::new, |limit| format!(", {limit}"));
@@ -67,6 +81,10 @@ fn hard_limit(name: &str) -> Option<f32> {
         "saturation_limit_s" => Some(limits.saturation_s),
         "stuck_travel_rad" => Some(limits.stuck_travel_rad),
         "stuck_voltage_V" => Some(limits.stuck_voltage_v),
+        "stalled_margin_V" => Some(limits.stalled_margin_v),
+        "hold_s" => Some(limits.hold_s),
+        "stalled_s" => Some(limits.stalled_s),
+        "start_error_limit_rad" => Some(limits.start_error_rad),
         "stuck_s" => Some(limits.stuck_s),
         _ => None,
     }
@@ -93,6 +111,7 @@ impl BlockOptions {
             [] => block,
             joints => with_joints(block, joints),
         };
+        refuse_leaving(&block)?;
         block.check().map_err(|error| refused(model, &error))?;
         HardLimits::default().check(&block).map_err(|error| beyond_limit(model, &error))?;
         Ok(block)

@@ -198,6 +198,21 @@ fn fault_is_kept(line: &str) {
 }
 
 #[test]
+fn a_run_to_be_fitted_to_that_a_fault_has_ended_is_kept_but_not_listed() {
+    let (directory, board) = (with_model(), board());
+    let at = directory.path();
+    rrr(at, &board, "upload model.toml").success();
+    let assert = rrr(at, &board, &format!("{TOO_FAST} --role train"));
+    assert_tells(
+        &words(&assert.get_output().stdout),
+        &["it ended in a fault; not in dataset.toml"],
+    );
+    refused(assert);
+    assert!(Log::read(at.join("logs/task.csv.gz")).unwrap().len() > 100);
+    assert!(!at.join("logs/dataset.toml").exists());
+}
+
+#[test]
 fn a_fault_on_the_way_to_the_beginning_keeps_that_log_unlisted() {
     let (directory, board) = (with_model(), board());
     let at = directory.path();

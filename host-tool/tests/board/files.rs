@@ -77,3 +77,25 @@ fn without_a_terminal_the_run_is_recorded_and_listed_all_the_same() {
     assert_eq!(Dataset::read(at.join("logs")).unwrap().entries[1].file, "task.csv.gz");
     assert!(Log::read(at.join("logs/task.csv.gz")).unwrap().len() > 100);
 }
+
+#[test]
+fn a_reference_that_leaves_the_joints_ranges_is_refused_with_its_time() {
+    let (directory, board) = (with_model(), board());
+    let at = directory.path();
+    let model = std::fs::read_to_string(at.join("model.toml")).unwrap();
+    let with_limits = |limits: &str| {
+        let limited = model.replacen("[robot]", &format!("[robot]\nlimits_rad = {limits}"), 1);
+        std::fs::write(at.join("model.toml"), limited).unwrap();
+    };
+    with_limits("[[-1.0, 6.3], [-3.2, 0.1]]");
+    assert_tells(&refused(rrr(at, &board, "upload model.toml")), &["has 2 pairs, but must have 3"]);
+    with_limits("[[-1.0, 6.3], [-3.2, 0.1], [1.0, -1.0]]");
+    assert_tells(&refused(rrr(at, &board, "upload model.toml")), &["limits_rad of joint 3"]);
+    with_limits("[[-1.0, 6.3], [-3.2, 0.1], [-1.0, 1.0]]");
+    let text = refused(rrr(at, &board, "upload model.toml --reference task"));
+    assert_tells(&text, &["joint 3 leaves its range at ", " s of the reference", "limits_rad"]);
+    rrr(at, &board, "upload model.toml").success();
+    let text = refused(rrr(at, &board, "run task --out logs"));
+    assert_tells(&text, &["joint 3 leaves its range at "]);
+    rrr(at, &board, "run hold --duration 2 --out logs").success();
+}

@@ -32,6 +32,9 @@ const LOAD_CYCLES: u32 = 4;
 /// CLR takes 2.5 us to act.
 const CLEAR_US: u32 = 5;
 
+/// Registers that are read back: a range for each joint, and the power.
+const REGISTERS: usize = Channel::JOINTS.len() + 1;
+
 /// Why the converter is not to be trusted.
 #[derive(Clone, Copy, defmt::Format)]
 pub enum ConverterFault {
@@ -66,6 +69,8 @@ pub struct Converter {
     sync: Output<'static>,
     load: Output<'static>,
     clear: Output<'static>,
+    /// Which register is read next.
+    next_read: usize,
 }
 
 impl Converter {
@@ -83,20 +88,21 @@ impl Converter {
             sync: Output::new(pins.sync, Level::High, Speed::High),
             load: Output::new(pins.load, Level::High, Speed::High),
             clear,
+            next_read: 0,
         }
     }
 
     /// Selects +-10 V, switches the channels on and reads back that it is so.
     pub fn set_up(&mut self) -> Result<(), ConverterFault> {
         self.hold_at_zero();
+        self.set_clock(READ_CLOCK)?;
         self.send(ad5754r::select_range())?;
         self.send(ad5754r::select_settings())?;
         self.send(ad5754r::power_up())?;
         asm::delay(ad5754r::POWER_UP_US * CYCLES_PER_US);
         asm::delay(CLEAR_US * CYCLES_PER_US);
         self.check()?;
-        // The only error there is would be a frequency above the clock's.
-        self.spi.set_config(&at(WRITE_CLOCK)).map_err(|()| ConverterFault::Line)
+        self.set_clock(WRITE_CLOCK)
     }
 
     /// All outputs to 0 V, and no code changes that until [`Self::release`].
@@ -124,16 +130,39 @@ impl Converter {
         Ok(())
     }
 
+    /// Reads one register back, another one each time, and what is wrong a second time; takes
+    /// 20 us, the codes stay.
+    pub fn watch(&mut self) -> Result<(), ConverterFault> {
+        let which = self.next_read;
+        self.next_read = (which + 1) % REGISTERS;
+        self.set_clock(READ_CLOCK)?;
+        let read = self.read_back(which).or_else(|_| self.read_back(which));
+        self.set_clock(WRITE_CLOCK)?;
+        read
+    }
+
     fn check(&mut self) -> Result<(), ConverterFault> {
-        for channel in Channel::JOINTS {
-            if !ad5754r::range_is_right(self.ask(ad5754r::ask_range(channel))?) {
-                return Err(ConverterFault::Range);
+        (0..REGISTERS).try_for_each(|which| self.read_back(which))
+    }
+
+    /// Compares a register with what was written: the range of a channel, or the power.
+    fn read_back(&mut self, which: usize) -> Result<(), ConverterFault> {
+        let (is_right, fault) = match Channel::JOINTS.get(which) {
+            Some(channel) => {
+                let answer = self.ask(ad5754r::ask_range(*channel))?;
+                (ad5754r::range_is_right(answer), ConverterFault::Range)
             }
-        }
-        match ad5754r::power_is_right(self.ask(ad5754r::ask_power())?) {
-            true => Ok(()),
-            false => Err(ConverterFault::Power),
-        }
+            None => {
+                let answer = self.ask(ad5754r::ask_power())?;
+                (ad5754r::power_is_right(answer), ConverterFault::Power)
+            }
+        };
+        if is_right { Ok(()) } else { Err(fault) }
+    }
+
+    fn set_clock(&mut self, clock: Hertz) -> Result<(), ConverterFault> {
+        // The only error there is would be a frequency above the clock's.
+        self.spi.set_config(&at(clock)).map_err(|()| ConverterFault::Line)
     }
 
     #[inline]

@@ -149,9 +149,8 @@ pub static SHARED: Shared = Shared {
 impl Shared {
     /// What the supervisor does, for the lamp and the log.
     pub fn state(&self) -> State {
-        let all = [State::Boot, State::Disarmed, State::Armed, State::Running, State::Faulted];
         let byte = self.state.load(Relaxed);
-        all.into_iter().find(|state| *state as u8 == byte).unwrap_or_default()
+        State::ALL.into_iter().find(|state| *state as u8 == byte).unwrap_or_default()
     }
 
     /// Publishes the supervisor's state.

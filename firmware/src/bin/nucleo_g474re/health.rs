@@ -14,7 +14,7 @@ use crate::exchange::SHARED;
 fn rhythm_ms(state: State) -> (u64, u64) {
     match state {
         State::Faulted => (100, 100),
-        State::Running => (900, 100),
+        State::Running | State::Stopping => (900, 100),
         State::Armed => (500, 500),
         State::Boot | State::Disarmed => (100, 900),
     }

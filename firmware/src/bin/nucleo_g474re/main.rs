@@ -8,6 +8,7 @@
 
 mod clocks;
 mod converter;
+mod drive;
 mod encoders;
 mod exchange;
 mod flash;
@@ -28,8 +29,10 @@ use firmware::supervisor::BootReport;
 use panic_probe as _;
 
 use crate::converter::{Converter, ConverterPins};
+use crate::drive::{Drive, DrivePins};
 use crate::encoders::Encoders;
 use crate::link::{Link, LinkPins};
+use crate::tick::Wired;
 use crate::watchdog::Watchdog;
 
 /// The name in the board's Hello.
@@ -58,6 +61,12 @@ async fn main(spawner: Spawner) {
         load: p.PB11,
         clear: p.PB10,
     });
+    let drive = Drive::new(DrivePins {
+        enable: p.PC6,
+        brakes: p.PC9,
+        power_good: p.PC8,
+        emergency_stop: p.PC5,
+    });
     let handler = boot_state.handler(store, NAME, random(p.RNG));
     let report = BootReport {
         latched: boot_state.fault.or(latch::read()),
@@ -66,7 +75,8 @@ async fn main(spawner: Spawner) {
         ..boot_state.report()
     };
     let supervisor = boot_state.supervisor();
-    let (remote, records) = tick::start(p.TIM6, encoders, converter, supervisor, report);
+    let (remote, records) =
+        tick::start(p.TIM6, Wired { encoders, converter, drive }, supervisor, report);
     // The fault is latched by now; another reset does not forget it.
     health::forget_resets();
     let pins = LinkPins { uart: p.LPUART1, receive: p.PA3, send: p.PA2 };

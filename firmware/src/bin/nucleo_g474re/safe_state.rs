@@ -9,10 +9,14 @@ use embassy_stm32::pac;
 
 /// CLR of the converter is PB10.
 const CLEAR_PIN: usize = 10;
+/// The amplifiers' enable is PC6, the brakes' release PC9.
+const DRIVE_PINS: [usize; 2] = [6, 9];
 
-/// Pulls CLR low; touches one register, so it works whatever has gone wrong.
+/// Pulls CLR low, disables amplifiers and engages brakes; touches two registers, so it works
+/// whatever has gone wrong.
 fn outputs_to_zero() {
     pac::GPIOB.bsrr().write(|w| w.set_br(CLEAR_PIN, true));
+    pac::GPIOC.bsrr().write(|w| DRIVE_PINS.iter().for_each(|pin| w.set_br(*pin, true)));
 }
 
 /// 0 V, and nothing else until the watchdog resets the board.

@@ -16,11 +16,12 @@ use embassy_stm32::{Peri, pac};
 use firmware::DacCode;
 use firmware::link::SupervisorAccess;
 use firmware::supervisor::{
-    BootReport, CHECK_EVERY_TICKS, FaultRecord, Health, State, Supervisor, TickRecord,
+    BootReport, CHECK_EVERY_TICKS, FaultRecord, Health, Order, State, Supervisor, TickRecord,
 };
 use heapless::spsc::Consumer;
 
 use crate::converter::Converter;
+use crate::drive::Drive;
 use crate::encoders::Encoders;
 use crate::exchange::{Inbox, Question, Remote, Reply, SHARED, channel};
 use crate::latch;
@@ -30,13 +31,24 @@ const COUNTS_PER_PERIOD: u16 = 10_000;
 /// Longer from the end of a tick to the end of the next means that a whole one was missed [us].
 const MISSED_US: u16 = 1_500;
 
+/// Ticks between two registers of the converter that are read back: all four in 64 ms.
+const WATCH_EVERY_TICKS: u32 = 16;
+
 /// What the interrupt works on, once [`start`] has put it there.
 static TICK: AtomicPtr<Tick> = AtomicPtr::new(ptr::null_mut());
+
+/// What the tick reads and sets.
+pub struct Wired {
+    pub encoders: Encoders,
+    pub converter: Converter,
+    pub drive: Drive,
+}
 
 struct Tick {
     timer: Timer<'static, TIM6>,
     encoders: Encoders,
     converter: Converter,
+    drive: Drive,
     inbox: Inbox,
     supervisor: Supervisor,
     /// What is in the memory that a reset leaves alone.
@@ -51,11 +63,11 @@ struct Tick {
 /// Sets the converter up and begins to tick; the outputs stay at 0 V.
 pub fn start(
     timer: Peri<'static, TIM6>,
-    encoders: Encoders,
-    mut converter: Converter,
+    wired: Wired,
     mut supervisor: Supervisor,
     report: BootReport,
 ) -> (Remote, Consumer<'static, TickRecord>) {
+    let Wired { encoders, mut converter, drive } = wired;
     let set_up = converter.set_up();
     if let Err(fault) = set_up {
         defmt::error!("the converter does not answer: {}", fault);
@@ -69,6 +81,7 @@ pub fn start(
         timer: millisecond_timer(timer),
         encoders,
         converter,
+        drive,
         inbox,
         supervisor,
         latched,
@@ -108,9 +121,12 @@ impl Tick {
         let counts = self.encoders.read();
         self.health.host_heard = SHARED.host_heard.load(Relaxed);
         SHARED.host_heard.store(false, Relaxed);
+        self.drive.read(&mut self.health);
         let record = self.supervisor.tick(&counts, self.health);
         self.put_out(&record);
+        self.drive.write(self.supervisor.drive_outputs());
         self.latch();
+        self.watch_converter(&record);
         self.answer();
         self.check_parameters(record.tick);
         self.publish(record);
@@ -123,7 +139,10 @@ impl Tick {
         let Some(question) = self.inbox.questions.dequeue() else { return };
         let outcome = match question {
             Question::Status => Ok(()),
-            Question::Order(order) => self.supervisor.execute(order),
+            Question::Order(order) => {
+                self.renew_converter(order);
+                self.supervisor.execute(order)
+            }
             Question::Replace => match self.inbox.controllers.dequeue() {
                 Some(controller) => self.supervisor.replace(controller),
                 None => Ok(()),
@@ -134,7 +153,7 @@ impl Tick {
     }
 
     fn put_out(&mut self, record: &TickRecord) {
-        if record.state != State::Running {
+        if !record.state.drives() {
             self.converter.hold_at_zero();
             self.released = false;
             return;
@@ -148,6 +167,28 @@ impl Tick {
             // At once; the supervisor hears of it in the next tick.
             self.converter.hold_at_zero();
             self.health.converter_fault = true;
+        }
+    }
+
+    /// Now and then, after the codes are out, so that it delays nothing.
+    fn watch_converter(&mut self, record: &TickRecord) {
+        if record.state.drives()
+            && record.tick.is_multiple_of(WATCH_EVERY_TICKS)
+            && self.converter.watch().is_err()
+        {
+            self.converter.hold_at_zero();
+            self.health.converter_fault = true;
+        }
+    }
+
+    /// Sets the converter up anew before arming and before a fault is cleared: its supply may have
+    /// come and gone since power-on.
+    fn renew_converter(&mut self, order: Order) {
+        let is_idle = matches!(self.supervisor.state(), State::Disarmed | State::Faulted);
+        if is_idle && matches!(order, Order::Arm | Order::ClearFault) {
+            self.health.converter_fault = self.converter.set_up().is_err();
+            self.released = false;
+            self.supervisor.set_health(self.health);
         }
     }
 

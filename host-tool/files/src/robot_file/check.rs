@@ -3,10 +3,14 @@
 use super::RobotFile;
 use crate::error::{FileError, Problem};
 
+/// No joint has a range beyond [rad].
+const FURTHEST_RAD: f64 = 1000.0;
+
 impl RobotFile {
     /// Checks joint numbers and that tables agree with one another.
     pub(super) fn check(&self) -> Result<(), FileError> {
         self.check_torque_constants()?;
+        self.check_limits()?;
         self.check_pendulum()?;
         self.check_friction()?;
         self.check_effects()
@@ -23,6 +27,28 @@ impl RobotFile {
         );
         let problem = Problem::Contradiction(what);
         Err(self.source.problem_in(problem, "robot", None, "torque_constant_Nm_per_V"))
+    }
+
+    /// One range a joint, each from the lower to the upper end.
+    fn check_limits(&self) -> Result<(), FileError> {
+        let Some(limits) = &self.robot.limits_rad else { return Ok(()) };
+        let is_whole = limits.len() == 3 || (limits.len() == 1 && self.pendulum.is_some());
+        let is_range = |[lower, upper]: &[f64; 2]| {
+            lower < upper && lower.abs() <= FURTHEST_RAD && upper.abs() <= FURTHEST_RAD
+        };
+        let what = match limits.iter().position(|range| !is_range(range)) {
+            _ if !is_whole => format!(
+                "limits_rad has {} pairs, but must have 3, or 1 with a [pendulum]",
+                limits.len()
+            ),
+            Some(index) => format!(
+                "limits_rad of joint {} is {:?}, but must be [lower, upper], at most 1000 rad",
+                index + 1,
+                limits[index]
+            ),
+            None => return Ok(()),
+        };
+        Err(self.source.problem_in(Problem::Contradiction(what), "robot", None, "limits_rad"))
     }
 
     fn check_pendulum(&self) -> Result<(), FileError> {

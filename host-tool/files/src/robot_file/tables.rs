@@ -39,6 +39,10 @@ pub struct RobotTable {
     /// Resolution of the converter that puts the command out [bit].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub command_bits: Option<u32>,
+    /// Lower and upper end of each joint's range [rad], one pair per joint, or one alone for a rig
+    /// of one joint; absent where joints may turn without end.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limits_rad: Option<Vec<[f64; 2]>>,
     /// Other keys.
     #[serde(skip)]
     pub extra: toml::Table,

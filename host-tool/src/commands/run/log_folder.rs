@@ -70,16 +70,17 @@ impl LogFolder {
         self.write_mcap(&entry.file, recorder)
     }
 
-    /// Writes the log of the approach, which is no experiment of the data set.
+    /// Writes a log that is no experiment of the data set, for this reason: the approach, or a run
+    /// to be fitted to that a fault has ended.
     ///
     /// # Errors
     /// Files that cannot be written.
-    pub fn save_approach(&self, plan: &Plan, recorder: &Recorder) -> Result<(), Failure> {
-        let file = self.free_name(&format!("{}-approach", plan.name)) + CSV;
+    pub fn save_unlisted(&self, name: &str, why: &str, recorder: &Recorder) -> Result<(), Failure> {
+        let file = self.free_name(name) + CSV;
         if !self.write_csv(&file, recorder)? {
             return Ok(());
         }
-        self.print_log(&file, ", the approach; not in dataset.toml");
+        self.print_log(&file, &format!(", {why}; not in dataset.toml"));
         self.write_mcap(&file, recorder)
     }
 

@@ -11,6 +11,7 @@ use self::experiment::{ExperimentOptions, Limits};
 use self::log_folder::LogFolder;
 use self::summary::Phase;
 use crate::failure::Failure;
+use crate::options::block::refuse_leaving;
 use crate::options::board::{BoardOptions, access};
 use crate::terminal::interrupt::interrupt;
 use crate::terminal::output::try_print_line;
@@ -110,10 +111,17 @@ impl Arguments {
         let plan = Plan { role: self.role.unwrap_or(plan.role), ..plan };
         folder.prepare(&plan, counts_per_rev)?;
         let Played { phase, recorder, outcome } = self.play_all(client, &block, interrupted)?;
+        let is_fault = summary::is_fault(&outcome);
         let result = summary::print(phase, outcome, &recorder, client.counters());
         let saved = match phase {
+            Phase::Experiment if is_fault && plan.role == Role::Train => {
+                folder.save_unlisted(&plan.name, "it ended in a fault", &recorder)
+            }
             Phase::Experiment => folder.save(&plan, counts_per_rev, &recorder),
-            Phase::Approach => folder.save_approach(&plan, &recorder),
+            Phase::Approach => {
+                let name = format!("{}-approach", plan.name);
+                folder.save_unlisted(&name, "the approach", &recorder)
+            }
         };
         summary::both(result, saved)
     }
@@ -139,6 +147,7 @@ impl Arguments {
             ..self.limits.applied_to(stored)?
         };
         let block = joints::with_joints(block, &joints);
+        refuse_leaving(&block)?;
         block.check().map_err(|error| {
             Failure::new(format!("the board would refuse it: {error}"), "change the option")
         })?;
@@ -168,6 +177,7 @@ impl Arguments {
     ) -> Result<Option<Played>, Failure> {
         let now = settling::next_record(client)?;
         let Some(approach) = approach(block, &now, self.approach_speed) else { return Ok(None) };
+        refuse_leaving(&approach)?;
         transfer::put_into_use(client, &transfer::encoded(&approach)?)?;
         let played = self.play(client, Phase::Approach, &approach, interrupted)?;
         Ok(Some(played).filter(|played| !matches!(played.outcome, RunOutcome::Finished)))

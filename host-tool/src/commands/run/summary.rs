@@ -29,6 +29,15 @@ impl Phase {
     }
 }
 
+/// Whether a fault of the board ended the phase.
+pub fn is_fault(outcome: &RunOutcome) -> bool {
+    match outcome {
+        RunOutcome::EndedByBoard(_, fault) => fault.is_some(),
+        RunOutcome::BoardReset(report) => report.as_ref().is_some_and(|it| it.fault.is_some()),
+        RunOutcome::Finished | RunOutcome::Interrupted | RunOutcome::LinkLost(_) => false,
+    }
+}
+
 /// Prints how a phase ended, at once: writing its log takes a while.
 ///
 /// # Errors

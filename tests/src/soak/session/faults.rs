@@ -1,7 +1,7 @@
 //! What goes wrong on purpose, and that it is found.
 
 use firmware::link::Command;
-use firmware::supervisor::{CHECK_EVERY_TICKS, Fault};
+use firmware::supervisor::{CHECK_EVERY_TICKS, Fault, State};
 
 use super::{HEARTBEAT_TICKS, HOST_TIMEOUT, Soak};
 
@@ -61,6 +61,9 @@ impl Soak {
 
     fn remove_fault(&mut self, fault: Fault) {
         self.arm.forget_jumps();
+        while self.runtime.supervisor.state() == State::Stopping {
+            self.tick();
+        }
         if fault == Fault::CorruptParameters {
             // The flash still has them; the fault is latched over the reset.
             let boot_state = self.power_cycle();
