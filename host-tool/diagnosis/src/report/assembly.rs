@@ -60,8 +60,9 @@ impl Assembly<'_> {
             detectable::detectable(&refitted.linear, &refitted.evidence, subject);
         let (causes, alternatives) = causes(subject, judgement);
         let verdict = self.verdict(causes.len());
-        if self.fault.is_none() {
-            remarks.extend(misfit::remark(subject, refitted, verdict));
+        match self.model_fault() {
+            Some(fault) => remarks.push(format!("the logs do not fit this model: {}", fault.what)),
+            None => remarks.extend(misfit::remark(subject, refitted, verdict)),
         }
         let report = Report {
             format: 2,
