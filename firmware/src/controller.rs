@@ -3,7 +3,7 @@
 //! Once a tick, from three encoder counts to three DAC codes:
 //!
 //! ```text
-//! u = kp (q_ref - q) + kd (qd_ref - qd)      feedback, eq. (17)
+//! u = kp (q_ref - q) + kd (qd_ref - qd)      feedback, eq. (17), faded in as a run begins
 //!   + k_t^-1 (D qdd + c + h)                 inverse dynamics of the reference, eq. (3)
 //!   + LuGre friction of the reference        eq. (9)
 //!   + injected voltage
@@ -22,10 +22,9 @@ use model::{FrictionState, Posture};
 use crate::Mode;
 use crate::block::{Gains, ParameterBlock};
 use crate::compensation::{JointMotion, less_tables};
-use crate::encoder::{Encoder, EncoderScale};
+use crate::joint::{Joint, Measured};
 use crate::reference::{BRAKING_S, InjectionSource, Setpoint, Time, braking_time_s};
 use crate::start_fade::StartFade;
-use crate::velocity::{TrackerGains, VelocityTracker};
 use crate::{Angle, DacCode};
 
 /// What a tick puts out, and what it saw.
@@ -50,23 +49,6 @@ impl TickOutput {
         // A finite command that is cut is at the limit, not at 0 V.
         !(self.saturated[index] && self.codes[index].0 == 0)
     }
-}
-
-/// Estimator, friction and injection state of one joint.
-#[derive(Clone, Debug)]
-struct Joint {
-    encoder: Encoder,
-    tracker: Option<VelocityTracker>,
-    tracker_gains: TrackerGains,
-    friction: FrictionState<f32>,
-    injection: InjectionSource,
-}
-
-/// Position and velocity as measured.
-#[derive(Clone, Copy, Debug)]
-struct Measured {
-    angle: Angle,
-    velocity_rad_per_s: f32,
 }
 
 /// The controller of all three joints.
@@ -390,31 +372,6 @@ fn last_tick(block: &ParameterBlock, rate_per_s: f32) -> u32 {
 #[cold]
 fn cut(voltage_v: f32, limit_v: f32) -> f32 {
     if voltage_v.is_finite() { limit_v.copysign(voltage_v) } else { 0.0 }
-}
-
-impl Joint {
-    fn new(block: &ParameterBlock, index: usize, rate_per_s: f32) -> Self {
-        let bandwidth = block.velocity_bandwidth_rad_per_s[index];
-        Self {
-            encoder: Encoder::new(EncoderScale::new(block.encoder_counts_per_turn)),
-            tracker: None,
-            tracker_gains: TrackerGains::new(bandwidth, block.sample_period_s),
-            friction: FrictionState::default(),
-            injection: InjectionSource::new(&block.reference.injection[index], rate_per_s),
-        }
-    }
-
-    fn has_scales_of(&self, other: &Self) -> bool {
-        self.tracker_gains == other.tracker_gains && self.encoder.scale() == other.encoder.scale()
-    }
-
-    #[inline]
-    fn measure(&mut self, count: i32) -> Measured {
-        let angle = self.encoder.update(count);
-        let gains = self.tracker_gains;
-        let tracker = self.tracker.get_or_insert_with(|| VelocityTracker::at_rest(gains, angle));
-        Measured { angle, velocity_rad_per_s: tracker.update(angle) }
-    }
 }
 
 impl Gains {

@@ -30,6 +30,7 @@ pub mod controller;
 pub mod dac;
 pub mod encoder;
 pub mod frame;
+mod joint;
 pub mod link;
 pub mod lockstep;
 pub mod mode;

@@ -1,4 +1,7 @@
 //! A block that the tests begin from.
+#[allow(dead_code)]
+pub mod supervised;
+
 use firmware::compensation::{Compensations, Feedforward, InputInverse};
 use firmware::reference::{FadeIn, Injection, Motion, Reference, Sine};
 use firmware::{Gains, Mode, ParameterBlock};

@@ -59,12 +59,13 @@ impl ModelFault {
     /// The same with another size.
     pub fn sized(&self, to: &[f64]) -> Self {
         let mut sized = self.clone();
-        match &mut sized {
-            Self::Home(size) => size.copy_from_slice(to),
-            Self::Lengths(size) => size.copy_from_slice(to),
-            Self::Late(size) => size.copy_from_slice(to),
-            _ => {}
-        }
+        let size: &mut [f64] = match &mut sized {
+            Self::Home(size) => size,
+            Self::Lengths(size) => size,
+            Self::Late(size) => size,
+            _ => &mut [],
+        };
+        size.copy_from_slice(to);
         sized
     }
 
@@ -80,10 +81,10 @@ impl ModelFault {
     pub fn corrected(&self, subject: &Subject) -> Subject {
         let mut corrected = subject.clone();
         if let Self::Lengths(more) = self {
+            let given_m = lengths_m(subject);
             let geometry = &mut corrected.robot.geometry;
-            let lengths =
-                [&mut geometry.d2_m, &mut geometry.a2_m, &mut geometry.d3_m, &mut geometry.a3_m];
-            lengths.into_iter().zip(more).for_each(|(length, more)| *length += more);
+            [geometry.d2_m, geometry.a2_m, geometry.d3_m, geometry.a3_m] =
+                std::array::from_fn(|k| given_m[k] + more[k]);
         }
         corrected
     }
@@ -154,6 +155,12 @@ fn later(command: &[f64], periods: f64) -> Vec<f64> {
     (0..command.len()).map(|k| (1.0 - part) * at(k, 0.0) + part * at(k, 1.0)).collect()
 }
 
+/// The model's lengths, in the order of a fault's [m].
+pub fn lengths_m(subject: &Subject) -> [f64; LENGTHS] {
+    let geometry = &subject.robot.geometry;
+    [geometry.d2_m, geometry.a2_m, geometry.d3_m, geometry.a3_m]
+}
+
 fn negate(signal: &mut [f64]) {
     signal.iter_mut().for_each(|value| *value = -*value);
 }
@@ -172,8 +179,7 @@ fn home_words(size: &[f64; 3], subject: &Subject) -> String {
 
 /// Lengths that are off by a good part of what the worst is.
 fn length_words(size: &[f64; LENGTHS], subject: &Subject) -> String {
-    let geometry = &subject.robot.geometry;
-    let given_m = [geometry.d2_m, geometry.a2_m, geometry.d3_m, geometry.a3_m];
+    let given_m = lengths_m(subject);
     let part = |k: usize| size[k] / given_m[k];
     let largest = (0..LENGTHS).fold(0.0, |largest, k| f64::max(largest, part(k).abs()));
     let is_said = |k: &usize| part(*k).abs() > SAID_PART * largest;

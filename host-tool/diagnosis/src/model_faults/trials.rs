@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use super::fault::ModelFault;
+use super::fault::{ModelFault, lengths_m};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::gauss_newton::fit;
 use crate::fit::linearisation::Linearisation;
@@ -48,7 +48,7 @@ pub fn find(
         tried.extend(ModelFault::without_size(subject).into_iter().filter_map(bare));
     }
     let sized = ModelFault::with_size(subject);
-    tried.extend(sized.into_iter().filter_map(|fault| bare(fault)?.with_size_found()));
+    tried.extend(sized.into_iter().filter_map(|fault| Some(bare(fault)?.with_size_found())));
     let best =
         tried.into_iter().min_by(|a, b| a.linear.objective.total_cmp(&b.linear.objective))?;
     let by_fault = left(&part, subject, &best.linear);
@@ -76,24 +76,29 @@ impl<'a> Trial<'a> {
     }
 
     /// The same with the size at which it explains most.
-    fn with_size_found(self) -> Option<Self> {
+    fn with_size_found(self) -> Self {
         let mut best = self;
+        let fit = &best.subject.criteria.fit;
         for _ in 0..best.subject.criteria.faults.size_steps {
-            let size = best.next_size()?;
-            let next = Self::of(best.part, best.subject, best.fault.sized(&size))?;
-            if next.linear.objective >= best.linear.objective {
+            let better = best.next_size().and_then(|size| best.better_at(&size));
+            let Some(better) = better else { break };
+            let gain = best.linear.objective - better.linear.objective;
+            let converged = gain < fit.converged_part * best.linear.objective;
+            best = better;
+            if converged {
                 break;
             }
-            best = next;
         }
-        let period_s = best.part.stretches[0].period_s;
-        for size in best.fault.whole_periods(period_s) {
-            let next = Self::of(best.part, best.subject, best.fault.sized(&size))?;
-            if next.linear.objective < best.linear.objective {
-                best = next;
-            }
+        for size in best.fault.whole_periods(best.part.stretches[0].period_s) {
+            best = best.better_at(&size).unwrap_or(best);
         }
-        Some(best)
+        best
+    }
+
+    /// The same at another size, if it explains more there.
+    fn better_at(&self, size: &[f64]) -> Option<Self> {
+        let next = Self::of(self.part, self.subject, self.fault.sized(size))?;
+        (next.linear.objective < self.linear.objective).then_some(next)
     }
 
     /// A Gauss-Newton step of the size, everything else refitted by the slopes.
@@ -131,11 +136,11 @@ impl<'a> Trial<'a> {
 
     /// How far a size may be off: a part of a length, or an angle.
     fn deviation(&self, k: usize) -> f64 {
-        let (criteria, geometry) = (&self.subject.criteria.faults, &self.subject.robot.geometry);
+        let criteria = &self.subject.criteria.faults;
         match self.fault {
             ModelFault::Lengths(_) => {
-                let lengths = [geometry.d2_m, geometry.a2_m, geometry.d3_m, geometry.a3_m];
-                criteria.length_part * lengths[k].abs().max(criteria.least_length_m)
+                let length_m = lengths_m(self.subject)[k].abs();
+                criteria.length_part * length_m.max(criteria.least_length_m)
             }
             ModelFault::Late(_) => criteria.late_s,
             _ => criteria.home_rad,

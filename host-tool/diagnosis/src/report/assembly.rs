@@ -12,7 +12,9 @@ use crate::fit::preparation::as_given;
 use crate::gap_by_axis::gap_by_axis;
 use crate::logs::subject::Subject;
 use crate::model_faults::FoundFault;
-use crate::result::{DataParts, Diagnosis, Gap, Level, ModelFaultFound, Report, Verdict};
+use crate::result::{
+    DataParts, Diagnosis, Gap, Level, LogResiduals, ModelFaultFound, Report, Verdict,
+};
 use crate::rows::evidence::{Evidence, Rows};
 use crate::trial::residual_rows::residual_rows;
 use crate::verdict::blocks::confirming_rms_v;
@@ -46,30 +48,23 @@ impl Assembly<'_> {
     pub fn diagnosis(&self, file: &RobotFile, mut remarks: Vec<String>) -> Diagnosis {
         let (subject, judgement) = (self.subject, self.judgement);
         let criteria = &subject.criteria;
-        let Judgement { refitted, confirmation, .. } = judgement;
+        let refitted = &judgement.refitted;
         let given_v = self.evidence.volts(&residual_rows(self.evidence, &as_given(subject)));
-        let stages = Stages {
-            given_v: &given_v,
-            refitted_v: &confirmation.refitted.residual_v,
-            with_effects_v: &confirmation.full.residual_v,
-            noise_v: &self.noise_v,
-        };
-        let hypothesis = &refitted.linear.hypothesis;
-        let logs = log_residuals(subject, self.evidence, self.traces, hypothesis, &stages);
+        let logs = self.log_residuals(&given_v);
         let (detectable, untestable) =
             detectable::detectable(&refitted.linear, &refitted.evidence, subject);
         let (causes, alternatives) = causes(subject, judgement);
         let verdict = self.verdict(causes.len());
-        match self.model_fault() {
-            Some(fault) => remarks.push(format!("the logs do not fit this model: {}", fault.what)),
-            None => remarks.extend(misfit::remark(subject, refitted, verdict)),
-        }
+        remarks.extend(self.remark(verdict));
         let report = Report {
             format: 2,
             verdict,
             causes,
             alternatives,
-            parameters_changed: parameters_changed(subject, &confirmation.refitted.linear),
+            parameters_changed: parameters_changed(
+                subject,
+                &judgement.confirmation.refitted.linear,
+            ),
             remainder: remainder(subject, judgement, &logs),
             gap_shares: gap_by_axis(&logs, &criteria.axes),
             gap: self.gap(&given_v),
@@ -90,6 +85,14 @@ impl Assembly<'_> {
         }
     }
 
+    /// What must be said where the model is not that of the robot in the logs.
+    fn remark(&self, verdict: Verdict) -> Option<String> {
+        match self.model_fault() {
+            Some(fault) => Some(format!("the logs do not fit this model: {}", fault.what)),
+            None => misfit::remark(self.subject, &self.judgement.refitted, verdict),
+        }
+    }
+
     /// The verdict in one word; no cause is sought in a model that is at fault itself.
     fn verdict(&self, named: usize) -> Verdict {
         let Judgement { refitted, last, confirmation, .. } = self.judgement;
@@ -105,6 +108,19 @@ impl Assembly<'_> {
             what: found.fault.words(self.subject),
             explained: found.explained,
         })
+    }
+
+    /// What each stage leaves of every log.
+    fn log_residuals(&self, given_v: &Rows) -> Vec<LogResiduals> {
+        let Judgement { refitted, confirmation, .. } = self.judgement;
+        let stages = Stages {
+            given_v,
+            refitted_v: &confirmation.refitted.residual_v,
+            with_effects_v: &confirmation.full.residual_v,
+            noise_v: &self.noise_v,
+        };
+        let hypothesis = &refitted.linear.hypothesis;
+        log_residuals(self.subject, self.evidence, self.traces, hypothesis, &stages)
     }
 
     fn gap(&self, given_v: &Rows) -> Gap {
