@@ -7,6 +7,9 @@ criteria! {
     FaultCriteria {
         /// Faults are tried where a refitted model leaves so many times the noise in some log.
         least_ratio: f64 = 3.0,
+        /// They are not where so few causes leave noise alone: what a fault explains, nothing else
+        /// explains so simply, but for commands that come late, which are delays of all joints.
+        few_causes: usize = 2,
         /// They are tried on so much of each train log [s].
         part_s: f64 = 12.0,
         /// Most steps of a fit.

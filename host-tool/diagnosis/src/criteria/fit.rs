@@ -53,8 +53,18 @@ criteria! {
         refit_steps: usize = 6,
         /// Most steps once rows are weighted by what the fit leaves of them.
         reweighted_steps: usize = 3,
+        /// How often at most rows are weighted anew by what the refitted model leaves of them,
+        most_reweightings: usize = 5,
+        /// with so many steps each, slopes of their own,
+        settling_steps: usize = 3,
+        /// until that changes its log-likelihood by no more than this, a third of what an effect must
+        /// gain.
+        settled_log_likelihood: f64 = 5.0,
         /// A step that takes a smaller part off the objective ends a fit.
         converged_part: f64 = 2e-4,
+        /// A step that promises to lower the objective by less is not tried: a hundredth of the
+        /// evidence that an effect needs.
+        least_step_gain: f64 = 0.3,
         /// A refit that is reported stays within so many prior deviations of the model as given.
         within_deviations: f64 = 3.0,
         /// Rounds in which parameters at these bounds are fixed and the others refitted.
@@ -68,6 +78,8 @@ criteria! {
         /// Prior penalty beyond which a model is no longer the one given: parameters some ten
         /// deviations off, a quarter of their values.
         implausible_prior_penalty: f64 = 240.0,
+        /// What one parameter adds to that penalty at most: a third of it.
+        most_penalty_of_one: f64 = 80.0,
         /// Torque on a link behind backlash that no model tells, in parts of the noise of the
         /// measured torque. More lets fewer errors of a bounce grow, but hides more of whatever slow
         /// torque a model lacks: about 1 - 1/sqrt(1 + part^2) of it, up to a quarter behind a

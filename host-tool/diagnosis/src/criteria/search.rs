@@ -11,7 +11,8 @@ criteria! {
         harmonics: usize = 3,
         /// Starts of one effect on one joint that are searched from.
         starts: usize = 2,
-        /// Starts that promise less than this part of the best one's gain are not searched.
+        /// Starts that promise less than this part of the best one's gain on their joint are not
+        /// searched: a joint that hardly fits has few independent rows, and little to gain by numbers.
         least_of_best_gain: f64 = 0.08,
         /// Nor are those that promise to take away fewer weighted squares: an effect is accepted for
         /// 15 units of log-likelihood, which is half of 30, and a search finds more than its start.

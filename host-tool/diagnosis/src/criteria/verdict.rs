@@ -30,6 +30,9 @@ criteria! {
         highest_probability: f64 = 0.98,
         /// Least probability of a cause that is named.
         least_probability: f64 = 0.5,
+        /// Least excess that a share is taken of, in parts of the squares of noise: some hundred
+        /// independent rows tell squares to a twentieth.
+        least_excess: f64 = 0.05,
         /// A cause takes this share of the gap to be named,
         least_share: f64 = 0.1,
         /// and this part of what is left above the noise without it;

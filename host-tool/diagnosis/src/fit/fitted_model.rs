@@ -49,15 +49,17 @@ impl FittedModel {
         Self::reweighted(evidence, subject, first)
     }
 
-    /// The same in haste: with the slopes of where the fit begins.
-    pub fn fitted_with_slopes(
+    /// The same in haste, for a model that differs in a few effects or tables from one that is
+    /// fitted already to rows with these weights: with the slopes of that one.
+    pub fn fitted_near(
+        near: &Linearisation,
         evidence: &Evidence,
         subject: &Subject,
         start: Hypothesis,
         most_steps: usize,
     ) -> Option<Self> {
         let open = open_in(evidence, subject, &start);
-        let start = Linearisation::of(evidence, start, open)?;
+        let start = near.near(evidence, start, open)?;
         let first = fit_with_slopes(evidence, subject, start, most_steps);
         Self::reweighted(evidence, subject, first.without_parts())
     }
@@ -70,6 +72,32 @@ impl FittedModel {
         let steps = subject.criteria.fit.reweighted_steps;
         let linear = fit_with_slopes(&own, subject, first, steps);
         Some(Self::of(own, linear))
+    }
+
+    /// The same with weights and fit in agreement: a model with an effect more, whose rows are
+    /// weighted anew, must not gain by that alone.
+    pub fn settled(self, subject: &Subject) -> Self {
+        let mut settled = self;
+        for _ in 0..subject.criteria.fit.most_reweightings {
+            let (evidence, start) = (&settled.evidence, settled.linear.hypothesis.clone());
+            let steps = subject.criteria.fit.settling_steps;
+            let Some(again) = Self::fitted(evidence, subject, start, steps) else { break };
+            let gain = again.gain_over(&settled);
+            if gain > 0.0 {
+                settled = again;
+            }
+            if gain < subject.criteria.fit.settled_log_likelihood {
+                break;
+            }
+        }
+        settled
+    }
+
+    /// Log-likelihood that a model gains over another. Rows count as independent as in what that one
+    /// of them leaves that lasts less: what is left of a missing effect is no noise that lasts.
+    pub fn gain_over(&self, other: &Self) -> f64 {
+        let misfit = self.misfit().at_least_as_independent(&other.misfit());
+        self.log_likelihood(&misfit) - other.log_likelihood(&misfit)
     }
 
     /// What it leaves of all rows, those held out too [V].

@@ -1,7 +1,7 @@
 //! Fits of a model to the train logs: Gauss-Newton steps with a prior.
 
 use super::linearisation::{Linearisation, objective};
-use super::unknowns::{Expected, Unknown, expected, kept_physical};
+use super::unknowns::{Expected, Unknown, expected, kept_physical, range};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::{Evidence, Rows};
 use crate::trial::hypothesis::Hypothesis;
@@ -49,29 +49,40 @@ pub fn fit_with_slopes(
     best
 }
 
-/// The fit with base parameters, Coulomb and viscous friction and lags no further than
-/// a few deviations from what is known of them.
+/// A fitted model brought back to where base parameters, Coulomb and viscous friction and lags are
+/// no further than a few deviations from what is known of them, by the slopes that it has.
 pub fn fit_held(
     evidence: &Evidence,
     subject: &Subject,
-    start: Hypothesis,
+    fitted: &Linearisation,
 ) -> Option<Linearisation> {
-    let mut open = open_in(evidence, subject, &start);
-    let mut hypothesis = start;
     let within = subject.criteria.fit.within_deviations;
+    let mut best = fitted.clone();
     for _ in 0..subject.criteria.fit.bound_rounds {
-        hold(&mut open, &mut hypothesis, within);
-        let linear = Linearisation::of(evidence, hypothesis.clone(), open.clone())?;
-        let better = improved(evidence, subject, &linear, &open);
-        hypothesis = better.map_or(linear.hypothesis, |(hypothesis, ..)| hypothesis);
+        let held = held(evidence, best, within)?;
+        let better = improved(evidence, subject, &held, &held.expected);
+        best = better.map_or(held.clone(), |(next, residual, objective)| {
+            held.moved_to(next, residual, objective)
+        });
     }
-    hold(&mut open, &mut hypothesis, within);
-    Linearisation::of(evidence, hypothesis, open)
+    held(evidence, best, within)
 }
 
-/// Fixes what lies more than `within` deviations off there.
-fn hold(open: &mut [Expected], hypothesis: &mut Hypothesis, within: f64) {
+/// The same with what lies more than `within` deviations off fixed there.
+fn held(evidence: &Evidence, linear: Linearisation, within: f64) -> Option<Linearisation> {
+    let (mut open, mut hypothesis) = (linear.expected.clone(), linear.hypothesis.clone());
+    if !hold(&mut open, &mut hypothesis, within) {
+        return Some(linear);
+    }
+    let residual = train_residual_rows(evidence, &hypothesis);
+    let objective = objective(&residual, &linear.train, &hypothesis, &open);
+    linear.with_known(open).map(|linear| linear.moved_to(hypothesis, residual, objective))
+}
+
+/// Fixes what lies more than `within` deviations off there, and says whether anything does.
+fn hold(open: &mut [Expected], hypothesis: &mut Hypothesis, within: f64) -> bool {
     const FIXED: f64 = 1e-3;
+    let mut any = false;
     for expected in open {
         let deviations = (expected.unknown.get(hypothesis) - expected.mean) / expected.deviation;
         let is_effect = matches!(expected.unknown, Unknown::Effect { .. } | Unknown::Table { .. });
@@ -80,8 +91,10 @@ fn hold(open: &mut [Expected], hypothesis: &mut Hypothesis, within: f64) {
             expected.mean += within * expected.deviation * deviations.signum();
             expected.deviation *= FIXED;
             expected.unknown.set(hypothesis, expected.mean);
+            any = true;
         }
     }
+    any
 }
 
 /// A better hypothesis along the step, what it leaves, and its objective; or none.
@@ -91,7 +104,10 @@ fn improved(
     best: &Linearisation,
     open: &[Expected],
 ) -> Option<(Hypothesis, Rows, f64)> {
-    let step = best.step();
+    let step = best.step_within(|unknown| range(unknown, &best.hypothesis, subject));
+    if best.gain_of(&step) < subject.criteria.fit.least_step_gain {
+        return None;
+    }
     let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
     [1.0, 0.5, 0.2, 0.05].into_iter().find_map(|part| {
         let mut hypothesis = best.moved(&step, part);

@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
+use super::earlier::Earlier;
 use super::slopes::{JointSlopes, changed, slopes};
-use super::unknowns::Expected;
+use super::unknowns::{Expected, Unknown};
 use crate::rows::evidence::{Evidence, RowChange, Rows};
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use crate::trial::parts::Parts;
@@ -27,7 +28,11 @@ pub struct Linearisation {
     pub(crate) joints: Arc<[JointSlopes]>,
     /// Half the gradient of the objective.
     pub(super) gradient: DVector<f64>,
+    /// Products of the slopes.
+    products: DMatrix<f64>,
     normal: Cholesky<f64, Dyn>,
+    /// Squares of each joint's train rows, everything open refitted by the slopes.
+    refitted_squares: [f64; 3],
     pub(crate) train: [usize; 3],
 }
 
@@ -39,12 +44,36 @@ impl Linearisation {
         hypothesis: Hypothesis,
         expected: Vec<Expected>,
     ) -> Option<Self> {
+        Self::with_slopes_of(&Earlier::default(), evidence, hypothesis, expected)
+    }
+
+    /// A model that differs from this one in a few effects or tables: slopes that both have are taken
+    /// from here, where the rows have the same weights.
+    pub fn near(
+        &self,
+        evidence: &Evidence,
+        hypothesis: Hypothesis,
+        expected: Vec<Expected>,
+    ) -> Option<Self> {
+        let here = (&self.hypothesis, &self.expected[..]);
+        let earlier = Earlier::of(&self.joints, here, (&hypothesis, &expected));
+        Self::with_slopes_of(&earlier, evidence, hypothesis, expected)
+    }
+
+    fn with_slopes_of(
+        earlier: &Earlier,
+        evidence: &Evidence,
+        hypothesis: Hypothesis,
+        expected: Vec<Expected>,
+    ) -> Option<Self> {
         let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
-        let (parts, residual, joints) = slopes(evidence, &hypothesis, &expected);
+        let (parts, residual, joints) = slopes(evidence, &hypothesis, &expected, earlier);
         let objective = objective(&residual, &train, &hypothesis, &expected);
-        let normal = Cholesky::new(normal(&joints, &train, &expected))?;
+        let products = products(&joints, &train, expected.len());
+        let normal = Cholesky::new(normal(&products, &expected))?;
         let gradient = gradient(&joints, &residual, &train, &hypothesis, &expected);
         objective.is_finite().then_some(())?;
+        let refitted_squares = refitted_squares(&joints, &residual, &-normal.solve(&gradient));
         Some(Self {
             hypothesis,
             expected,
@@ -53,7 +82,9 @@ impl Linearisation {
             parts: parts.into(),
             joints: joints.into(),
             gradient,
+            products,
             normal,
+            refitted_squares,
             train,
         })
     }
@@ -84,15 +115,53 @@ impl Linearisation {
         let joints: Vec<JointSlopes> =
             self.joints.iter().map(|slopes| slopes.scaled(&ratios[slopes.joint])).collect();
         let objective = objective(&residual, &self.train, &self.hypothesis, &self.expected);
-        let normal = normal(&joints, &self.train, &self.expected);
+        let products = products(&joints, &self.train, self.expected.len());
         let gradient = gradient(&joints, &residual, &self.train, &self.hypothesis, &self.expected);
-        let normal = Cholesky::new(normal)?;
-        Some(Self { residual, objective, normal, gradient, joints: joints.into(), ..self.clone() })
+        let normal = Cholesky::new(normal(&products, &self.expected))?;
+        let joints = joints.into();
+        Some(Self { residual, objective, products, normal, gradient, joints, ..self.clone() })
     }
 
-    /// The change of what is open that fits best, by the slopes.
-    pub fn step(&self) -> DVector<f64> {
-        -self.normal.solve(&self.gradient)
+    /// The same model and slopes where something else is known of what is open; `None` where the
+    /// numbers do not work out.
+    pub fn with_known(&self, expected: Vec<Expected>) -> Option<Self> {
+        let Self { residual, hypothesis, train, .. } = self;
+        let objective = objective(residual, train, hypothesis, &expected);
+        let normal = Cholesky::new(normal(&self.products, &expected))?;
+        let gradient = gradient(&self.joints, residual, train, hypothesis, &expected);
+        Some(Self { expected, objective, normal, gradient, ..self.clone() })
+    }
+
+    /// The change of what is open that fits best, by the slopes, where each value may go no further
+    /// than its range: what would is fixed at its end, and the others are solved for again.
+    pub fn step_within(&self, range: impl Fn(Unknown) -> [f64; 2]) -> DVector<f64> {
+        let (mut normal, mut gradient) = (self.normal(), self.gradient.clone());
+        let mut step = -self.normal.solve(&gradient);
+        let mut is_free = vec![true; step.len()];
+        loop {
+            let mut any = false;
+            for (place, expected) in self.expected.iter().enumerate() {
+                if !is_free[place] {
+                    continue;
+                }
+                let now = expected.unknown.get(&self.hypothesis);
+                let [lowest, highest] = range(expected.unknown);
+                let to = (now + step[place]).clamp(lowest.min(now), highest.max(now)) - now;
+                if to != step[place] {
+                    (is_free[place], any) = (false, true);
+                    fix(&mut normal, &mut gradient, place, to);
+                }
+            }
+            match Cholesky::new(normal.clone()) {
+                Some(factors) if any => step = -factors.solve(&gradient),
+                _ => return step,
+            }
+        }
+    }
+
+    /// By how much a step lowers the objective, by the slopes.
+    pub fn gain_of(&self, step: &DVector<f64>) -> f64 {
+        -2.0 * self.gradient.dot(step) - step.dot(&(self.normal() * step))
     }
 
     /// The hypothesis a part of a step further.
@@ -108,6 +177,12 @@ impl Linearisation {
     /// Squares of train rows and of the prior penalty, everything open refitted by the slopes.
     pub fn refitted_objective(&self) -> f64 {
         self.objective_with(&RowChange::default())
+    }
+
+    /// Squares of the train rows that an effect acts on, everything open refitted by the slopes.
+    pub fn squares_of(&self, effect: &EffectInstance) -> f64 {
+        let counts = |joint: usize| effect.joint == 0 || joint + 1 == usize::from(effect.joint);
+        (0..3).filter(|joint| counts(*joint)).map(|joint| self.refitted_squares[joint]).sum()
     }
 
     /// Squares of train rows and of the prior penalty once train rows change so,
@@ -132,8 +207,7 @@ impl Linearisation {
 
     /// The matrix whose Cholesky factors solve for a step.
     pub(super) fn normal(&self) -> DMatrix<f64> {
-        let factor = self.normal.l();
-        &factor * factor.transpose()
+        normal(&self.products, &self.expected)
     }
 
     /// Slopes' products with a change of the train rows.
@@ -227,6 +301,13 @@ pub enum Joints {
     Own,
 }
 
+/// Makes a step's value at a place what it is told: by a weight that outweighs all rows.
+fn fix(normal: &mut DMatrix<f64>, gradient: &mut DVector<f64>, place: usize, to: f64) {
+    let weight = 1e9 * normal[(place, place)];
+    normal[(place, place)] += weight;
+    gradient[place] -= weight * to;
+}
+
 /// Squares of train rows and of the prior penalty.
 pub fn objective(
     residual: &Rows,
@@ -241,19 +322,40 @@ pub fn objective(
 }
 
 /// Half the curvature of the objective.
-fn normal(joints: &[JointSlopes], train: &[usize; 3], expected: &[Expected]) -> DMatrix<f64> {
-    let weights = expected.iter().map(|e| e.deviation.powi(-2));
-    let mut normal = DMatrix::from_diagonal(&DVector::from_iterator(expected.len(), weights));
+fn normal(products: &DMatrix<f64>, expected: &[Expected]) -> DMatrix<f64> {
+    let mut normal = products.clone();
+    for (place, expected) in expected.iter().enumerate() {
+        normal[(place, place)] += expected.deviation.powi(-2);
+    }
+    normal
+}
+
+/// Products of the slopes with each other.
+fn products(joints: &[JointSlopes], train: &[usize; 3], open: usize) -> DMatrix<f64> {
+    let mut sum = DMatrix::zeros(open, open);
     for slopes in joints {
         let matrix = slopes.matrix.rows_range(..train[slopes.joint]);
         let products = matrix.tr_mul(&matrix);
         for (a, &place_a) in slopes.places.iter().enumerate() {
             for (b, &place_b) in slopes.places.iter().enumerate() {
-                normal[(place_a, place_b)] += products[(a, b)];
+                sum[(place_a, place_b)] += products[(a, b)];
             }
         }
     }
-    normal
+    sum
+}
+
+/// Squares of each joint's train rows after a step.
+fn refitted_squares(joints: &[JointSlopes], residual: &Rows, step: &DVector<f64>) -> [f64; 3] {
+    let mut squares = [0.0; 3];
+    for slopes in joints {
+        let own =
+            DVector::from_iterator(slopes.places.len(), slopes.places.iter().map(|p| step[*p]));
+        let change = &slopes.matrix * own;
+        let rows = change.iter().zip(&residual[slopes.joint]);
+        squares[slopes.joint] = rows.map(|(change, row)| (row + change).powi(2)).sum();
+    }
+    squares
 }
 
 /// Half the gradient of the objective.

@@ -26,7 +26,7 @@ pub fn prepared(
     let rough = fit(&evidence, subject, given, steps.first_steps).ok_or_else(undetermined)?;
     let evidence = with_noise(subject, evidence.stretches.to_vec(), &rough.hypothesis)?;
     let refitted = FittedModel::fitted(&evidence, subject, rough.hypothesis, steps.refit_steps);
-    Ok((evidence, refitted.ok_or_else(undetermined)?))
+    Ok((evidence, refitted.ok_or_else(undetermined)?.settled(subject)))
 }
 
 fn undetermined() -> StepError {

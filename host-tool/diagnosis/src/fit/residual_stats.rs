@@ -38,7 +38,7 @@ impl ResidualStats {
             excess: joints.iter().map(|joint| joint.excess).sum(),
             over_encoder_noise: joints.iter().map(over_steps).fold(f64::INFINITY, f64::min),
             ratios: joints.into_iter().map(|joint| joint.ratios).collect(),
-            prior_penalty: prior_penalty(linear),
+            prior_penalty: prior_penalty(linear, &evidence.criteria.fit),
         }
     }
 
@@ -76,8 +76,9 @@ fn of_joint(evidence: &Evidence, joint: usize, residual_v: &Rows) -> OfJoint {
     sums
 }
 
-/// Squared deviations of those parameters that logs like these determine.
-fn prior_penalty(linear: &Linearisation) -> f64 {
+/// Squared deviations of those parameters that logs like these determine. One alone, a rotor's inertia
+/// say that makes up for friction of another law, does not make another robot.
+fn prior_penalty(linear: &Linearisation, criteria: &FitCriteria) -> f64 {
     let counts = |unknown: Unknown| {
         !unknown.shapes_friction()
             && !matches!(unknown, Unknown::Effect { .. } | Unknown::Table { .. })
@@ -87,5 +88,6 @@ fn prior_penalty(linear: &Linearisation) -> f64 {
         .iter()
         .filter(|e| counts(e.unknown))
         .map(|e| ((e.unknown.get(&linear.hypothesis) - e.mean) / e.deviation).powi(2))
+        .map(|square| square.min(criteria.most_penalty_of_one))
         .sum()
 }

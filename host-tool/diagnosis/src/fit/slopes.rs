@@ -5,6 +5,7 @@ use model::friction_parameters::COUNT as FRICTION_COUNT;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 
+use super::earlier::Earlier;
 use super::unknowns::{Expected, Unknown};
 use crate::logs::intervals::at_samples;
 use crate::rows::evidence::{Columns, Evidence, RowChange, Rows};
@@ -55,15 +56,19 @@ type Column = (usize, Vec<f64>);
 /// A joint's equation in a stretch, its rows, and their slopes that need no whole model.
 type Piece = (Parts, Vec<f64>, Vec<Column>);
 
-/// The parts of the equation, the train rows, and their slopes, of every joint.
+/// The parts of the equation, the train rows, and their slopes, of every joint; slopes that a model
+/// near by has already are taken from there.
 pub fn slopes(
     evidence: &Evidence,
     hypothesis: &Hypothesis,
     expected: &[Expected],
+    earlier: &Earlier,
 ) -> (Vec<[Parts; 3]>, Rows, Vec<JointSlopes>) {
+    let wanted: Vec<(usize, &Expected)> =
+        expected.iter().enumerate().filter(|(place, _)| !earlier.has(*place)).collect();
     let pieces: Vec<[Piece; 3]> = (0..evidence.train_stretches())
         .into_par_iter()
-        .map(|s| stretch_slopes(evidence, s, hypothesis, expected))
+        .map(|s| stretch_slopes(evidence, s, hypothesis, &wanted))
         .collect();
     let mut parts = Vec::new();
     let mut residual: Rows = Default::default();
@@ -77,12 +82,14 @@ pub fn slopes(
             parts
         }));
     }
-    for (place, rows) in effect_slopes(evidence, &parts, hypothesis, expected) {
+    for (place, rows) in effect_slopes(evidence, &parts, hypothesis, &wanted) {
         for (joint, rows) in rows.into_iter().enumerate() {
             columns[joint].extend(rows.map(|rows| (place, rows)));
         }
     }
-    let of_joint = |&joint: &usize| JointSlopes::of(joint, &columns[joint], residual[joint].len());
+    let of_joint = |&joint: &usize| {
+        JointSlopes::of(joint, &columns[joint], residual[joint].len()).joined(earlier)
+    };
     let joints = evidence.joints.iter().map(of_joint).collect();
     (parts, residual, joints)
 }
@@ -106,6 +113,17 @@ impl JointSlopes {
         scaled
     }
 
+    /// With the columns that a model near by has.
+    fn joined(self, earlier: &Earlier) -> Self {
+        let Some(of_joint) = earlier.of_joint(self.joint) else { return self };
+        let own = self.places.iter().zip(self.matrix.column_iter());
+        let kept = of_joint.iter().map(|(place, column)| (place, column.column(0)));
+        let both: Vec<_> = own.chain(kept).collect();
+        let places = both.iter().map(|(place, _)| **place).collect();
+        let columns: Vec<_> = both.into_iter().map(|(_, column)| column).collect();
+        Self { places, matrix: DMatrix::from_columns(&columns), ..self }
+    }
+
     fn of(joint: usize, columns: &[Column], count: usize) -> Self {
         let flat = columns.iter().flat_map(|(_, rows)| rows.iter().copied());
         let matrix = DMatrix::from_iterator(count, columns.len(), flat);
@@ -118,7 +136,7 @@ fn stretch_slopes(
     evidence: &Evidence,
     s: usize,
     hypothesis: &Hypothesis,
-    expected: &[Expected],
+    wanted: &[(usize, &Expected)],
 ) -> [Piece; 3] {
     let trial = Trial::of(&evidence.stretches[s], hypothesis, &evidence.criteria.fit);
     [0, 1, 2].map(|joint| {
@@ -127,7 +145,7 @@ fn stretch_slopes(
         }
         let parts = Parts::of(&trial, joint);
         let rows = evidence.weighted(s, joint, &trial.residual_of_net(joint, &parts.net));
-        let columns = own_slopes(evidence, s, joint, &trial, hypothesis, expected);
+        let columns = own_slopes(evidence, s, joint, &trial, hypothesis, wanted);
         (parts, rows, columns)
     })
 }
@@ -139,11 +157,12 @@ fn own_slopes(
     joint: usize,
     trial: &Trial,
     hypothesis: &Hypothesis,
-    expected: &[Expected],
+    wanted: &[(usize, &Expected)],
 ) -> Vec<Column> {
     let make = || base_columns(evidence, s, joint, trial);
     let own: Columns;
-    let base = match trial.moves_as_measured() {
+    let is_base = |(_, e): &(usize, &Expected)| matches!(e.unknown, Unknown::Base(_));
+    let base = match trial.moves_as_measured() || !wanted.iter().any(is_base) {
         true => evidence.regressor(s, joint, make),
         false => {
             own = make();
@@ -151,7 +170,7 @@ fn own_slopes(
         }
     };
     let mut known = Known { hats: vec![None; hypothesis.tables.len()], friction: None };
-    let column = |(place, e): (usize, &Expected)| match e.unknown {
+    let column = |&(place, e): &(usize, &Expected)| match e.unknown {
         Unknown::Base(k) => base[k].clone().map(|mut column| {
             evidence.weigh(s, joint, &mut column);
             (place, column)
@@ -161,7 +180,7 @@ fn own_slopes(
             Some((place, evidence.weighted(s, joint, &slope)))
         }
     };
-    expected.iter().enumerate().filter_map(column).collect()
+    wanted.iter().filter_map(column).collect()
 }
 
 /// Slopes that come several at a time, once asked for.
@@ -250,15 +269,15 @@ fn effect_slopes(
     evidence: &Evidence,
     parts: &[[Parts; 3]],
     hypothesis: &Hypothesis,
-    expected: &[Expected],
+    wanted: &[(usize, &Expected)],
 ) -> Vec<(usize, RowChange)> {
-    let slope = |place: usize| match expected[place].unknown {
+    let slope = |&(place, expected): &(usize, &Expected)| match expected.unknown {
         Unknown::Effect { index, value } => {
             Some((place, effect_slope(evidence, parts, hypothesis, index, value)))
         }
         _ => None,
     };
-    (0..expected.len()).into_par_iter().filter_map(slope).collect()
+    wanted.par_iter().filter_map(slope).collect()
 }
 
 /// Slope of the train rows along a value of an effect.
@@ -270,6 +289,7 @@ fn effect_slope(
     value: usize,
 ) -> RowChange {
     let effect = &hypothesis.effects[index];
+
     let step = step_of(effect, value);
     let mut moved = hypothesis.clone();
     moved.effects[index].values[value] += step;

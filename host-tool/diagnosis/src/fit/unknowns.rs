@@ -16,6 +16,9 @@ const VISCOUS: usize = 3;
 const STIFFNESS: usize = 4;
 const DAMPING: usize = 5;
 
+/// Most by which one step of a fit multiplies or divides what shapes friction about standstill.
+const STEP_FACTOR: f64 = 4.0;
+
 /// One open parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unknown {
@@ -185,6 +188,28 @@ impl Unknown {
             Self::Table { index, knot } => hypothesis.tables[index].values_v[knot] = to,
             Self::Effect { index, value } => hypothesis.effects[index].values[value] = to,
         }
+    }
+}
+
+/// Where one step of a fit may take a parameter: where friction is friction, and for what shapes it
+/// about standstill, whose slopes hold but near by, no further than by this factor.
+pub fn range(unknown: Unknown, hypothesis: &Hypothesis, subject: &Subject) -> [f64; 2] {
+    let Unknown::Friction { joint, parameter } = unknown else {
+        return [f64::NEG_INFINITY, f64::INFINITY];
+    };
+    let now = unknown.get(hypothesis);
+    let bounds = &subject.criteria.prior;
+    let given = subject.robot.friction[joint].to_array()[parameter];
+    let near = |least: f64| [f64::max(least, now / STEP_FACTOR), now * STEP_FACTOR];
+    match parameter {
+        COULOMB => [bounds.least_coulomb * given, f64::INFINITY],
+        STRIBECK_LEVEL => {
+            let coulomb = hypothesis.robot.friction[joint].alpha0_v;
+            [-bounds.most_stribeck_drop * coulomb, f64::INFINITY]
+        }
+        STRIBECK_VELOCITY => near(bounds.least_stribeck_velocity * given),
+        STIFFNESS => near(bounds.least_bristle_stiffness * given),
+        _ => [0.0, f64::INFINITY],
     }
 }
 

@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::fault::{ModelFault, lengths_m};
 use crate::fit::fitted_model::FittedModel;
-use crate::fit::gauss_newton::fit;
+use crate::fit::gauss_newton::{fit, fit_with_slopes, open_in};
 use crate::fit::linearisation::Linearisation;
 use crate::fit::preparation::as_given;
 use crate::logs::stretch::Stretch;
@@ -24,7 +24,8 @@ pub struct FoundFault {
 }
 
 /// The fault that explains nearly all that the refitted model leaves, and no less than the model
-/// with all causes does; none where the model as given is not far off.
+/// with all causes does; none where the model as given is not far off, or where a few causes leave
+/// noise alone.
 pub fn find(
     subject: &Subject,
     evidence: &Evidence,
@@ -32,6 +33,10 @@ pub fn find(
     last: &FittedModel,
 ) -> Option<FoundFault> {
     let criteria = &subject.criteria.faults;
+    let causes = last.linear.hypothesis.effects.len() - subject.known_effects.len();
+    if last.stats.is_clean(&subject.criteria.fit) && causes <= criteria.few_causes {
+        return None;
+    }
     let implausible = refitted.stats.is_implausible(&subject.criteria.fit);
     if refitted.stats.worst() < criteria.least_ratio && !implausible {
         return None;
@@ -71,7 +76,10 @@ impl<'a> Trial<'a> {
         let corrected = fault.corrected(subject);
         let evidence = part.with_stretches(|stretch| fault.correct(stretch));
         let steps = subject.criteria.faults.steps;
-        let linear = fit(&evidence, &corrected, as_given(&corrected), steps)?;
+        let start = as_given(&corrected);
+        let open = open_in(&evidence, &corrected, &start);
+        let start = Linearisation::of(&evidence, start, open)?;
+        let linear = fit_with_slopes(&evidence, &corrected, start, steps);
         Some(Self { fault, part, subject, linear })
     }
 

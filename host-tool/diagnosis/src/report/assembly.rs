@@ -183,8 +183,8 @@ impl Assembly<'_> {
         }
         hypothesis.effects.truncate(count);
         let steps = self.subject.criteria.verdict.without_cause_steps;
-        let model =
-            FittedModel::fitted_with_slopes(&last.evidence, self.subject, hypothesis, steps)?;
+        let FittedModel { linear, evidence, .. } = last;
+        let model = FittedModel::fitted_near(linear, evidence, self.subject, hypothesis, steps)?;
         Some(Held::of(self.subject, &model))
     }
 

@@ -22,12 +22,16 @@ pub fn candidates(
         .par_iter()
         .map(|&(definition, joint)| starts(linear, evidence, subject, definition, joint))
         .collect();
-    let promised = starts.iter().flatten().map(|start| start.gain).fold(0.0, f64::max);
     let effort = &evidence.criteria.search;
-    let least = (effort.least_of_best_gain * promised).max(effort.least_promise);
+    let least = |joint: u8| {
+        let of_joint = starts.iter().flatten().filter(|start| start.effect.joint == joint);
+        let promised = of_joint.map(|start| start.gain).fold(0.0, f64::max);
+        (effort.least_of_best_gain * promised).max(effort.least_promise)
+    };
+    let least: Vec<f64> = (0..=3).map(least).collect();
     let mut found: Vec<Candidate> = starts
         .into_par_iter()
-        .filter_map(|starts| searched(linear, evidence, starts, least))
+        .filter_map(|starts| searched(linear, evidence, starts, &least))
         .collect();
     found.sort_by(|a, b| a.train.total_cmp(&b.train));
     found
@@ -107,7 +111,8 @@ fn promised(linear: &Linearisation, evidence: &Evidence, effect: &EffectInstance
         return promise(linear, evidence, effect);
     }
     let change = linear.change_by(evidence, effect, Joints::Own);
-    linear.refitted_objective() - linear.objective_with(&change)
+    let squares = linear.refitted_objective() - linear.objective_with(&change);
+    free_size_gain(squares, linear.squares_of(effect))
 }
 
 /// Values of an effect's parameters from which a search may begin.
@@ -130,24 +135,35 @@ fn start_values(
     }
 }
 
-/// What the change of rows by an effect would gain if it were scaled as suits best.
+/// Twice the log-likelihood that the change of rows by an effect would gain if it were scaled as
+/// suits best.
 pub(crate) fn promise(linear: &Linearisation, evidence: &Evidence, effect: &EffectInstance) -> f64 {
     let change = linear.change_by(evidence, effect, Joints::Own);
     let (gradient, curvature) = linear.along(&Default::default(), &[change]);
-    gradient[0] * gradient[0] / curvature[(0, 0)].max(1e-12)
+    let squares = gradient[0] * gradient[0] / curvature[(0, 0)].max(1e-12);
+    free_size_gain(squares, linear.squares_of(effect))
 }
 
-/// The best that an effect's starts lead to; none where they promise too little.
+/// Twice the log-likelihood that rows gain whose size is free, n ln(n / (n - gain)): an effect that
+/// takes nearly all that is left gains much, however few independent rows that counts for.
+fn free_size_gain(gain: f64, of_squares: f64) -> f64 {
+    const LEAST_LEFT: f64 = 1e-3;
+    let left = 1.0 - gain.max(0.0) / of_squares.max(f64::MIN_POSITIVE);
+    -of_squares * left.max(LEAST_LEFT).ln()
+}
+
+/// The best that an effect's starts lead to; none where they promise less than is worth a search on
+/// that joint.
 fn searched(
     linear: &Linearisation,
     evidence: &Evidence,
     starts: Vec<Start>,
-    least: f64,
+    least: &[f64],
 ) -> Option<Candidate> {
     let effort = &evidence.criteria.search;
     starts
         .into_iter()
-        .filter(|start| start.gain > least)
+        .filter(|start| start.gain > least[usize::from(start.effect.joint)])
         .map(|start| {
             let first = Candidate::of(linear, evidence, start.effect).0;
             let steps = if first.effect.is_spring() { effort.spring_steps } else { effort.steps };

@@ -116,15 +116,20 @@ fn refitted(
         if let Some(place) = start.spring_replaced_by(&candidate.effect, known) {
             start.effects.remove(place);
         }
-        finalist(subject, before, start.with(candidate.effect))
+        finalist(subject, before, now, start.with(candidate.effect))
     };
     batch.into_par_iter().filter_map(refit).collect()
 }
 
 /// A model whose last effect is new, refitted; none where that is not physical.
-fn finalist(subject: &Subject, before: &FittedModel, start: Hypothesis) -> Option<Finalist> {
+fn finalist(
+    subject: &Subject,
+    before: &FittedModel,
+    now: &Linearisation,
+    start: Hypothesis,
+) -> Option<Finalist> {
     let steps = subject.criteria.selection.finalist_steps;
-    let model = FittedModel::fitted_with_slopes(&before.evidence, subject, start, steps)?;
+    let model = FittedModel::fitted_near(now, &before.evidence, subject, start, steps)?;
     let effect = model.linear.hypothesis.effects.last()?.clone();
     let gain = gain(before, &model);
     is_physical(&effect, subject, &model.evidence).then_some(Finalist { effect, model, gain })

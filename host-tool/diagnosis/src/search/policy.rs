@@ -44,11 +44,9 @@ fn is_exchange(before: &FittedModel, after: &FittedModel) -> bool {
     count(before) == count(after)
 }
 
-/// Log-likelihood that a model gains over another. Rows count as independent as in what that one
-/// of them leaves that lasts less: what is left of a missing effect is no noise that lasts.
+/// Log-likelihood that a model gains over another.
 pub fn gain(over: &FittedModel, model: &FittedModel) -> f64 {
-    let misfit = model.misfit().at_least_as_independent(&over.misfit());
-    model.log_likelihood(&misfit) - over.log_likelihood(&misfit)
+    model.gain_over(over)
 }
 
 /// An effect that takes away every command, a wide dead zone say, "explains" any motion once the

@@ -103,20 +103,12 @@ impl Search<'_> {
             return Round::Refused(Vec::new());
         };
         let mut finalists = finalists(self.subject, &self.last, &start);
-        let accepted = |model: &FittedModel| is_accepted(&self.last, model, &self.subject.criteria);
-        let Some(place) = finalists.iter().position(|finalist| accepted(&finalist.model)) else {
-            return Round::Refused(finalists);
-        };
+        let finished = finalists
+            .iter()
+            .enumerate()
+            .find_map(|(place, finalist)| Some((place, self.finished_and_accepted(finalist)?)));
+        let Some((place, finished)) = finished else { return Round::Refused(finalists) };
         let best = finalists.remove(place);
-        let finished = finished(self.subject, best.model.clone());
-        // The further fit may yet leave what is physical.
-        let effects = &finished.linear.hypothesis.effects;
-        let physical =
-            effects.iter().all(|effect| is_physical(effect, self.subject, &finished.evidence));
-        if !physical || !accepted(&finished) {
-            finalists.insert(0, best);
-            return Round::Refused(finalists);
-        }
         let known = self.subject.known_effects.len();
         let before = &self.last.linear.hypothesis;
         if let Some(place) = before.spring_replaced_by(&best.effect, known) {
@@ -125,6 +117,18 @@ impl Search<'_> {
         self.last = finished;
         self.rivals.push(finalists);
         Round::Added
+    }
+
+    /// A finalist whose fit is carried on to its end, if it is accepted before and after that, and
+    /// is still physical: the further fit may yet leave that.
+    fn finished_and_accepted(&self, finalist: &Finalist) -> Option<FittedModel> {
+        let accepted = |model: &FittedModel| is_accepted(&self.last, model, &self.subject.criteria);
+        let finished =
+            accepted(&finalist.model).then(|| finished(self.subject, finalist.model.clone()))?;
+        let effects = &finished.linear.hypothesis.effects;
+        let physical =
+            effects.iter().all(|effect| is_physical(effect, self.subject, &finished.evidence));
+        (physical && accepted(&finished)).then_some(finished)
     }
 
     /// Takes out effects that others, added later, make needless: an offset goes once the spring
@@ -152,7 +156,8 @@ impl Search<'_> {
 
     fn fitted(&self, hypothesis: Hypothesis) -> Option<FittedModel> {
         let steps = self.subject.criteria.selection.accepted_steps;
-        FittedModel::fitted_with_slopes(&self.last.evidence, self.subject, hypothesis, steps)
+        let FittedModel { linear, evidence, .. } = &self.last;
+        FittedModel::fitted_near(linear, evidence, self.subject, hypothesis, steps)
     }
 
     /// What each effect gains, and what its rivals would in its place; a rival that does better
@@ -225,6 +230,7 @@ fn finished(subject: &Subject, model: FittedModel) -> FittedModel {
     let hypothesis = model.linear.hypothesis.clone();
     let mut best =
         FittedModel::fitted(&model.evidence, subject, hypothesis, steps).unwrap_or(model);
+    best = best.settled(subject);
     for _ in 0..subject.criteria.search.restarts {
         match restarted(subject, &best) {
             Some(better) => best = better,

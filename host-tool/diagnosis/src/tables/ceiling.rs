@@ -7,10 +7,9 @@ use crate::fit::excess::excess_v2;
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::slopes::table_hats;
 use crate::logs::subject::Subject;
-use crate::rows::evidence::{Evidence, RowChange};
+use crate::rows::evidence::RowChange;
 use crate::search::policy::gain;
 use crate::trial::equation::Trial;
-use crate::trial::hypothesis::Hypothesis;
 use files::Role;
 use rig::effects::{Table, TableAxis};
 
@@ -47,7 +46,8 @@ pub fn reaches_ceiling(
     let mut both = best.model.linear.hypothesis.clone();
     both.effects.insert(index, effect.clone());
     let steps = policy.table_steps;
-    let both = FittedModel::fitted_with_slopes(&best.model.evidence, subject, both, steps);
+    let FittedModel { linear, evidence, .. } = &best.model;
+    let both = FittedModel::fitted_near(linear, evidence, subject, both, steps);
     both.is_some_and(|both| {
         gain(&best.model, &both) > policy.least_log_likelihood
             && part_taken(subject, &best.model, &both, joint) > policy.least_beside_table
@@ -61,11 +61,15 @@ pub fn part_taken(
     after: &FittedModel,
     joint: usize,
 ) -> f64 {
-    let place = subject.joints.iter().position(|of| *of == joint).unwrap_or(0);
-    let of =
-        |model: &FittedModel| excess_v2(&model.evidence, &model.left_out_v, Role::Train)[place];
+    let of = |model: &FittedModel| excess_left_v2(subject, model, joint);
     let from = of(before);
     if from > 0.0 { 1.0 - of(after) / from } else { 0.0 }
+}
+
+/// Squares above the noise of a joint's left-out train rows [V^2].
+pub fn excess_left_v2(subject: &Subject, model: &FittedModel, joint: usize) -> f64 {
+    let place = subject.joints.iter().position(|of| *of == joint).unwrap_or(0);
+    excess_v2(&model.evidence, &model.left_out_v, Role::Train)[place]
 }
 
 /// A model with the table over that axis of a joint (0 to 2) that promises most; none where no table
@@ -83,7 +87,7 @@ pub fn with_best_table(subject: &Subject, before: &FittedModel, joint: usize) ->
     let open: Vec<TableAxis> = TableAxis::ALL.into_iter().filter(|axis| !is_there(*axis)).collect();
     let tables = open.par_iter().filter_map(promised);
     let (_, table) = tables.max_by(|a, b| a.0.total_cmp(&b.0))?;
-    let model = fitted(subject, &before.evidence, hypothesis, table)?;
+    let model = fitted(subject, before, table)?;
     let table = model.linear.hypothesis.tables.last()?.clone();
     Some(WithTable { table, gain: gain(before, &model), model })
 }
@@ -107,14 +111,10 @@ fn promise(before: &FittedModel, table: &Table, joint: usize) -> Option<f64> {
 }
 
 /// A model with a table more, fitted.
-fn fitted(
-    subject: &Subject,
-    evidence: &Evidence,
-    hypothesis: &Hypothesis,
-    table: Table,
-) -> Option<FittedModel> {
-    let mut with = hypothesis.clone();
+fn fitted(subject: &Subject, before: &FittedModel, table: Table) -> Option<FittedModel> {
+    let FittedModel { linear, evidence, .. } = before;
+    let mut with = linear.hypothesis.clone();
     with.tables.push(table);
     let steps = subject.criteria.selection.table_steps;
-    FittedModel::fitted_with_slopes(evidence, subject, with, steps)
+    FittedModel::fitted_near(linear, evidence, subject, with, steps)
 }

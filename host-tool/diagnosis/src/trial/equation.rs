@@ -6,6 +6,7 @@
 
 use std::borrow::Cow;
 use std::cell::OnceCell;
+use std::sync::OnceLock;
 
 use model::{FrictionState, Posture, Robot};
 
@@ -46,8 +47,8 @@ pub struct Trial<'a> {
 /// spring computes it once.
 #[derive(Clone, Copy, Debug)]
 pub struct MotorSide<'a> {
-    /// Dynamics of each joint as if it were stiff, by samples.
-    pub dynamics: [&'a [JointDynamics]; 3],
+    /// Dynamics of each joint as if it were stiff, by samples; computed by the first who asks.
+    pub dynamics: [&'a OnceLock<Vec<JointDynamics>>; 3],
     /// What drives each joint less friction, by intervals [V].
     pub net_v: [&'a [f64]; 3],
 }
@@ -239,7 +240,9 @@ impl<'a> Trial<'a> {
     /// Motion of a joint's link behind a spring.
     fn behind(&self, joint: usize, spring: &Transmission) -> JointMotion {
         let dynamics = match self.motor_side {
-            Some(known) => Cow::Borrowed(known.dynamics[joint]),
+            Some(known) => {
+                Cow::Borrowed(&known.dynamics[joint].get_or_init(|| self.dynamics(joint))[..])
+            }
             None => Cow::Owned(self.dynamics(joint)),
         };
         let push_nm = (spring.gap_rad > 0.0).then(|| match self.motor_side {

@@ -16,6 +16,13 @@ pub struct EffectInstance {
     pub values: Vec<f64>,
 }
 
+impl PartialEq for EffectInstance {
+    fn eq(&self, other: &Self) -> bool {
+        (self.definition.name, self.joint, &self.values)
+            == (other.definition.name, other.joint, &other.values)
+    }
+}
+
 impl EffectInstance {
     /// The effect, its values kept within their bounds; `None` if it acts on no such joint.
     pub fn build(&self) -> Option<Box<dyn Effect>> {

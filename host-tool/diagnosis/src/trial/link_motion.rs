@@ -8,8 +8,13 @@ use crate::logs::stretch::Kinematics;
 use rig::effects::Transmission;
 use signal::derivative;
 
-/// Integration steps per sample.
-const STEPS: usize = 6;
+/// Most integration steps per sample, and those of a link that bounces in its backlash.
+const MOST_STEPS: usize = 6;
+/// Fewest: means about a sample weigh what lies before and behind it.
+const FEWEST_STEPS: usize = 2;
+/// Most radians of the link's own oscillation in a step: leapfrog errs by a part x^2 / 24 of the
+/// frequency, 2e-3 here.
+const RADIANS_PER_STEP: f64 = 0.2;
 
 /// Motion of one joint at the samples.
 #[derive(Clone, Debug, Default)]
@@ -53,8 +58,9 @@ pub fn behind(
         dynamics.iter().map(|stiff| stiff.without_motor(spring)).collect();
     let drive = Drive::of(motor, joint, period_s);
     let mut motion = JointMotion::default();
+    let steps = steps(spring, &dynamics, period_s);
     let mut follower =
-        Follower::at_rest(spring, drive.angle(0, 0.0), dynamics[0].bias_nm, measured);
+        Follower::at_rest(spring, drive.angle(0, 0.0), dynamics[0].bias_nm, measured, steps);
     for k in 0..dynamics.len() {
         motion.q_rad.push(follower.link.q_rad);
         motion.qd_rad_per_s.push(follower.link.qd_rad_per_s);
@@ -71,6 +77,17 @@ pub fn behind(
     motion
 }
 
+/// Integration steps per sample that follow a link's own oscillation.
+fn steps(spring: &Transmission, dynamics: &[JointDynamics], period_s: f64) -> usize {
+    if spring.gap_rad > 0.0 {
+        return MOST_STEPS;
+    }
+    let lightest = dynamics.iter().map(|joint| joint.inertia_kg_m2).fold(f64::INFINITY, f64::min);
+    let rad_per_s = (spring.stiffness_nm_per_rad / lightest.max(f64::MIN_POSITIVE)).sqrt();
+    let steps = (rad_per_s * period_s / RADIANS_PER_STEP).ceil();
+    (steps as usize).clamp(FEWEST_STEPS, MOST_STEPS)
+}
+
 /// Means about a sample, weighted as a second difference of angles weighs accelerations:
 /// most at the sample, not at all at the next and the one before.
 #[derive(Clone, Copy, Debug, Default)]
@@ -81,8 +98,8 @@ struct Mean {
 
 impl Mean {
     fn add(&mut self, torque_nm: f64, acceleration: f64, part: f64) {
-        self.torque_nm += part / STEPS as f64 * torque_nm;
-        self.acceleration += part / STEPS as f64 * acceleration;
+        self.torque_nm += part * torque_nm;
+        self.acceleration += part * acceleration;
     }
 }
 
@@ -93,6 +110,8 @@ struct Follower {
     covariance: Option<LinkCovariance>,
     /// What the interval before adds to the means at the sample after it.
     before: Mean,
+    /// Integration steps per sample.
+    steps: usize,
 }
 
 impl Follower {
@@ -101,6 +120,7 @@ impl Follower {
         theta_rad: f64,
         bias_nm: f64,
         measured: Option<MeasuredTorque>,
+        steps: usize,
     ) -> Self {
         let q_rad = theta_rad - spring.hold(bias_nm);
         Self {
@@ -109,6 +129,7 @@ impl Follower {
                 LinkCovariance::initial(spring.stiffness_nm_per_rad, measured.unknown_torque)
             }),
             before: Mean { torque_nm: 0.5 * bias_nm, acceleration: 0.0 },
+            steps,
         }
     }
 
@@ -120,20 +141,21 @@ impl Follower {
         inside: impl Fn(f64) -> (f64, f64, JointDynamics),
         period_s: f64,
     ) -> Mean {
-        let step_s = period_s / STEPS as f64;
+        let part = 1.0 / self.steps as f64;
+        let step_s = period_s * part;
         let (mut early, mut late) = (self.before, Mean::default());
-        for step in 0..STEPS {
-            let x = (step as f64 + 0.5) / STEPS as f64;
+        for step in 0..self.steps {
+            let x = (step as f64 + 0.5) * part;
             let (theta, speed, dynamics) = inside(x);
             let (torque_nm, dynamics) = self.link.advance(spring, theta, speed, &dynamics, step_s);
             if let Some(covariance) = &mut self.covariance {
-                let slope = slope(spring, torque_nm) / STEPS as f64;
-                let kick = step_s * STEPS as f64 / dynamics.inertia_kg_m2;
+                let slope = slope(spring, torque_nm) * part;
+                let kick = period_s / dynamics.inertia_kg_m2;
                 covariance.advance(slope, kick, step_s, x);
             }
             let acceleration = dynamics.acceleration(torque_nm);
-            early.add(torque_nm, acceleration, 1.0 - x);
-            late.add(torque_nm, acceleration, x);
+            early.add(torque_nm, acceleration, part * (1.0 - x));
+            late.add(torque_nm, acceleration, part * x);
         }
         self.before = late;
         early

@@ -1,5 +1,7 @@
 //! What a model's equation consists of along a stretch, and how it changes with an effect.
 
+use std::sync::OnceLock;
+
 use super::equation::{MotorSide, Trial};
 use super::hypothesis::EffectInstance;
 use super::joint_dynamics::JointDynamics;
@@ -17,8 +19,8 @@ pub struct Parts {
     pub net: Vec<f64>,
     /// What the rigid body needs, by samples.
     pub needed: Vec<f64>,
-    /// Dynamics of the joint as if it were stiff, by samples.
-    dynamics: Vec<JointDynamics>,
+    /// Dynamics of the joint as if it were stiff, by samples; once a spring on it is tried.
+    dynamics: OnceLock<Vec<JointDynamics>>,
 }
 
 impl Parts {
@@ -27,8 +29,8 @@ impl Parts {
         let drive = trial.drive(joint);
         let friction = trial.friction(joint, trial.robot());
         let net = drive.iter().zip(&friction).map(|(drive, friction)| drive - friction).collect();
-        let (needed, dynamics) = (trial.needed(joint).to_vec(), trial.dynamics(joint));
-        Self { drive, friction, net, needed, dynamics }
+        let needed = trial.needed(joint).to_vec();
+        Self { drive, friction, net, needed, dynamics: OnceLock::new() }
     }
 
     /// Change of the residual at the samples when a trial takes these parts' place.
@@ -57,7 +59,7 @@ impl Parts {
 /// `effect` alone: nothing unless that is a spring.
 pub fn motor_side<'a>(parts: &'a [Parts; 3], effect: &EffectInstance) -> Option<MotorSide<'a>> {
     effect.is_spring().then(|| MotorSide {
-        dynamics: [0, 1, 2].map(|joint| &parts[joint].dynamics[..]),
+        dynamics: [0, 1, 2].map(|joint| &parts[joint].dynamics),
         net_v: [0, 1, 2].map(|joint| &parts[joint].net[..]),
     })
 }

@@ -49,16 +49,17 @@ pub struct Worth {
 }
 
 impl<'a> Confirmation<'a> {
-    /// Of a refitted model and one with causes added; `noise_v` by joint and stretch.
+    /// Of a refitted model, within its doubt, and one with causes added; `noise_v` by joint and
+    /// stretch.
     pub fn of(
         subject: &'a Subject,
-        refitted: &FittedModel,
+        refitted: Held,
         last: &FittedModel,
         added: &[Added],
         noise_v: [Vec<f64>; 3],
     ) -> Self {
         let held = |model: &FittedModel| Held::of(subject, model);
-        let (refitted, full) = (held(refitted), held(last));
+        let full = held(last);
         let without = match added {
             [_] => vec![refitted.clone()],
             several => several.iter().map(|added| held(&added.without)).collect(),
@@ -92,8 +93,11 @@ impl<'a> Confirmation<'a> {
         let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
         let blocks = Blocks::of(&last.evidence, &self.joints_of(effect), &models, noise_v);
         let draws = self.subject.criteria.verdict.draws;
+        let least_excess = self.subject.criteria.verdict.least_excess;
         let share = |sums: &[f64]| match sums {
-            [without, with, gap, noise] if gap > noise => (without - with) / (gap - noise),
+            [without, with, gap, noise] => {
+                (without - with) / (gap - noise).max(least_excess * noise).max(f64::MIN_POSITIVE)
+            }
             _ => 0.0,
         };
         let shrinkage = |sums: &[f64]| match sums {
@@ -144,9 +148,7 @@ impl Held {
     /// explain, and no more.
     pub fn of(subject: &Subject, model: &FittedModel) -> Self {
         let far = model.stats.prior_penalty > subject.criteria.fit.unexplained_prior_penalty;
-        let held = far
-            .then(|| fit_held(&model.evidence, subject, model.linear.hypothesis.clone()))
-            .flatten();
+        let held = far.then(|| fit_held(&model.evidence, subject, &model.linear)).flatten();
         let linear = held.unwrap_or_else(|| model.linear.clone());
         let rows = residual_rows(&model.evidence, &linear.hypothesis);
         Self { residual_v: model.evidence.volts(&rows), linear }

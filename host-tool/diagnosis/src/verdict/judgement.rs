@@ -1,6 +1,6 @@
 //! The causes that are named, with what they are worth, and what else was tried.
 
-use super::confirmed::{Confirmation, Worth};
+use super::confirmed::{Confirmation, Held, Worth};
 use super::decision::{is_named, is_sound, probability};
 use super::misfit::is_another_robot;
 use crate::fit::fitted_model::FittedModel;
@@ -40,8 +40,10 @@ impl<'a> Judgement<'a> {
     pub fn of(subject: &'a Subject, selection: Selection, noise_v: &[Vec<f64>; 3]) -> Self {
         let Selection { refitted, mut last, mut added, refused } = selection;
         let mut unconfirmed = Vec::new();
+        let held = Held::of(subject, &refitted);
         loop {
-            let confirmation = Confirmation::of(subject, &refitted, &last, &added, noise_v.clone());
+            let confirmation =
+                Confirmation::of(subject, held.clone(), &last, &added, noise_v.clone());
             let judged: Vec<(Worth, f64)> = (0..added.len())
                 .map(|index| judged(subject, &confirmation, &last, &added[index], index))
                 .collect();
@@ -97,7 +99,8 @@ fn without(
     let mut hypothesis = last.linear.hypothesis.clone();
     let effect = hypothesis.effects.remove(subject.known_effects.len() + index);
     let steps = subject.criteria.selection.accepted_steps;
-    Some((effect, FittedModel::fitted(&last.evidence, subject, hypothesis, steps)?))
+    let model = FittedModel::fitted_near(&last.linear, &last.evidence, subject, hypothesis, steps)?;
+    Some((effect, model))
 }
 
 fn judged(

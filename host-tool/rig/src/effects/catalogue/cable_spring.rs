@@ -24,7 +24,11 @@ pub(super) const DEFINITION: Definition = Definition {
     ],
     couples_joints: false,
     touches: Touches::DRIVE,
-    search: Search::From(|typical| vec![vec![0.1 * typical.friction_v, typical.position_rad]]),
+    // A spring at rest far away pulls one way only.
+    search: Search::From(|typical| {
+        let start = |away_rad| vec![0.1 * typical.friction_v, typical.position_rad + away_rad];
+        [0.0, -1.0, 1.0].map(start).to_vec()
+    }),
     size: Size::grows(|typical| typical.friction_v),
     draw: |context, random| {
         // At rest near the posture about which motions are made.
