@@ -5,6 +5,7 @@ use crate::core::cost::Cost;
 use crate::core::nvic::Nvic;
 use crate::core::system_control::SystemControl;
 use crate::failure::{Failure, Refusal};
+use crate::handler;
 use crate::plant::Plant;
 use crate::registers::dma::Dma;
 use crate::registers::flash::Flash;
@@ -166,8 +167,16 @@ impl Board {
             _ => floating,
         };
         let (sync, load, clear) = (level(SYNC, true), level(LOAD, true), level(CLEAR, false));
-        self.converter.set_pins(sync, load, clear, self.now);
+        if self.converter.set_pins(sync, load, clear, self.now) {
+            let now = self.cost_so_far();
+            self.trace.handler.sync(now);
+        }
         self.trace.released(self.now, self.converter.is_released());
+    }
+
+    /// Instructions and cycles since the first power-on.
+    pub(crate) fn cost_so_far(&self) -> handler::Cost {
+        handler::Cost { instructions: self.instructions, cycles: self.now }
     }
 
     /// Whether pins of a port are given to a block.

@@ -133,6 +133,7 @@ fn watch_instructions(
         if stop.comes_before(opcode, board.now >= board.stop_at) {
             return halt(engine);
         }
+        if board.nvic.running() == 70 { *crate::PROFILE.lock().unwrap().entry(address as u32).or_insert(0u64) += 1; }
         let cycles = board.cost.of(address as u32, bytes);
         board.now += cycles;
         board.instructions += 1;

@@ -5,6 +5,8 @@
 //! modelled and what is not.
 #![forbid(unsafe_code)]
 
+/// x
+pub static PROFILE: std::sync::Mutex<std::collections::BTreeMap<u32,u64>> = std::sync::Mutex::new(std::collections::BTreeMap::new());
 pub mod advance;
 pub mod board;
 mod bus;
@@ -12,6 +14,7 @@ pub mod converter;
 pub mod core;
 mod engine;
 pub mod failure;
+pub mod handler;
 pub mod image;
 mod injection;
 pub mod machine;

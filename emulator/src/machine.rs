@@ -202,8 +202,8 @@ impl Machine {
         board.nvic.enter(number);
         board.now += ENTRY_CYCLES;
         if number == TICK {
-            let (instructions, now) = (board.instructions, board.now);
-            board.trace.handler.enter(instructions, now);
+            let now = board.cost_so_far();
+            board.trace.handler.enter(now);
         }
         Ok(())
     }
@@ -251,8 +251,8 @@ impl Machine {
             board.set_lines();
             board.now += RETURN_CYCLES;
             if board.nvic.leave() == Some(TICK) {
-                let (instructions, now) = (board.instructions, board.now);
-                board.trace.handler.leave(instructions, now);
+                let (now, updates) = (board.cost_so_far(), board.tim6.updates);
+                board.trace.handler.leave(now, updates);
             }
             board.nvic.running()
         };

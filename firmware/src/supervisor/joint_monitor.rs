@@ -5,6 +5,7 @@ use core::f32::consts::TAU;
 use super::fault::{Fault, Implausible};
 use super::range_monitor::RangeMonitor;
 use super::stall::StallMonitor;
+use crate::joint::JointSample;
 use crate::{Angle, Mode, ParameterBlock};
 
 /// Ticks over which the velocity estimate is compared with the encoder's travel.
@@ -19,18 +20,6 @@ const DITHER_COUNTS: u32 = 3;
 /// A tick at the limit counts as many of those below it, so that no limit cycle with a fifth of
 /// its ticks at the limit goes on.
 const SATURATION_WEIGHT: u32 = 4;
-
-/// What is measured and commanded at a joint in a tick.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct JointSample {
-    pub count: i32,
-    pub velocity_rad_per_s: f32,
-    pub measured: Angle,
-    pub reference: Angle,
-    pub command_v: f32,
-    pub saturated: bool,
-    pub finite: bool,
-}
 
 /// A limit that was exceeded.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,6 +42,8 @@ struct Limits {
     jump_counts: u32,
     speed_rad_per_s: f32,
     tracking_error_rad: f32,
+    /// As many units off the reference are more than that; none is where there is no reference.
+    far_units: u32,
     saturated_quarters: u32,
     stuck_travel_rad: f32,
     stuck_voltage_v: f32,
@@ -70,6 +61,10 @@ impl Limits {
             jump_counts: (jump as u32).saturating_add(DITHER_COUNTS),
             speed_rad_per_s: safety.speed_rad_per_s[index],
             tracking_error_rad: safety.tracking_error_rad[index],
+            far_units: match has_reference(block.mode[index]) {
+                true => units_beyond(safety.tracking_error_rad[index]),
+                false => u32::MAX,
+            },
             saturated_quarters: ((safety.saturation_s / period_s + 0.5) as u32)
                 .saturating_mul(SATURATION_WEIGHT),
             stuck_travel_rad: safety.stuck_travel_rad,
@@ -96,6 +91,8 @@ pub(super) struct JointMonitor {
     /// Ticks seen so far, counted until the estimates have settled.
     ticks: u32,
     ticks_since_jump: u32,
+    /// The command of the last tick was cut.
+    was_cut: bool,
     /// Ticks at the limit, [`SATURATION_WEIGHT`] each, less those below it.
     saturated_quarters: u32,
     standstill: Standstill,
@@ -137,6 +134,7 @@ impl JointMonitor {
             jump_counts: 0,
             ticks: 0,
             ticks_since_jump: WINDOW_TICKS,
+            was_cut: false,
             saturated_quarters: 0,
             standstill: Standstill::default(),
             stall: StallMonitor::new(block, index),
@@ -172,41 +170,52 @@ impl JointMonitor {
         self.standstill.count = self.last_count.wrapping_add(i32::MIN); // Out of reach: the next count restarts it.
     }
 
-    /// Checks a tick outside a run: jump, speed, finiteness.
+    /// Takes a tick in; whether it must be looked at closely, for a fault or not.
     #[inline]
-    pub fn check_at_rest(&mut self, sample: &JointSample) -> Option<Fault> {
+    pub fn is_suspicious(&mut self, sample: &JointSample, running: bool) -> bool {
         self.track_count(sample.count);
-        self.compare_velocity(sample);
-        if self.jump_counts > self.limits.jump_counts {
-            self.ticks_since_jump = 0;
+        self.was_cut = sample.saturated;
+        let stands = running && self.is_cut_or_stands(sample);
+        // A NaN is not within the limit.
+        stands
+            || self.jump_counts > self.limits.jump_counts
+            || !(sample.velocity_rad_per_s.abs() <= self.limits.speed_rad_per_s)
+            || running && error_units(sample) >= self.limits.far_units
+            || running && self.range.is_left_by(sample)
+            || !sample.is_finite()
+    }
+
+    /// What is wrong in the tick that was just taken in; stall and range are looked at apart.
+    #[cold]
+    pub fn fault(&self, sample: &JointSample, running: bool) -> Option<Fault> {
+        let limits = &self.limits;
+        if self.jumps() {
             Some(Fault::EncoderJump)
-        } else if !(sample.finite && sample.velocity_rad_per_s.is_finite()) {
+        } else if !(sample.is_finite() && sample.velocity_rad_per_s.is_finite()) {
             Some(Fault::NotFinite)
-        } else if sample.velocity_rad_per_s.abs() > self.limits.speed_rad_per_s {
+        } else if sample.velocity_rad_per_s.abs() > limits.speed_rad_per_s {
             Some(Fault::Speed)
+        } else if !running {
+            None
+        } else if self.has_reference && tracking_error_rad(sample) > limits.tracking_error_rad {
+            Some(Fault::TrackingError)
+        } else if self.is_stuck(sample) {
+            Some(Fault::EncoderStuck)
+        } else if self.saturated_quarters > limits.saturated_quarters {
+            Some(Fault::Saturation)
         } else {
             None
         }
     }
 
-    /// Checks a tick of a run.
-    #[inline]
-    pub fn check_running(&mut self, sample: &JointSample) -> Option<Fault> {
-        let rest = self.check_at_rest(sample);
-        self.count_saturation(sample.saturated);
-        let stuck = self.is_stuck(sample);
-        if rest.is_some() {
-            rest
-        } else if self.has_reference && tracking_error_rad(sample) > self.limits.tracking_error_rad
-        {
-            Some(Fault::TrackingError)
-        } else if stuck {
-            Some(Fault::EncoderStuck)
-        } else if self.saturated_quarters > self.limits.saturated_quarters {
-            Some(Fault::Saturation)
-        } else {
-            None
-        }
+    /// Whether the encoder has jumped; its first two moves mean nothing.
+    fn jumps(&self) -> bool {
+        self.ticks >= 2 && self.jump_counts > self.limits.jump_counts
+    }
+
+    /// Whether the command of the last tick was cut.
+    pub fn was_cut(&self) -> bool {
+        self.was_cut
     }
 
     /// Counts, and whether it is time to look what holds the joint.
@@ -238,7 +247,7 @@ impl JointMonitor {
             Fault::EncoderStuck if self.has_reference => {
                 (sample.reference.minus(self.standstill.reference).abs(), limits.stuck_travel_rad)
             }
-            Fault::EncoderStuck => (sample.command_v.abs(), limits.stuck_voltage_v),
+            Fault::EncoderStuck => (sample.command_v().abs(), limits.stuck_voltage_v),
             Fault::PositionLimit => {
                 self.range.leaves(sample.count, sample.velocity_rad_per_s).unwrap_or_default()
             }
@@ -252,7 +261,7 @@ impl JointMonitor {
 
     /// Why the estimates are implausible, if they are.
     pub fn implausible(&self, sample: &JointSample) -> Option<Implausible> {
-        if !sample.finite || !sample.velocity_rad_per_s.is_finite() {
+        if !sample.is_finite() || !sample.velocity_rad_per_s.is_finite() {
             Some(Implausible::NotFinite)
         } else if self.ticks < 2 * WINDOW_TICKS {
             Some(Implausible::NotSettled)
@@ -267,18 +276,24 @@ impl JointMonitor {
         }
     }
 
-    /// The change of the encoder's step from the one before, zero until one is known.
+    /// The change of the encoder's step from the one before.
     #[inline]
     fn track_count(&mut self, count: i32) {
         let moved = count.wrapping_sub(self.last_count);
-        let change = moved.wrapping_sub(self.last_move).unsigned_abs();
+        self.jump_counts = moved.wrapping_sub(self.last_move).unsigned_abs();
         self.last_count = count;
         self.last_move = moved;
-        self.ticks_since_jump = self.ticks_since_jump.saturating_add(1);
+    }
+
+    /// The rest of a tick, on which no code depends.
+    #[inline]
+    pub fn complete(&mut self, sample: &JointSample) {
+        self.ticks_since_jump =
+            if self.jumps() { 0 } else { self.ticks_since_jump.saturating_add(1) };
         if self.ticks < 2 * WINDOW_TICKS {
             self.ticks += 1;
         }
-        self.jump_counts = if self.ticks <= 2 { 0 } else { change };
+        self.compare_velocity(sample);
     }
 
     /// Compares the estimate with the encoder's travel, once a window.
@@ -301,36 +316,55 @@ impl JointMonitor {
         window.sum_rad_per_s += sample.velocity_rad_per_s;
     }
 
+    /// Counts what goes on for many ticks; whether it has gone on for too long.
     #[inline]
-    fn count_saturation(&mut self, saturated: bool) {
+    fn is_cut_or_stands(&mut self, sample: &JointSample) -> bool {
+        let is_cut = (sample.saturated || self.saturated_quarters != 0)
+            && self.count_saturation(sample.saturated);
+        let moved = sample.count.wrapping_sub(self.standstill.count).unsigned_abs();
+        if moved <= DITHER_COUNTS {
+            return self.stands(sample) || is_cut;
+        }
+        let (count, reference) = (sample.count, sample.reference);
+        self.standstill = Standstill { count, reference, pushed_ticks: 0 };
+        self.stall.moves();
+        is_cut
+    }
+
+    /// Whether the command was at its limit for too long.
+    #[inline(never)]
+    fn count_saturation(&mut self, saturated: bool) -> bool {
         let quarters = self.saturated_quarters;
         self.saturated_quarters = match saturated {
             true => quarters.saturating_add(SATURATION_WEIGHT),
             false => quarters.saturating_sub(1),
         };
+        self.saturated_quarters > self.limits.saturated_quarters
     }
 
-    /// Whether the encoder does not move although its joint must.
+    /// Counts a tick in which the encoder has not moved; whether its joint must have.
     #[inline]
-    fn is_stuck(&mut self, sample: &JointSample) -> bool {
-        let standstill = &mut self.standstill;
-        if sample.count.wrapping_sub(standstill.count).unsigned_abs() > DITHER_COUNTS {
-            let (count, reference) = (sample.count, sample.reference);
-            *standstill = Standstill { count, reference, pushed_ticks: 0 };
-            self.stall.moves();
-            return false;
-        }
+    fn stands(&mut self, sample: &JointSample) -> bool {
         if self.has_reference {
-            self.stall.stands(sample.command_v);
+            self.stall.stands(sample.command_v());
+            return self.is_stuck(sample) || self.stall.is_due();
+        }
+        let pushed = sample.command_v().abs() > self.limits.stuck_voltage_v;
+        // A voltage that swings to and fro pushes too.
+        let ticks = self.standstill.pushed_ticks;
+        self.standstill.pushed_ticks =
+            if pushed { ticks.saturating_add(1) } else { ticks.saturating_sub(1) };
+        self.is_stuck(sample)
+    }
+
+    /// Whether the encoder has stood for so long that its joint must have moved.
+    #[inline]
+    fn is_stuck(&self, sample: &JointSample) -> bool {
+        let standstill = &self.standstill;
+        if self.has_reference {
             let travel_rad = sample.reference.minus(standstill.reference).abs();
             return travel_rad > self.limits.stuck_travel_rad;
         }
-        let pushed = sample.command_v.abs() > self.limits.stuck_voltage_v;
-        // A voltage that swings to and fro pushes too.
-        standstill.pushed_ticks = match pushed {
-            true => standstill.pushed_ticks.saturating_add(1),
-            false => standstill.pushed_ticks.saturating_sub(1),
-        };
         standstill.pushed_ticks > self.limits.stuck_ticks
     }
 }
@@ -338,6 +372,25 @@ impl JointMonitor {
 #[inline]
 fn tracking_error_rad(sample: &JointSample) -> f32 {
     sample.reference.minus(sample.measured).abs()
+}
+
+/// Distance from the reference, in the units of an [`Angle`].
+#[inline]
+fn error_units(sample: &JointSample) -> u32 {
+    sample.reference.0.wrapping_sub(sample.measured.0).unsigned_abs()
+}
+
+/// The fewest units of an [`Angle`] that are more than `limit_rad`, as [`Angle::minus`] rounds.
+fn units_beyond(limit_rad: f32) -> u32 {
+    let (mut within, mut beyond) = (0_u32, u32::MAX);
+    while beyond - within > 1 {
+        let middle = within + (beyond - within) / 2;
+        // More than half a turn there is not.
+        let is_within = middle > 1 << 31
+            || middle as f32 * Angle::RADIANS_PER_UNIT <= limit_rad;
+        (within, beyond) = if is_within { (middle, beyond) } else { (within, middle) };
+    }
+    beyond
 }
 
 /// Whether a mode tracks a reference.

@@ -122,14 +122,17 @@ impl Tick {
         self.health.host_heard = SHARED.host_heard.load(Relaxed);
         SHARED.host_heard.store(false, Relaxed);
         self.drive.read(&mut self.health);
-        let record = self.supervisor.tick(&counts, self.health);
-        self.put_out(&record);
+        let codes = self.supervisor.act(&counts, self.health);
+        self.put_out(&codes);
+        let record = self.supervisor.complete();
         self.drive.write(self.supervisor.drive_outputs());
         self.latch();
         self.watch_converter(&record);
         self.answer();
         self.check_parameters(record.tick);
         self.publish(record);
+        // What the next tick can know already, whatever the orders have changed.
+        self.supervisor.prepare();
         self.measure_tick_time();
     }
 
@@ -152,8 +155,8 @@ impl Tick {
         let _ = self.inbox.replies.enqueue(Reply { outcome, status: self.supervisor.status() });
     }
 
-    fn put_out(&mut self, record: &TickRecord) {
-        if !record.state.drives() {
+    fn put_out(&mut self, codes: &[DacCode; 3]) {
+        if !self.supervisor.state().drives() {
             self.converter.hold_at_zero();
             self.released = false;
             return;
@@ -162,7 +165,6 @@ impl Tick {
             self.converter.release();
             self.released = true;
         }
-        let codes: &[DacCode; 3] = &record.codes;
         if self.converter.put_out(codes).is_err() {
             // At once; the supervisor hears of it in the next tick.
             self.converter.hold_at_zero();
