@@ -97,6 +97,13 @@ impl Converter {
         is_edge
     }
 
+    /// LDAC alone.
+    pub fn change_load(&mut self, high: bool, at: Time) {
+        if high != self.load.high {
+            self.set_load(high, at);
+        }
+    }
+
     fn set_sync(&mut self, high: bool, now: Time) {
         let lasted = now - self.sync.at;
         let is_first = self.sync.at == 0;

@@ -214,17 +214,25 @@ impl Controller {
     #[inline(never)]
     pub fn tick(&mut self, counts: &[i32; 3]) -> TickOutput {
         let mut samples = Default::default();
-        self.act(counts, &mut samples);
+        self.act(counts, &mut samples, |_, _| {});
         TickOutput::of(&samples)
     }
 
-    /// The same, joint by joint.
-    #[inline]
-    pub(crate) fn act(&mut self, counts: &[i32; 3], samples: &mut [JointSample; 3]) {
+    /// The same, joint by joint; each sample is shown as soon as it is complete.
+    #[inline(always)]
+    pub(crate) fn act(
+        &mut self,
+        counts: &[i32; 3],
+        samples: &mut [JointSample; 3],
+        mut show: impl FnMut(usize, &JointSample),
+    ) {
         if !self.running {
-            return self.only_measure(counts, samples);
+            self.only_measure(counts, samples);
+            return (0..3).for_each(|i| show(i, &samples[i]));
         }
-        self.prepare();
+        if !self.is_prepared {
+            self.prepare_late();
+        }
         let Self { joints, feedforward, block, .. } = self;
         let limit_v = block.command_limit_v;
         let known = feedforward.iter().zip(&block.gains).zip(&block.mode);
@@ -239,9 +247,15 @@ impl Controller {
             };
             sample.command(wanted_v, limit_v);
             sample.reference = known.angle;
+            show(i, sample);
         }
         self.clock.tick = self.clock.tick.saturating_add(1);
         self.is_prepared = false;
+    }
+
+    #[cold]
+    fn prepare_late(&mut self) {
+        self.prepare();
     }
 
     /// A tick outside a run: codes of 0 V.

@@ -53,11 +53,11 @@ impl MonitoredController {
     /// Runs the controller; whether something about a joint must be looked at.
     #[inline]
     pub fn act(&mut self, counts: &[i32; 3], running: bool) -> bool {
-        self.controller.act(counts, &mut self.last);
+        let Self { controller, joints, last, .. } = self;
         let mut is_suspicious = false;
-        for (joint, sample) in self.joints.iter_mut().zip(&self.last) {
-            is_suspicious |= joint.is_suspicious(sample, running);
-        }
+        controller.act(counts, last, |index, sample| {
+            is_suspicious |= joints[index].is_suspicious(sample, running);
+        });
         is_suspicious
     }
 

@@ -15,6 +15,7 @@ mod flash;
 mod health;
 mod latch;
 mod link;
+mod load;
 mod safe_state;
 mod tick;
 mod watchdog;
@@ -32,6 +33,7 @@ use crate::converter::{Converter, ConverterPins};
 use crate::drive::{Drive, DrivePins};
 use crate::encoders::Encoders;
 use crate::link::{Link, LinkPins};
+use crate::load::Load;
 use crate::tick::Wired;
 use crate::watchdog::Watchdog;
 
@@ -52,15 +54,15 @@ async fn main(spawner: Spawner) {
     let watchdog = Watchdog::start(p.IWDG);
     let encoders =
         Encoders::new((p.TIM2, p.PA0, p.PA1), (p.TIM3, p.PA6, p.PA7), (p.TIM1, p.PA8, p.PA9));
-    let converter = Converter::new(ConverterPins {
+    let pins = ConverterPins {
         spi: p.SPI2,
         clock: p.PB13,
         data_out: p.PB15,
         data_in: p.PB14,
         sync: p.PB12,
-        load: p.PB11,
         clear: p.PB10,
-    });
+    };
+    let converter = Converter::new(pins, Load::new(p.TIM4, p.PB6));
     let drive = Drive::new(DrivePins {
         enable: p.PC6,
         brakes: p.PC9,

@@ -14,6 +14,7 @@ use embassy_stm32::time::Hertz;
 use embassy_stm32::timer::low_level::Timer;
 use embassy_stm32::{Peri, pac};
 use firmware::DacCode;
+use firmware::ad5754r::Channel;
 use firmware::link::SupervisorAccess;
 use firmware::supervisor::{
     BootReport, CHECK_EVERY_TICKS, FaultRecord, Health, Order, State, Supervisor, TickRecord,
@@ -56,6 +57,8 @@ struct Tick {
     health: Health,
     /// Whether the outputs follow the codes.
     released: bool,
+    /// The codes were there after the time at which they act.
+    is_late: bool,
     /// When the last tick ended, by the executor's clock, which begins anew every 65 ms [us].
     ended_us: Option<u16>,
 }
@@ -78,7 +81,7 @@ pub fn start(
     latch::write(latched.as_ref());
     let (remote, records, inbox) = defmt::unwrap!(channel());
     let tick = Tick {
-        timer: millisecond_timer(timer),
+        timer: millisecond_timer(timer, &mut converter),
         encoders,
         converter,
         drive,
@@ -87,6 +90,7 @@ pub fn start(
         latched,
         health: Health { converter_fault, ..Health::default() },
         released: false,
+        is_late: false,
         ended_us: None,
     };
     TICK.store(defmt::unwrap!(singleton!(: Tick = tick)), Release);
@@ -95,13 +99,17 @@ pub fn start(
     (remote, records)
 }
 
-fn millisecond_timer(timer: Peri<'static, TIM6>) -> Timer<'static, TIM6> {
+fn millisecond_timer(
+    timer: Peri<'static, TIM6>,
+    converter: &mut Converter,
+) -> Timer<'static, TIM6> {
     let mut timer = Timer::new(timer);
     timer.regs_core().arr().write(|w| w.set_arr(COUNTS_PER_PERIOD - 1));
     timer.set_tick_freq(TIMER_CLOCK);
     timer.clear_update_interrupt();
     timer.enable_update_interrupt(true);
     timer.start();
+    converter.start_load(TIMER_CLOCK, COUNTS_PER_PERIOD - 1);
     timer
 }
 
@@ -119,20 +127,17 @@ impl Tick {
         self.timer.clear_update_interrupt();
         // First of all, so that the instant of sampling depends on nothing below.
         let counts = self.encoders.read();
+        self.converter.begin_tick();
         self.health.host_heard = SHARED.host_heard.load(Relaxed);
         SHARED.host_heard.store(false, Relaxed);
         self.drive.read(&mut self.health);
         let codes = self.supervisor.act(&counts, self.health);
-        self.put_out(&codes);
-        let record = self.supervisor.complete();
-        self.drive.write(self.supervisor.drive_outputs());
-        self.latch();
-        self.watch_converter(&record);
+        let record = self.put_out(&codes);
         self.answer();
         self.check_parameters(record.tick);
-        self.publish(record);
         // What the next tick can know already, whatever the orders have changed.
         self.supervisor.prepare();
+        self.watch_converter(&record);
         self.measure_tick_time();
     }
 
@@ -155,21 +160,42 @@ impl Tick {
         let _ = self.inbox.replies.enqueue(Reply { outcome, status: self.supervisor.status() });
     }
 
-    fn put_out(&mut self, codes: &[DacCode; 3]) {
+    /// Sends the codes, where the supervisor lets them out, and completes the tick while the line
+    /// to the converter is busy.
+    #[inline]
+    fn put_out(&mut self, codes: &[DacCode; 3]) -> TickRecord {
         if !self.supervisor.state().drives() {
             self.converter.hold_at_zero();
             self.released = false;
-            return;
+            let record = self.supervisor.complete();
+            self.drive.write(self.supervisor.drive_outputs());
+            self.publish(&record);
+            self.latch();
+            self.is_late = false;
+            return record;
         }
         if !self.released {
             self.converter.release();
             self.released = true;
         }
-        if self.converter.put_out(codes).is_err() {
+        let [first, second, third] = Channel::JOINTS;
+        self.converter.begin(first, codes[0]);
+        let record = self.supervisor.complete();
+        let mut is_sent = self.converter.end().is_ok();
+        self.drive.write(self.supervisor.drive_outputs());
+        self.converter.begin(second, codes[1]);
+        self.publish(&record);
+        is_sent &= self.converter.end().is_ok();
+        self.latch();
+        self.converter.begin(third, codes[2]);
+        is_sent &= self.converter.end().is_ok();
+        self.is_late = is_sent && !self.converter.load();
+        if !is_sent {
             // At once; the supervisor hears of it in the next tick.
             self.converter.hold_at_zero();
             self.health.converter_fault = true;
         }
+        record
     }
 
     /// Now and then, after the codes are out, so that it delays nothing.
@@ -209,10 +235,11 @@ impl Tick {
         }
     }
 
-    fn publish(&mut self, record: TickRecord) {
+    #[inline]
+    fn publish(&mut self, record: &TickRecord) {
         SHARED.set_state(record.state);
         count(&SHARED.ticks);
-        if SHARED.streaming.load(Relaxed) && self.inbox.records.enqueue(record).is_err() {
+        if SHARED.streaming.load(Relaxed) && self.inbox.records.enqueue(*record).is_err() {
             count(&SHARED.records_dropped);
         }
     }
@@ -220,7 +247,9 @@ impl Tick {
     fn measure_tick_time(&mut self) {
         let mut taken = u32::from(self.timer.regs_core().cnt().read().cnt());
         // The timer's event has come again: the interrupt follows at once, late.
-        self.health.overrun = self.timer.regs_core().sr().read().uif() || self.missed_a_tick();
+        self.health.overrun = self.timer.regs_core().sr().read().uif()
+            || self.missed_a_tick()
+            || self.is_late;
         if self.health.overrun {
             taken += u32::from(COUNTS_PER_PERIOD);
             count(&SHARED.overruns);
