@@ -5,8 +5,6 @@
 //! modelled and what is not.
 #![forbid(unsafe_code)]
 
-/// x
-pub static PROFILE: std::sync::Mutex<std::collections::BTreeMap<u32,u64>> = std::sync::Mutex::new(std::collections::BTreeMap::new());
 pub mod advance;
 pub mod board;
 mod bus;

@@ -12,7 +12,7 @@ use crate::core::nvic::{FIRST_LINE, HARD_FAULT};
 use crate::engine::{Shared, Stop, engine};
 use crate::failure::Failure;
 use crate::image::Image;
-use crate::memory_map::{FLASH_START, RAM_BYTES, RAM_START};
+use crate::memory_map::{CCM_BYTES, CCM_START, FLASH_START, RAM_BYTES, RAM_START};
 use crate::plant::Plant;
 use crate::ram::Ram;
 use crate::registers::Time;
@@ -110,6 +110,7 @@ impl Machine {
         self.resets.push((reset, now));
         self.board().reset(reset);
         if reset == Reset::PowerOn {
+            self.set_ram(CCM_START, &noise()[..CCM_BYTES]);
             self.set_ram(RAM_START, &noise());
         }
         self.begin()

@@ -6,12 +6,12 @@ mod common;
 use std::rc::Rc;
 
 use common::{board_with_arm, commit, home_and_run, image, rig_that_compensates, told};
+use emulator::handler::Handler;
 use emulator::image::Image;
 use emulator::operator::Operator;
 use emulator::registers::US;
 use emulator::registers::rcc::Reset;
 use emulator::replica::Replica;
-use emulator::handler::Handler;
 use firmware::{Mode, ParameterBlock};
 use model::reference_robot::reference_robot;
 use rig::{Rig, plan};

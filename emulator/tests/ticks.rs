@@ -40,7 +40,9 @@ fn blocks() -> Vec<(String, ParameterBlock)> {
     ];
     let mut blocks: Vec<_> = references
         .into_iter()
-        .map(|(name, plan)| (format!("{name}, pd-model"), plan.with_mode(Mode::PdModel).block(&rig)))
+        .map(|(name, plan)| {
+            (format!("{name}, pd-model"), plan.with_mode(Mode::PdModel).block(&rig))
+        })
         .collect();
     for mode in [Mode::PdModel, Mode::PdFriction, Mode::Pd] {
         let name = format!("Fourier series and noise, {}", mode.name());
@@ -73,10 +75,9 @@ fn played(image: &Rc<Image>, block: &ParameterBlock) -> Played {
     home_and_run(&mut board, start);
     board.machine.board().trace.ticks.clear();
     board.machine.board().trace.handler = Handler::keeping();
-    emulator::PROFILE.lock().unwrap().clear();
     board.run_ms(milliseconds()).unwrap();
-    if let Some(p) = std::env::var_os("RRR_PROFILE") { let m = emulator::PROFILE.lock().unwrap(); std::fs::write(p, m.iter().map(|(a,n)| format!("{a:x} {n}\n")).collect::<String>()).unwrap(); }
-    println!("{:?}", board.query().unwrap().unwrap());
+    let report = board.query().unwrap().unwrap();
+    assert_eq!(report.fault, None);
     let machine = board.machine.board();
     let latencies = machine.trace.ticks.iter().filter_map(|tick| tick.latency);
     let latency = latencies.fold((u64::MAX, 0), |(a, b), x| (a.min(x), b.max(x)));
@@ -106,10 +107,11 @@ fn row(costs: impl Iterator<Item = Cost> + Clone) -> String {
 fn the_tick_costs_what_the_tables_say() {
     let Some(image) = image() else { return };
     println!("mean / worst; ordinary ticks, then those that check the converter or the parameters");
-    println!("| played | to codes, instructions | cycles | whole tick, instructions | cycles | whole with a check, instructions | cycles | timer to LDAC, cycles |");
+    println!(
+        "| played | to codes, instructions | cycles | whole tick, instructions | cycles | whole with a check, instructions | cycles | timer to LDAC, cycles |"
+    );
     println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
     for (name, block) in blocks() {
-        if let Ok(k) = std::env::var("RRR_ONLY") { if !name.contains(&k) { continue; } }
         let Played { runs, latency } = played(&image, &block);
         assert!(runs.len() as u64 + 40 > milliseconds(), "{name}: {}", runs.len());
         let ordinary = runs.iter().filter(|(number, _)| is_ordinary(*number)).map(|(_, run)| run);

@@ -22,6 +22,7 @@ mod test;
 mod thumb;
 mod toolchain;
 mod workspace;
+mod worst_case;
 
 use std::process::ExitCode;
 

@@ -100,8 +100,9 @@ impl Timer {
 
     /// The output on the way through so many counts.
     fn pass_edges(&mut self, events: &Events, counts: u64) {
-        let mut values = [(0, true), (u64::from(self.compare[0]), false)]
-            .map(|(value, level)| (events.until(value).filter(|c| *c <= counts * events.cycles), level));
+        let mut values = [(0, true), (u64::from(self.compare[0]), false)].map(|(value, level)| {
+            (events.until(value).filter(|c| *c <= counts * events.cycles), level)
+        });
         values.sort();
         for (cycles, level) in values {
             if let Some(cycles) = cycles
@@ -162,7 +163,8 @@ impl Timer {
             let waits = self.enabled & bit != 0 && self.flags & bit == 0;
             waits.then_some(u64::from(self.compare[i]))
         };
-        let edges = if self.drives() { [Some(0), Some(u64::from(self.compare[0]))] } else { [None; 2] };
+        let edges =
+            if self.drives() { [Some(0), Some(u64::from(self.compare[0]))] } else { [None; 2] };
         let values = update.into_iter().chain((0..4).filter_map(of_channel));
         let values = values.chain(edges.into_iter().flatten());
         values.filter_map(|value| events.until(value)).min().map(|cycles| self.since + cycles)

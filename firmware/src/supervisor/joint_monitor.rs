@@ -122,6 +122,8 @@ struct Window {
 impl JointMonitor {
     /// The monitor of joint `index` (0 to 2) with a checked block.
     pub fn new(block: &ParameterBlock, index: usize) -> Self {
+        // The compiler sees that no index below can be out of bounds: the tick comes here.
+        let index = index.min(2);
         let period_s = block.sample_period_s;
         Self {
             limits: Limits::of(block, index),
@@ -386,8 +388,7 @@ fn units_beyond(limit_rad: f32) -> u32 {
     while beyond - within > 1 {
         let middle = within + (beyond - within) / 2;
         // More than half a turn there is not.
-        let is_within = middle > 1 << 31
-            || middle as f32 * Angle::RADIANS_PER_UNIT <= limit_rad;
+        let is_within = middle > 1 << 31 || middle as f32 * Angle::RADIANS_PER_UNIT <= limit_rad;
         (within, beyond) = if is_within { (middle, beyond) } else { (within, middle) };
     }
     beyond

@@ -36,10 +36,16 @@ const CLEAR_US: u32 = 5;
 
 /// SYNC of the converter is PB12.
 const SYNC_PIN: usize = 12;
-/// Looks at a frame that is under way before the block is given up: 24 bits are 192 and 768
-/// cycles, a look takes at least four.
-const POLLS_WRITING: u32 = 50;
-const POLLS: u32 = 200;
+/// Looks at a frame that is under way before the block is given up: 24 bits are 192 cycles, a look
+/// takes at least four.
+const POLLS: u32 = 60;
+/// What a frame takes that is sent slowly.
+const SLOW_FRAME_CYCLES: u32 = 768;
+
+/// Bits of the status: busy, and bytes that wait to be sent.
+const SENDING: u32 = 1 << 7 | 3 << 11;
+/// Bits of the status: bytes were lost, another master.
+const ERRORS: u32 = 1 << 6 | 1 << 5;
 
 /// Registers that are read back: a range for each joint, and the power.
 const REGISTERS: usize = Channel::JOINTS.len() + 1;
@@ -141,7 +147,7 @@ impl Converter {
     /// Waits until it is through. 100 ns must pass before the next one begins.
     #[inline]
     pub fn end(&mut self) -> Result<(), ConverterFault> {
-        end(POLLS_WRITING).map(drop)
+        end().map(drop)
     }
 
     /// All codes are through: the timer pulls LDAC low at its time, the outputs follow at once.
@@ -184,7 +190,7 @@ fn ask(question: Frame) -> Result<Frame, ConverterFault> {
     send(question)?;
     asm::delay(SYNC_HIGH_READING_CYCLES);
     begin(ad5754r::NO_OPERATION);
-    let answer = end(POLLS)?;
+    let answer = slow_end()?;
     asm::delay(SYNC_HIGH_READING_CYCLES);
     Ok(answer)
 }
@@ -192,7 +198,7 @@ fn ask(question: Frame) -> Result<Frame, ConverterFault> {
 #[inline]
 fn send(frame: Frame) -> Result<(), ConverterFault> {
     begin(frame);
-    end(POLLS)?;
+    slow_end()?;
     asm::delay(SYNC_HIGH_CYCLES);
     Ok(())
 }
@@ -214,26 +220,32 @@ fn begin(frame: Frame) {
 
 /// Waits for the frame's last bit, lets SYNC rise, and fetches what came in meanwhile.
 #[inline]
-fn end(polls: u32) -> Result<Frame, ConverterFault> {
-    let mut status = SPI2.sr().read();
-    let mut left = polls;
-    while is_sending(status) {
-        if left == 0 {
-            return Err(ConverterFault::Line);
-        }
-        left -= 1;
-        status = SPI2.sr().read();
-    }
+fn end() -> Result<Frame, ConverterFault> {
+    let status = status_when_sent();
     pac::GPIOB.bsrr().write(|w| w.set_bs(SYNC_PIN, true));
     let [first, second] = SPI2.dr16().read().to_le_bytes();
     let third = SPI2.dr8().read();
-    match status.ovr() || status.modf() {
+    match status.0 & (SENDING | ERRORS) != 0 {
         true => Err(ConverterFault::Line),
         false => Ok([first, second, third]),
     }
 }
 
-#[inline]
-fn is_sending(status: Sr) -> bool {
-    status.bsy() || status.ftlvl().to_bits() != 0
+/// The same for a frame that is sent slowly.
+fn slow_end() -> Result<Frame, ConverterFault> {
+    asm::delay(SLOW_FRAME_CYCLES);
+    end()
+}
+
+/// The block's status once a frame is through, or after so many looks.
+#[inline(never)]
+fn status_when_sent() -> Sr {
+    let mut left = POLLS;
+    loop {
+        let status = SPI2.sr().read();
+        left -= 1;
+        if status.0 & SENDING == 0 || left == 0 {
+            return status;
+        }
+    }
 }

@@ -5,17 +5,21 @@
 //! reaches the compare value, then low until the counter begins anew: a tick that has not put its
 //! codes out moves the compare value out of reach, so the outputs keep what they have.
 
+use cortex_m::asm;
+use embassy_stm32::Peri;
 use embassy_stm32::gpio::{AfType, Flex, Level, OutputType, Speed};
 use embassy_stm32::pac::TIM4;
 use embassy_stm32::pac::timer::vals::Ocm;
 use embassy_stm32::peripherals::{PB6, TIM4 as Tim4};
 use embassy_stm32::time::Hertz;
 use embassy_stm32::timer::low_level::Timer;
-use embassy_stm32::Peri;
 
 /// From TIM6's event to LDAC [0.1 us]: twice what the longest way to the codes takes in the
 /// emulation, since a critical section may delay the tick by 6 us and the chip takes more cycles.
 const LOAD_AT: u16 = 250;
+/// From SYNC high to LDAC low, 130 ns: in counts, rounded up, and in cycles.
+const SYNC_TO_LOAD: u16 = 3;
+const SYNC_TO_LOAD_CYCLES: u32 = 23;
 /// The counter never gets there: the output stays high.
 const NEVER: u16 = u16::MAX;
 /// More looks at the counter than it takes to get there, at least four cycles each.
@@ -68,7 +72,11 @@ impl Load {
     /// LDAC falls at its time, or at once where that is over; whether it lay ahead.
     #[inline]
     pub fn release(&mut self) -> bool {
+        let in_time = TIM4.cnt().read().cnt() < LOAD_AT - SYNC_TO_LOAD;
+        if !in_time {
+            asm::delay(SYNC_TO_LOAD_CYCLES);
+        }
         TIM4.ccr(0).write(|w| w.set_ccr(LOAD_AT));
-        TIM4.cnt().read().cnt() < LOAD_AT
+        in_time
     }
 }

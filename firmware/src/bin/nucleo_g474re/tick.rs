@@ -17,14 +17,14 @@ use firmware::DacCode;
 use firmware::ad5754r::Channel;
 use firmware::link::SupervisorAccess;
 use firmware::supervisor::{
-    BootReport, CHECK_EVERY_TICKS, FaultRecord, Health, Order, State, Supervisor, TickRecord,
+    BootReport, CHECK_EVERY_TICKS, FaultRecord, Health, Order, OrderError, State, Supervisor,
+    TickRecord,
 };
-use heapless::spsc::Consumer;
 
 use crate::converter::Converter;
 use crate::drive::Drive;
 use crate::encoders::Encoders;
-use crate::exchange::{Inbox, Question, Remote, Reply, SHARED, channel};
+use crate::exchange::{Inbox, Question, RecordReader, Remote, Reply, SHARED, channel};
 use crate::latch;
 
 const TIMER_CLOCK: Hertz = Hertz(10_000_000);
@@ -69,7 +69,7 @@ pub fn start(
     wired: Wired,
     mut supervisor: Supervisor,
     report: BootReport,
-) -> (Remote, Consumer<'static, TickRecord>) {
+) -> (Remote, RecordReader) {
     let Wired { encoders, mut converter, drive } = wired;
     let set_up = converter.set_up();
     if let Err(fault) = set_up {
@@ -144,20 +144,33 @@ impl Tick {
     /// Answers a question of the tasks, one a tick at most, once the codes are out: what the
     /// line carries delays no voltage. Orders act from the next tick on.
     fn answer(&mut self) {
-        let Some(question) = self.inbox.questions.dequeue() else { return };
+        if let Some(question) = self.inbox.questions.dequeue() {
+            self.answer_to(question);
+        }
+    }
+
+    // Apart from the tick, whose stack it would fill with a controller.
+    #[cold]
+    #[inline(never)]
+    fn answer_to(&mut self, question: Question) {
         let outcome = match question {
             Question::Status => Ok(()),
             Question::Order(order) => {
                 self.renew_converter(order);
                 self.supervisor.execute(order)
             }
-            Question::Replace => match self.inbox.controllers.dequeue() {
-                Some(controller) => self.supervisor.replace(controller),
-                None => Ok(()),
-            },
+            Question::Replace => self.replace(),
         };
         // There is room: the tasks ask one thing at a time.
         let _ = self.inbox.replies.enqueue(Reply { outcome, status: self.supervisor.status() });
+    }
+
+    #[inline(never)]
+    fn replace(&mut self) -> Result<(), OrderError> {
+        match self.inbox.controllers.dequeue() {
+            Some(controller) => self.supervisor.replace(controller),
+            None => Ok(()),
+        }
     }
 
     /// Sends the codes, where the supervisor lets them out, and completes the tick while the line
@@ -223,23 +236,35 @@ impl Tick {
     fn latch(&mut self) {
         let fault = self.supervisor.fault();
         if fault != self.latched {
-            self.latched = fault;
-            latch::write(fault.as_ref());
+            self.latch_anew(fault);
         }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn latch_anew(&mut self, fault: Option<FaultRecord>) {
+        self.latched = fault;
+        latch::write(fault.as_ref());
     }
 
     /// Once a second, after the codes are out, so that it delays nothing.
     fn check_parameters(&mut self, tick: u32) {
         if tick.is_multiple_of(CHECK_EVERY_TICKS) {
-            self.health.parameters_corrupt = !self.supervisor.parameters_are_intact();
+            self.check_parameters_now();
         }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn check_parameters_now(&mut self) {
+        self.health.parameters_corrupt = !self.supervisor.parameters_are_intact();
     }
 
     #[inline]
     fn publish(&mut self, record: &TickRecord) {
         SHARED.set_state(record.state);
         count(&SHARED.ticks);
-        if SHARED.streaming.load(Relaxed) && self.inbox.records.enqueue(*record).is_err() {
+        if SHARED.streaming.load(Relaxed) && !self.inbox.records.enqueue(*record) {
             count(&SHARED.records_dropped);
         }
     }
@@ -247,9 +272,8 @@ impl Tick {
     fn measure_tick_time(&mut self) {
         let mut taken = u32::from(self.timer.regs_core().cnt().read().cnt());
         // The timer's event has come again: the interrupt follows at once, late.
-        self.health.overrun = self.timer.regs_core().sr().read().uif()
-            || self.missed_a_tick()
-            || self.is_late;
+        self.health.overrun =
+            self.timer.regs_core().sr().read().uif() || self.missed_a_tick() || self.is_late;
         if self.health.overrun {
             taken += u32::from(COUNTS_PER_PERIOD);
             count(&SHARED.overruns);
