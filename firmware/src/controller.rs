@@ -150,6 +150,12 @@ impl Controller {
         self.start_fade = StartFade::new(&self.block, start, measured);
     }
 
+    /// Whether it does more than measure.
+    #[inline]
+    pub(crate) fn is_running(&self) -> bool {
+        self.running
+    }
+
     /// Whether the reference has ended.
     #[inline]
     pub(crate) fn has_ended(&self) -> bool {
@@ -214,11 +220,14 @@ impl Controller {
     #[inline(never)]
     pub fn tick(&mut self, counts: &[i32; 3]) -> TickOutput {
         let mut samples = Default::default();
-        self.act(counts, &mut samples, |_, _| {});
+        match self.running {
+            true => self.act(counts, &mut samples, |_, _| {}),
+            false => self.only_measure(counts, &mut samples),
+        }
         TickOutput::of(&samples)
     }
 
-    /// The same, joint by joint; each sample is shown as soon as it is complete.
+    /// A tick of a run, joint by joint; each sample is shown as soon as it is complete.
     #[inline(always)]
     pub(crate) fn act(
         &mut self,
@@ -226,10 +235,6 @@ impl Controller {
         samples: &mut [JointSample; 3],
         mut show: impl FnMut(usize, &JointSample),
     ) {
-        if !self.running {
-            self.only_measure(counts, samples);
-            return (0..3).for_each(|i| show(i, &samples[i]));
-        }
         if !self.is_prepared {
             self.prepare_late();
         }
@@ -260,7 +265,7 @@ impl Controller {
 
     /// A tick outside a run: codes of 0 V.
     #[inline(never)]
-    fn only_measure(&mut self, counts: &[i32; 3], samples: &mut [JointSample; 3]) {
+    pub(crate) fn only_measure(&mut self, counts: &[i32; 3], samples: &mut [JointSample; 3]) {
         for ((joint, sample), count) in self.joints.iter_mut().zip(samples).zip(counts) {
             *sample = JointSample::default();
             joint.measure(*count, sample);

@@ -173,7 +173,7 @@ impl JointMonitor {
     }
 
     /// Takes a tick in; whether it must be looked at closely, for a fault or not.
-    #[inline]
+    #[inline(always)]
     pub fn is_suspicious(&mut self, sample: &JointSample, running: bool) -> bool {
         self.track_count(sample.count);
         self.was_cut = sample.saturated;
@@ -319,7 +319,7 @@ impl JointMonitor {
     }
 
     /// Counts what goes on for many ticks; whether it has gone on for too long.
-    #[inline]
+    #[inline(always)]
     fn is_cut_or_stands(&mut self, sample: &JointSample) -> bool {
         let is_cut = (sample.saturated || self.saturated_quarters != 0)
             && self.count_saturation(sample.saturated);
@@ -345,7 +345,7 @@ impl JointMonitor {
     }
 
     /// Counts a tick in which the encoder has not moved; whether its joint must have.
-    #[inline]
+    #[inline(never)]
     fn stands(&mut self, sample: &JointSample) -> bool {
         if self.has_reference {
             self.stall.stands(sample.command_v());

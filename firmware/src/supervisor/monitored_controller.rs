@@ -53,12 +53,22 @@ impl MonitoredController {
     /// Runs the controller; whether something about a joint must be looked at.
     #[inline]
     pub fn act(&mut self, counts: &[i32; 3], running: bool) -> bool {
+        if !self.controller.is_running() {
+            return self.act_at_rest(counts, running);
+        }
         let Self { controller, joints, last, .. } = self;
         let mut is_suspicious = false;
         controller.act(counts, last, |index, sample| {
             is_suspicious |= joints[index].is_suspicious(sample, running);
         });
         is_suspicious
+    }
+
+    #[inline(never)]
+    fn act_at_rest(&mut self, counts: &[i32; 3], running: bool) -> bool {
+        self.controller.only_measure(counts, &mut self.last);
+        let joints = self.joints.iter_mut().zip(&self.last);
+        joints.fold(false, |is, (joint, sample)| is | joint.is_suspicious(sample, running))
     }
 
     /// What is wrong with joint `index` (0 to 2) in this tick.

@@ -12,15 +12,15 @@ use crate::{Angle, DacCode, Mode};
 impl Supervisor {
     /// One tick: counts since power-on in; codes, and all that there is to tell, out.
     pub fn tick(&mut self, counts: &[i32; 3], health: Health) -> TickRecord {
-        self.act(counts, health);
+        self.act(counts, &health);
         self.complete()
     }
 
-    /// The first part of a tick: counts since power-on in, codes out. [`Self::complete`] follows
+    /// The first part of a tick: counts since power-on in, [`Self::codes`] out. [`Self::complete`] follows
     /// before the next order or tick.
     #[inline(never)]
-    pub fn act(&mut self, counts: &[i32; 3], health: Health) -> [DacCode; 3] {
-        self.health = health;
+    pub fn act(&mut self, counts: &[i32; 3], health: &Health) {
+        self.health = *health;
         self.counters.ticks = self.counters.ticks.wrapping_add(1);
         // Without a branch, so that the tick's cost does not depend on the line.
         self.silent_ticks = self.silent_ticks.saturating_add(1) * u32::from(!health.host_heard);
@@ -35,7 +35,12 @@ impl Supervisor {
         } else if let Some((index, fault)) = joint {
             self.enter_joint_fault(index, fault);
         }
-        self.driven().map_or([DacCode(0); 3], |last| last.each_ref().map(|sample| sample.code))
+    }
+
+    /// The codes of the last tick for the converter; `None` where it is held at 0 V.
+    #[inline]
+    pub fn codes(&self) -> Option<[DacCode; 3]> {
+        self.driven().map(|last| last.each_ref().map(|sample| sample.code))
     }
 
     /// The second part of a tick, once the codes are out: what no code depends on.

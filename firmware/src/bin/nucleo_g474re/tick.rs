@@ -13,7 +13,6 @@ use embassy_stm32::peripherals::TIM6;
 use embassy_stm32::time::Hertz;
 use embassy_stm32::timer::low_level::Timer;
 use embassy_stm32::{Peri, pac};
-use firmware::DacCode;
 use firmware::ad5754r::Channel;
 use firmware::link::SupervisorAccess;
 use firmware::supervisor::{
@@ -131,8 +130,8 @@ impl Tick {
         self.health.host_heard = SHARED.host_heard.load(Relaxed);
         SHARED.host_heard.store(false, Relaxed);
         self.drive.read(&mut self.health);
-        let codes = self.supervisor.act(&counts, self.health);
-        let record = self.put_out(&codes);
+        self.supervisor.act(&counts, &self.health);
+        let record = self.put_out();
         self.answer();
         self.check_parameters(record.tick);
         // What the next tick can know already, whatever the orders have changed.
@@ -176,8 +175,8 @@ impl Tick {
     /// Sends the codes, where the supervisor lets them out, and completes the tick while the line
     /// to the converter is busy.
     #[inline]
-    fn put_out(&mut self, codes: &[DacCode; 3]) -> TickRecord {
-        if !self.supervisor.state().drives() {
+    fn put_out(&mut self) -> TickRecord {
+        let Some(codes) = self.supervisor.codes() else {
             self.converter.hold_at_zero();
             self.released = false;
             let record = self.supervisor.complete();
@@ -186,7 +185,7 @@ impl Tick {
             self.latch();
             self.is_late = false;
             return record;
-        }
+        };
         if !self.released {
             self.converter.release();
             self.released = true;
