@@ -48,7 +48,7 @@ bind_interrupts!(struct Interrupts {
 
 #[embassy_executor::main]
 async fn main(spawner: Spawner) {
-    let p = clocks::start();
+    let (p, clock_source) = clocks::start();
     clocks::put_tick_above_all();
     let watchdog_reset = health::was_reset_by_watchdog();
     let mut store = flash::store(p.FLASH);
@@ -88,7 +88,7 @@ async fn main(spawner: Spawner) {
 
     spawner.spawn(defmt::unwrap!(watchdog::watch(watchdog)));
     spawner.spawn(defmt::unwrap!(link::serve(link)));
-    spawner.spawn(defmt::unwrap!(health::show(p.PA5)));
+    spawner.spawn(defmt::unwrap!(health::show(p.PA5, clock_source)));
     spawner.spawn(defmt::unwrap!(health::log()));
 }
 
