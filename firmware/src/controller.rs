@@ -308,7 +308,8 @@ impl JointSample {
         self.code = DacCode::from_volts(wanted_v);
         self.saturated = false;
         // NaN compares false, so it counts as beyond the limit.
-        if !(wanted_v.abs() <= limit_v) {
+        let is_within = wanted_v.abs() <= limit_v;
+        if !is_within {
             self.code = DacCode::from_volts(cut(wanted_v, limit_v));
             self.saturated = true;
         }

@@ -127,6 +127,11 @@ impl<'data> Code<'data> {
             .with_context(|| format!("no instruction at {address:#x}"))
     }
 
+    /// Where the data that begin at an address end, as the compiler marks it.
+    pub fn end_of_data(&self, address: u32) -> Option<u32> {
+        if self.is_code(address) { None } else { self.next_mapping(address) }
+    }
+
     fn is_code(&self, address: u32) -> bool {
         self.mapping.range(..=address).next_back().is_none_or(|(_, &is_code)| is_code)
     }

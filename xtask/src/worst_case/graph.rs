@@ -79,7 +79,7 @@ impl Graph {
                 !component.contains(before)
                     && self.next.get(before).is_some_and(|n| n.contains(place))
             };
-            starts.contains(place) || places.iter().any(|before| from_outside(before))
+            starts.contains(place) || places.iter().any(from_outside)
         };
         let entries: BTreeSet<u32> = component.iter().filter(entered).copied().collect();
         if entries.is_empty() {

@@ -10,8 +10,9 @@ use crate::code::Code;
 type Entry = (&'static str, usize, &'static [&'static [u64]], &'static str);
 
 /// What bounds each, where it is no delay of a constant length.
-const LOOPS: [Entry; 17] = [
+const LOOPS: [Entry; 18] = [
     ("Supervisor>::act", 0, &[&[3], &[4]], "joints; input inverses"),
+    ("act_at_rest", 0, &[&[3]], "joints"),
     ("of_tick", 0, &[&[3], &[4]], "joints; input inverses"),
     ("friction_and_disturbance", 0, &[&[6]], "effects compensated by feedforward"),
     ("less_tables", 0, &[&[2], &[6]], "tables of a joint; halvings of 20 knots"),

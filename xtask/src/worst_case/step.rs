@@ -128,28 +128,20 @@ fn branch(at: u32, first: u16, second: u16) -> Next {
     }
 }
 
-/// TBB and TBH: the table follows, up to the first place that it names.
+/// TBB and TBH: the table follows.
 fn table(code: &Code<'_>, at: u32, halfwords: bool) -> Result<Next> {
     let base = at + 4;
-    let (mut to, mut entry, mut end) = (Vec::new(), base, u32::MAX);
-    while entry < end {
-        let Some(word) = code.halfword(entry & !1) else { bail!("no table at {entry:#x}") };
-        let offset = match halfwords {
-            true => u32::from(word),
-            false => u32::from(word >> (8 * (entry & 1)) & 0xff),
-        };
-        entry += if halfwords { 2 } else { 1 };
-        // A byte behind the last entry fills a halfword up.
-        if offset == 0 {
-            continue;
-        }
-        to.push(base + 2 * offset);
-        end = end.min(base + 2 * offset);
-        if to.len() > 256 {
-            bail!("the table at {base:#x} has no end");
-        }
-    }
-    Ok(Next::Table { to })
+    let Some(end) = code.end_of_data(base) else { bail!("no table at {base:#x}") };
+    let width = if halfwords { 2 } else { 1 };
+    let entries = (base..end).step_by(width);
+    let offset = |entry: u32| match (halfwords, code.halfword(entry & !1)) {
+        (true, Some(word)) => u32::from(word),
+        (false, Some(word)) => u32::from(word >> (8 * (entry & 1)) & 0xff),
+        (_, None) => 0,
+    };
+    // A byte behind the last entry fills a halfword up.
+    let to = entries.map(offset).filter(|offset| *offset > 0);
+    Ok(Next::Table { to: to.map(|offset| base + 2 * offset).collect() })
 }
 
 fn narrow_pushes(code: u16) -> i64 {
@@ -207,7 +199,7 @@ fn cycles(first: u16, second: u16, wide: bool) -> u64 {
     match first {
         0xb400..=0xb5ff | 0xbc00..=0xbdff if !wide => 1 + listed(first & 0x1ff) + 3,
         0xc000..=0xcfff if !wide => 1 + listed(first & 0xff),
-        0xd000..=0xdfff | 0xe000..=0xe7ff if !wide => 3,
+        0xd000..=0xe7ff if !wide => 3,
         _ if !wide && first & 0xf500 == 0xb100 => 3,
         0x4700..=0x47ff if !wide => 3,
         // Loads and stores of one register.
@@ -230,5 +222,47 @@ fn cycles(first: u16, second: u16, wide: bool) -> u64 {
         _ if first & 0xffbf == 0xeeb1 && second & 0xc0 == 0xc0 => 14,
         _ if first & 0xffb0 == 0xee00 || first & 0xffb0 == 0xee10 => 3,
         _ => 1,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The only instruction of a function at address 0, with what follows it.
+    fn only(halfwords: &[u16]) -> Step {
+        let bytes: Vec<u8> = halfwords.iter().flat_map(|h| h.to_le_bytes()).collect();
+        let code = Code::from_parts(bytes.leak(), &[(0, 2, "f")], &[]);
+        step(&code, 0, false).unwrap()
+    }
+
+    #[test]
+    fn jumps_calls_and_returns_are_told_apart() {
+        assert_eq!(only(&[0xd0fe]).next, Next::Jump { to: 0, conditional: true });
+        assert_eq!(only(&[0xe7fe]).next, Next::Jump { to: 0, conditional: false });
+        assert_eq!(only(&[0xf000, 0xf802]).next, Next::Call { to: 8 });
+        assert_eq!(only(&[0x4770]).next, Next::Return);
+        assert_eq!(only(&[0xe8bd, 0x8ff0]).next, Next::Return);
+        assert_eq!(only(&[0x4718]).next, Next::Unknown);
+        assert_eq!(only(&[0xde00]).next, Next::Trap);
+    }
+
+    #[test]
+    fn a_table_has_its_places_and_a_byte_that_fills_it_up() {
+        // TBB [pc, r0]; places 2, 3 and 4 halfwords behind the table's beginning.
+        let halfwords = [0xe8df, 0xf000, 0x0302, 0x0004, 0xbf00_u16, 0xbf00, 0xbf00];
+        let bytes: Vec<u8> = halfwords.iter().flat_map(|h| h.to_le_bytes()).collect();
+        let code = Code::from_parts(&bytes, &[(0, 14, "f")], &[(0, "$t"), (4, "$d"), (8, "$t")]);
+        let step = step(&code, 0, false).unwrap();
+        assert_eq!(step.next, Next::Table { to: vec![8, 10, 12] });
+    }
+
+    #[test]
+    fn what_is_pushed_is_counted() {
+        assert_eq!(only(&[0xb5f0]).pushes, 20, "push {{r4-r7, lr}}");
+        assert_eq!(only(&[0xe92d, 0x0f00]).pushes, 16, "push.w {{r8-r11}}");
+        assert_eq!(only(&[0xed2d, 0x8b10]).pushes, 64, "vpush {{d8-d15}}");
+        assert_eq!(only(&[0xb0a0]).pushes, 128, "sub sp, #128");
+        assert_eq!(only(&[0xf5ad, 0x5dcb]).pushes, 6496, "sub.w sp, sp, #6496");
     }
 }
