@@ -10,8 +10,9 @@ use crate::code::Code;
 type Entry = (&'static str, usize, &'static [&'static [u64]], &'static str);
 
 /// What bounds each, where it is no delay of a constant length.
-const LOOPS: [Entry; 18] = [
+const LOOPS: [Entry; 19] = [
     ("Supervisor>::act", 0, &[&[3], &[4]], "joints; input inverses"),
+    ("TIM6_DAC", 0, &[&[12]], "130 ns between SYNC and a late LDAC, two cycles a round"),
     ("act_at_rest", 0, &[&[3]], "joints"),
     ("of_tick", 0, &[&[3], &[4]], "joints; input inverses"),
     ("friction_and_disturbance", 0, &[&[6]], "effects compensated by feedforward"),
