@@ -269,6 +269,9 @@ impl Machine {
         }
         put(&mut self.engine, RegisterARM::PC, at | 1)?;
         self.board.borrow_mut().trace.faults.push(place);
+        // UNDEFINSTR of the usage faults, PRECISERR of the bus faults.
+        self.board.borrow_mut().system.fault_status =
+            if number == UNDEFINED { 1 << 16 } else { 1 << 9 };
         self.enter(HARD_FAULT)
     }
 

@@ -89,7 +89,12 @@ fn a_crash_pulls_clr_low_at_once_and_resets_the_board() {
     let within_ms = cleared_after_ms(&board, since);
     println!("crash: 0 V after {within_ms} ms");
     assert!(within_ms < 0.01 && board.machine.board().trace.faults.len() == 1);
-    assert_eq!(after_ms(&mut board, 100), (Some(Fault::Watchdog), State::Faulted));
+    let place = board.machine.board().trace.faults[0].clone();
+    assert_eq!(after_ms(&mut board, 100), (Some(Fault::Crash), State::Faulted));
+    let told = board.query().unwrap().unwrap().fault.unwrap().to_string();
+    println!("told: {told}");
+    let counter = place.split(' ').next().unwrap();
+    assert!(told.contains(counter) && told.contains("fault status 0x00010000"), "{place}");
     assert_eq!(board.machine.resets.len(), 1);
 }
 
