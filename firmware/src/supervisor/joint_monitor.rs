@@ -3,6 +3,7 @@
 use core::f32::consts::TAU;
 
 use super::fault::{Fault, Implausible};
+use super::joint_limits::{DITHER_COUNTS, Limits, SATURATION_WEIGHT};
 use super::range_monitor::RangeMonitor;
 use super::stall::StallMonitor;
 use crate::joint::JointSample;
@@ -14,13 +15,6 @@ const WINDOW_TICKS: u32 = 64;
 const REST_RAD_PER_S: f32 = 0.05;
 /// Largest difference between the mean velocity estimate and the encoder's over a window [rad/s].
 const DISAGREEMENT_RAD_PER_S: f32 = 0.1;
-/// Dither of an encoder at a joint at rest, and about a smooth motion [counts].
-const DITHER_COUNTS: u32 = 3;
-
-/// A tick at the limit counts as many of those below it, so that no limit cycle with a fifth of
-/// its ticks at the limit goes on.
-const SATURATION_WEIGHT: u32 = 4;
-
 /// A limit that was exceeded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct LimitViolation {
@@ -33,45 +27,6 @@ impl LimitViolation {
     /// A fault without figures.
     pub fn of(fault: Fault) -> Self {
         Self { fault, value: 0.0, limit: 0.0 }
-    }
-}
-
-/// The limits of one joint, in the units in which they are compared.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Limits {
-    jump_counts: u32,
-    speed_rad_per_s: f32,
-    tracking_error_rad: f32,
-    /// As many units off the reference are more than that; none is where there is no reference.
-    far_units: u32,
-    saturated_quarters: u32,
-    stuck_travel_rad: f32,
-    stuck_voltage_v: f32,
-    stuck_ticks: u32,
-}
-
-impl Limits {
-    fn of(block: &ParameterBlock, index: usize) -> Self {
-        let (safety, period_s) = (&block.safety, block.sample_period_s);
-        let counts_per_radian = block.encoder_counts_per_turn as f32 / TAU;
-        let acceleration = safety.acceleration_rad_per_s2[index];
-        let jump = acceleration * period_s * period_s * counts_per_radian;
-        Self {
-            // Converting to integers saturates.
-            jump_counts: (jump as u32).saturating_add(DITHER_COUNTS),
-            speed_rad_per_s: safety.speed_rad_per_s[index],
-            tracking_error_rad: safety.tracking_error_rad[index],
-            far_units: match has_reference(block.mode[index]) {
-                true => units_beyond(safety.tracking_error_rad[index]),
-                false => u32::MAX,
-            },
-            saturated_quarters: ((safety.saturation_s / period_s + 0.5) as u32)
-                .saturating_mul(SATURATION_WEIGHT),
-            stuck_travel_rad: safety.stuck_travel_rad,
-            // Commands that are cut below that must not hide a dead encoder.
-            stuck_voltage_v: safety.stuck_voltage_v.min(0.9 * block.command_limit_v),
-            stuck_ticks: (safety.stuck_s / period_s + 0.5) as u32,
-        }
     }
 }
 
@@ -126,7 +81,7 @@ impl JointMonitor {
         let index = index.min(2);
         let period_s = block.sample_period_s;
         Self {
-            limits: Limits::of(block, index),
+            limits: Limits::of(block, index, has_reference(block.mode[index])),
             has_reference: has_reference(block.mode[index]),
             radians_per_count: TAU / block.encoder_counts_per_turn as f32,
             rate_per_s: 1.0 / period_s,
@@ -381,18 +336,6 @@ fn tracking_error_rad(sample: &JointSample) -> f32 {
 #[inline]
 fn error_units(sample: &JointSample) -> u32 {
     sample.reference.0.wrapping_sub(sample.measured.0).unsigned_abs()
-}
-
-/// The fewest units of an [`Angle`] that are more than `limit_rad`, as [`Angle::minus`] rounds.
-fn units_beyond(limit_rad: f32) -> u32 {
-    let (mut within, mut beyond) = (0_u32, u32::MAX);
-    while beyond - within > 1 {
-        let middle = within + (beyond - within) / 2;
-        // More than half a turn there is not.
-        let is_within = middle > 1 << 31 || middle as f32 * Angle::RADIANS_PER_UNIT <= limit_rad;
-        (within, beyond) = if is_within { (middle, beyond) } else { (within, middle) };
-    }
-    beyond
 }
 
 /// Whether a mode tracks a reference.

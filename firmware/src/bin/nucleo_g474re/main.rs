@@ -8,6 +8,7 @@
 
 mod clocks;
 mod converter;
+mod converter_line;
 mod drive;
 mod encoders;
 mod exchange;
