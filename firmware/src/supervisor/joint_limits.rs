@@ -50,6 +50,14 @@ impl Limits {
     }
 }
 
+impl Limits {
+    /// Whether a joint may be so fast; a NaN is not.
+    #[inline(always)]
+    pub fn allow_speed(&self, velocity_rad_per_s: f32) -> bool {
+        velocity_rad_per_s.abs() <= self.speed_rad_per_s
+    }
+}
+
 /// The fewest units of an [`Angle`] that are more than `limit_rad`, as [`Angle::minus`] rounds.
 fn units_beyond(limit_rad: f32) -> u32 {
     let (mut within, mut beyond) = (0_u32, u32::MAX);

@@ -133,11 +133,9 @@ impl JointMonitor {
         self.track_count(sample.count);
         self.was_cut = sample.saturated;
         let stands = running && self.is_cut_or_stands(sample);
-        // A NaN is not within the limit.
-        let is_slow = sample.velocity_rad_per_s.abs() <= self.limits.speed_rad_per_s;
         stands
             || self.jump_counts > self.limits.jump_counts
-            || !is_slow
+            || !self.limits.allow_speed(sample.velocity_rad_per_s)
             || running && error_units(sample) >= self.limits.far_units
             || running && self.range.is_left_by(sample)
             || !sample.is_finite()
