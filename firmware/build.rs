@@ -39,6 +39,9 @@ fn link_for_nucleo() {
         // Without it, nothing below an error would be compiled into the image.
         println!("cargo::rustc-env=DEFMT_LOG=info");
     }
+    let hot_code = package_dir().join("ccm-nucleo.x");
+    println!("cargo::rerun-if-changed={}", hot_code.display());
+    link_argument(&format!("-T{}", hot_code.display()));
     link_with_runtime();
     link_argument("-Tdefmt.x");
 }

@@ -30,6 +30,7 @@ impl Board {
     /// The next time at which something comes of itself.
     pub fn next_event(&self) -> Time {
         let events = [
+            self.tim4.next_event(),
             self.tim5.next_event(),
             self.tim6.next_event(),
             self.lpuart.next_event(),
@@ -42,6 +43,8 @@ impl Board {
 
     /// Takes all blocks to the present, but for the arm and the bytes that the DMA moves.
     pub fn catch_up(&mut self) {
+        self.tim4.advance(self.now);
+        self.pass_load();
         self.tim5.advance(self.now);
         self.tim6.advance(self.now);
         self.spi.advance(self.now, &mut self.converter);
@@ -81,7 +84,8 @@ impl Board {
         let counts = self.plant.counts();
         let moved = [0, 1, 2].map(|i| counts[i].wrapping_sub(self.counts[i]));
         self.counts = counts;
-        self.trace.tick(self.now, &self.converter, self.ticks);
+        let began = if self.tim6.is_running() { self.tim6.period_began() } else { self.now };
+        self.trace.tick(began, &self.converter, self.ticks);
         for (i, counts) in moved.into_iter().enumerate() {
             self.move_encoder(i, counts);
         }

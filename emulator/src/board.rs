@@ -5,6 +5,7 @@ use crate::core::cost::Cost;
 use crate::core::nvic::Nvic;
 use crate::core::system_control::SystemControl;
 use crate::failure::{Failure, Refusal};
+use crate::handler;
 use crate::plant::Plant;
 use crate::registers::dma::Dma;
 use crate::registers::flash::Flash;
@@ -21,9 +22,11 @@ use crate::trace::Trace;
 
 /// Ports A to G.
 const PORTS: usize = 7;
-/// Pins of the converter at port B: CLR, LDAC, SYNC, and those of SPI2.
+/// Pins of the converter at port B: LDAC, CLR, SYNC, and those of SPI2.
+const LOAD: usize = 6;
+/// The function that gives LDAC to TIM4.
+const LOAD_FUNCTION: u32 = 2;
 const CLEAR: usize = 10;
-const LOAD: usize = 11;
 const SYNC: usize = 12;
 const SPI_PINS: [usize; 3] = [13, 14, 15];
 
@@ -51,6 +54,8 @@ pub struct Board {
     pub gpio: [Gpio; PORTS],
     /// Encoders of joints 1, 2, 3: TIM2, TIM3, TIM1.
     pub encoders: [Timer; 3],
+    /// LDAC.
+    pub tim4: Timer,
     /// The clock of the executor.
     pub tim5: Timer,
     /// The tick.
@@ -99,6 +104,7 @@ impl Board {
             flash: Flash::new(flash),
             gpio: [0, 1, 2, 3, 4, 5, 6].map(Gpio::new),
             encoders: [Timer::new(32), Timer::new(16), Timer::new(16)],
+            tim4: Timer::with_output(16),
             tim5: Timer::new(32),
             tim6: Timer::new(16),
             spi: Spi::default(),
@@ -133,6 +139,7 @@ impl Board {
         self.power = Power::default();
         self.gpio = [0, 1, 2, 3, 4, 5, 6].map(Gpio::new);
         self.encoders = [Timer::new(32), Timer::new(16), Timer::new(16)];
+        self.tim4 = Timer::with_output(16);
         (self.tim5, self.tim6) = (Timer::new(32), Timer::new(16));
         self.spi = Spi::default();
         self.lpuart = Lpuart::new();
@@ -163,11 +170,29 @@ impl Board {
         self.spi.advance(self.now, &mut self.converter);
         let level = |number, floating| match self.gpio[1].pin(number) {
             Pin::Output(high) => high,
+            Pin::Alternate(LOAD_FUNCTION) if number == LOAD => self.tim4.output(),
             _ => floating,
         };
         let (sync, load, clear) = (level(SYNC, true), level(LOAD, true), level(CLEAR, false));
-        self.converter.set_pins(sync, load, clear, self.now);
+        if self.converter.set_pins(sync, load, clear, self.now) {
+            let now = self.cost_so_far();
+            self.trace.handler.sync(now);
+        }
         self.trace.released(self.now, self.converter.is_released());
+    }
+
+    /// Brings changes of TIM4's output to LDAC, at their times.
+    pub(crate) fn pass_load(&mut self) {
+        for (at, level) in self.tim4.take_edges() {
+            if self.gpio[1].pin(LOAD) == Pin::Alternate(LOAD_FUNCTION) {
+                self.converter.change_load(level, at);
+            }
+        }
+    }
+
+    /// Instructions and cycles since the first power-on.
+    pub(crate) fn cost_so_far(&self) -> handler::Cost {
+        handler::Cost { instructions: self.instructions, cycles: self.now }
     }
 
     /// Whether pins of a port are given to a block.

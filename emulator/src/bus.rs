@@ -13,6 +13,7 @@ use crate::registers::timer::Timer;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Block {
     Encoder(usize),
+    Tim4,
     Tim5,
     Tim6,
     Watchdog,
@@ -29,10 +30,11 @@ enum Block {
 }
 
 /// Blocks by their addresses, with register and bit of their clock in RCC; 0 where they need none.
-const BLOCKS: [(u32, Block, (u32, u32)); 21] = [
+const BLOCKS: [(u32, Block, (u32, u32)); 22] = [
     (0x4000_0000, Block::Encoder(0), (0x58, 0)),
     (0x4000_0400, Block::Encoder(1), (0x58, 1)),
     (0x4001_2C00, Block::Encoder(2), (0x60, 11)),
+    (0x4000_0800, Block::Tim4, (0x58, 2)),
     (0x4000_0C00, Block::Tim5, (0x58, 3)),
     (0x4000_1000, Block::Tim6, (0x58, 4)),
     (0x4000_3000, Block::Watchdog, (0, 0)),
@@ -71,13 +73,13 @@ impl Board {
             self.stop_if_pending();
             return Ok(value);
         }
-        let word = self.read_word(address & !3)?;
+        let word = self.read_word(address & !3, bytes)?;
         let shifted = word >> (8 * (address & 3));
         let mask = if bytes >= 4 { u32::MAX } else { (1 << (8 * bytes)) - 1 };
         Ok(u64::from(shifted & mask))
     }
 
-    fn read_word(&mut self, address: u32) -> Access<u32> {
+    fn read_word(&mut self, address: u32, bytes: usize) -> Access<u32> {
         match address {
             0xE000_E100..0xE000_E500 => return self.nvic.read(address - 0xE000_E100),
             0xE000_ED00..0xE000_EF40 => return self.system.read(address, &self.nvic),
@@ -88,10 +90,11 @@ impl Board {
         let (block, offset) = self.located(address)?;
         let value = match block {
             Block::Encoder(i) => self.encoders[i].read(offset),
+            Block::Tim4 => self.tim4.read(offset),
             Block::Tim5 => self.tim5.read(offset),
             Block::Tim6 => self.tim6.read(offset),
             Block::Watchdog => self.watchdog.read(offset),
-            Block::Spi2 => self.spi.read(offset),
+            Block::Spi2 => self.spi.read(offset, bytes),
             Block::Power => self.power.read(offset),
             Block::Lpuart1 => self.lpuart.read(offset),
             Block::Dma1 => self.dma.read(offset),
@@ -146,6 +149,11 @@ impl Board {
         let now = self.now;
         match block {
             Block::Encoder(i) => self.encoders[i].write(offset, value, now),
+            Block::Tim4 => {
+                let done = self.tim4.write(offset, value, now);
+                self.pass_load();
+                done
+            }
             Block::Tim5 => self.tim5.write(offset, value, now),
             Block::Tim6 => self.tim6.write(offset, value, now),
             Block::Watchdog => self.watchdog.write(offset, value, now),
@@ -199,6 +207,7 @@ impl Board {
     fn reset_block(&mut self, block: Block) -> Access<()> {
         match block {
             Block::Encoder(i) => self.encoders[i] = Timer::new(if i == 0 { 32 } else { 16 }),
+            Block::Tim4 => self.tim4 = Timer::with_output(16),
             Block::Tim5 => self.tim5 = Timer::new(32),
             Block::Tim6 => self.tim6 = Timer::new(16),
             Block::Spi2 => self.spi = Spi::default(),

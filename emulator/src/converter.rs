@@ -81,8 +81,10 @@ impl Converter {
     }
 
     /// What the pins SYNC, LDAC and CLR have now; a resistor pulls SYNC and LDAC up, CLR down.
-    pub fn set_pins(&mut self, sync: bool, load: bool, clear: bool, now: Time) {
-        if sync != self.sync.high {
+    /// Whether SYNC has changed.
+    pub fn set_pins(&mut self, sync: bool, load: bool, clear: bool, now: Time) -> bool {
+        let is_edge = sync != self.sync.high;
+        if is_edge {
             self.set_sync(sync, now);
         }
         if load != self.load.high {
@@ -92,6 +94,14 @@ impl Converter {
             self.codes = [0; 4];
         }
         self.released = clear;
+        is_edge
+    }
+
+    /// LDAC alone.
+    pub fn change_load(&mut self, high: bool, at: Time) {
+        if high != self.load.high {
+            self.set_load(high, at);
+        }
     }
 
     fn set_sync(&mut self, high: bool, now: Time) {

@@ -9,7 +9,8 @@ use crate::board::Board;
 use crate::failure::{Failure, Refusal};
 use crate::image::Image;
 use crate::memory_map::{
-    AHB2, BANK_BYTES, BANK2_START, CORE, FLASH_START, PERIPHERALS, PINS, RAM_BYTES, RAM_START,
+    AHB2, BANK_BYTES, BANK2_START, CCM_BYTES, CCM_START, CORE, FLASH_START, PERIPHERALS, PINS,
+    RAM_BYTES, RAM_START,
 };
 
 /// Opcodes: wait for an event, send one, unmask interrupts.
@@ -17,6 +18,9 @@ const WAIT_FOR_EVENT: u16 = 0xBF20;
 const SEND_EVENT: u16 = 0xBF40;
 const UNMASK: u16 = 0xB662;
 const MOVE_TO_SPECIAL: u16 = 0xF380;
+
+/// Its last address.
+const CCM_END: u64 = CCM_START as u64 + CCM_BYTES as u64 - 1;
 
 /// What stopped the engine.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -67,6 +71,7 @@ fn map_memory(
     engine.mem_map(u64::from(FLASH_START), BANK_BYTES as u64, Prot::READ | Prot::EXEC)?;
     engine.mem_write(u64::from(FLASH_START), &image.flash[..BANK_BYTES])?;
     engine.mem_map(u64::from(RAM_START), RAM_BYTES as u64, Prot::READ | Prot::WRITE)?;
+    engine.mem_map(u64::from(CCM_START), CCM_BYTES as u64, Prot::ALL)?;
     let bank2 = (BANK2_START, BANK_BYTES as u32);
     for (start, length) in [bank2, PERIPHERALS, PINS, AHB2, CORE] {
         map_registers(engine, start, length, board)?;
@@ -126,8 +131,17 @@ fn watch_instructions(
     let halfwords = image.flash[..BANK_BYTES].chunks_exact(2);
     let code: Vec<u16> = halfwords.map(|h| u16::from_le_bytes([h[0], h[1]])).collect();
     let first = u64::from(FLASH_START);
+    let code_at = move |engine: &mut Unicorn<'_, ()>, address: u64| {
+        if let Some(opcode) = code.get((address.wrapping_sub(first) / 2) as usize) {
+            return *opcode;
+        }
+        let mut halfword = [0; 2];
+        // It has just been fetched from there.
+        let _ = engine.mem_read(address, &mut halfword);
+        u16::from_le_bytes(halfword)
+    };
     let watch = move |engine: &mut Unicorn<'_, ()>, address: u64, bytes: u32| {
-        let opcode = code[(address - first) as usize / 2];
+        let opcode = code_at(engine, address);
         let (mut board, mut stop) = (board.borrow_mut(), stop.borrow_mut());
         stop.at = address as u32;
         if stop.comes_before(opcode, board.now >= board.stop_at) {
@@ -137,7 +151,9 @@ fn watch_instructions(
         board.now += cycles;
         board.instructions += 1;
     };
-    engine.add_code_hook(first, first + BANK_BYTES as u64, watch)?;
+    let in_ccm = watch.clone();
+    engine.add_code_hook(first, first + BANK_BYTES as u64 - 1, watch)?;
+    engine.add_code_hook(u64::from(CCM_START), CCM_END, in_ccm)?;
     Ok(())
 }
 

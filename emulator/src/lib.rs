@@ -12,6 +12,7 @@ pub mod converter;
 pub mod core;
 mod engine;
 pub mod failure;
+pub mod handler;
 pub mod image;
 mod injection;
 pub mod machine;

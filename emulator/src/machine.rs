@@ -12,7 +12,7 @@ use crate::core::nvic::{FIRST_LINE, HARD_FAULT};
 use crate::engine::{Shared, Stop, engine};
 use crate::failure::Failure;
 use crate::image::Image;
-use crate::memory_map::{FLASH_START, RAM_BYTES, RAM_START};
+use crate::memory_map::{CCM_BYTES, CCM_START, FLASH_START, RAM_BYTES, RAM_START};
 use crate::plant::Plant;
 use crate::ram::Ram;
 use crate::registers::Time;
@@ -110,6 +110,7 @@ impl Machine {
         self.resets.push((reset, now));
         self.board().reset(reset);
         if reset == Reset::PowerOn {
+            self.set_ram(CCM_START, &noise()[..CCM_BYTES]);
             self.set_ram(RAM_START, &noise());
         }
         self.begin()
@@ -202,8 +203,8 @@ impl Machine {
         board.nvic.enter(number);
         board.now += ENTRY_CYCLES;
         if number == TICK {
-            let (instructions, now) = (board.instructions, board.now);
-            board.trace.handler.enter(instructions, now);
+            let now = board.cost_so_far();
+            board.trace.handler.enter(now);
         }
         Ok(())
     }
@@ -251,8 +252,8 @@ impl Machine {
             board.set_lines();
             board.now += RETURN_CYCLES;
             if board.nvic.leave() == Some(TICK) {
-                let (instructions, now) = (board.instructions, board.now);
-                board.trace.handler.leave(instructions, now);
+                let (now, updates) = (board.cost_so_far(), board.tim6.updates);
+                board.trace.handler.leave(now, updates);
             }
             board.nvic.running()
         };
@@ -268,6 +269,9 @@ impl Machine {
         }
         put(&mut self.engine, RegisterARM::PC, at | 1)?;
         self.board.borrow_mut().trace.faults.push(place);
+        // UNDEFINSTR of the usage faults, PRECISERR of the bus faults.
+        self.board.borrow_mut().system.fault_status =
+            if number == UNDEFINED { 1 << 16 } else { 1 << 9 };
         self.enter(HARD_FAULT)
     }
 

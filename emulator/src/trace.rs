@@ -1,6 +1,7 @@
 //! What was seen of the board, tick by tick.
 
 use crate::converter::Converter;
+use crate::handler::Handler;
 use crate::registers::Time;
 
 /// A tick as it looks from outside.
@@ -18,35 +19,6 @@ pub struct Tick {
     pub released: bool,
     /// From the timer's event to LDAC; `None` where nothing was put out.
     pub latency: Option<Time>,
-}
-
-/// What the handler of the tick took, from its first instruction to its last.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Handler {
-    /// How often it ran.
-    pub runs: u64,
-    /// Instructions of all runs.
-    pub instructions: u64,
-    /// Instructions of the longest run.
-    pub most_instructions: u64,
-    /// Cycles of the longest run.
-    pub most_cycles: Time,
-    begun: Option<(u64, Time)>,
-}
-
-impl Handler {
-    pub(crate) fn enter(&mut self, instructions: u64, now: Time) {
-        self.begun = Some((instructions, now));
-    }
-
-    pub(crate) fn leave(&mut self, instructions: u64, now: Time) {
-        let Some((before, since)) = self.begun.take() else { return };
-        let taken = instructions - before;
-        self.runs += 1;
-        self.instructions += taken;
-        self.most_instructions = self.most_instructions.max(taken);
-        self.most_cycles = self.most_cycles.max(now - since);
-    }
 }
 
 /// What was seen.

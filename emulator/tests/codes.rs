@@ -5,47 +5,21 @@ mod common;
 
 use std::rc::Rc;
 
-use common::{board_with_arm, commit, home_and_run, image, told};
+use common::{board_with_arm, commit, home_and_run, image, rig_that_compensates, told};
+use emulator::handler::Handler;
 use emulator::image::Image;
 use emulator::operator::Operator;
 use emulator::registers::US;
 use emulator::registers::rcc::Reset;
 use emulator::replica::Replica;
-use emulator::trace::Handler;
 use firmware::{Mode, ParameterBlock};
 use model::reference_robot::reference_robot;
-use rig::compensation::Compensations;
-use rig::effects::{Catalogue, table_from_text};
 use rig::{Rig, plan};
 use simulation::start_of;
 
 /// Seconds of the motion; `RRR_SOAK` has a minute of it.
 fn seconds() -> u64 {
     if std::env::var_os("RRR_SOAK").is_some() { 60 } else { 4 }
-}
-
-/// Effects of every kind that the board compensates for, so that the tick does all that it can.
-const EFFECTS: [&str; 12] = [
-    "cogging:1:amplitude_V=0.08,harmonic=12,phase_rad=0.4",
-    "cogging:2:amplitude_V=0.15,harmonic=8,phase_rad=0.9",
-    "position_friction:2:relative_amplitude=0.3,harmonic=2,phase_rad=2.0",
-    "cogging:3:amplitude_V=0.1,harmonic=8,phase_rad=-0.5",
-    "dead_zone:3:half_width_V=0.05",
-    "payload:mass_kg=0.3",
-    "base_tilt:tilt_x_rad=0.03,tilt_y_rad=-0.02",
-    "table:1:axis=position,knots=-1 0.5 1.7 3.2,values_V=0.05 -0.04 0.08 0",
-    "table:3:axis=load,knots=-3 -0.5 0.4 2.5,values_V=0.06 -0.02 0.03 -0.06",
-    "torque_ripple:2:relative_amplitude=0.08,harmonic=16,phase_rad=-1.2",
-    "asymmetric_friction:3:relative_asymmetry=0.2",
-    "quadratic_drag:1:coefficient_V_s2_per_rad2=0.01",
-];
-
-/// A rig that compensates for them, at an arm that has none of them.
-fn rig_that_compensates() -> Rig {
-    let tables: Vec<_> = EFFECTS.iter().map(|text| table_from_text(text).unwrap()).collect();
-    let (compensations, left_out) = Compensations::of(&tables, &Catalogue::standard()).unwrap();
-    assert!(left_out.is_empty(), "{left_out:?}");
-    Rig::new(reference_robot()).with_compensations(compensations)
 }
 
 /// A board that has played a block for so long, from a boot with that block.
@@ -81,11 +55,9 @@ fn tell(board: &Operator) {
     let latencies = machine.trace.ticks.iter().filter_map(|tick| tick.latency);
     let (least, most) = latencies.fold((u64::MAX, 0), |(a, b), x| (a.min(x), b.max(x)));
     println!("timer to LDAC: {least} to {most} cycles");
-    let handler = machine.trace.handler;
-    println!(
-        "the tick: {} instructions on average, {handler:?}",
-        handler.instructions / handler.runs
-    );
+    let handler = &machine.trace.handler;
+    let mean = handler.instructions / handler.runs;
+    println!("the tick: {mean} instructions on average, at most {:?}", handler.most);
     println!("of {} instructions {} fetched a line", machine.instructions, machine.cost.misses);
     println!("watchdog reloaded every {} us at least", machine.watchdog.longest / US);
 }

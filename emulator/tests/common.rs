@@ -12,6 +12,9 @@ use firmware::block::MAX_BYTES;
 use firmware::link::Command;
 use firmware::{Angle, ParameterBlock};
 use model::reference_robot::reference_robot;
+use rig::Rig;
+use rig::compensation::Compensations;
+use rig::effects::{Catalogue, table_from_text};
 use simulation::arm::{ArmSettings, SimulatedArm};
 
 /// Holds the path of the image; `cargo xtask emulate` sets it.
@@ -79,4 +82,28 @@ pub fn home_and_run(operator: &mut Operator, position_rad: [f64; 3]) {
     operator.run_ms(200).unwrap();
     done(operator, Command::Arm);
     done(operator, Command::Run { host_timeout_ms: None });
+}
+
+/// Effects of every kind that the board compensates for, so that the tick does all that it can.
+const EFFECTS: [&str; 12] = [
+    "cogging:1:amplitude_V=0.08,harmonic=12,phase_rad=0.4",
+    "cogging:2:amplitude_V=0.15,harmonic=8,phase_rad=0.9",
+    "position_friction:2:relative_amplitude=0.3,harmonic=2,phase_rad=2.0",
+    "cogging:3:amplitude_V=0.1,harmonic=8,phase_rad=-0.5",
+    "dead_zone:3:half_width_V=0.05",
+    "payload:mass_kg=0.3",
+    "base_tilt:tilt_x_rad=0.03,tilt_y_rad=-0.02",
+    "table:1:axis=position,knots=-1 0.5 1.7 3.2,values_V=0.05 -0.04 0.08 0",
+    "table:3:axis=load,knots=-3 -0.5 0.4 2.5,values_V=0.06 -0.02 0.03 -0.06",
+    "torque_ripple:2:relative_amplitude=0.08,harmonic=16,phase_rad=-1.2",
+    "asymmetric_friction:3:relative_asymmetry=0.2",
+    "quadratic_drag:1:coefficient_V_s2_per_rad2=0.01",
+];
+
+/// A rig that compensates for them, at an arm that has none of them.
+pub fn rig_that_compensates() -> Rig {
+    let tables: Vec<_> = EFFECTS.iter().map(|text| table_from_text(text).unwrap()).collect();
+    let (compensations, left_out) = Compensations::of(&tables, &Catalogue::standard()).unwrap();
+    assert!(left_out.is_empty(), "{left_out:?}");
+    Rig::new(reference_robot()).with_compensations(compensations)
 }

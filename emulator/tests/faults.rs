@@ -89,7 +89,12 @@ fn a_crash_pulls_clr_low_at_once_and_resets_the_board() {
     let within_ms = cleared_after_ms(&board, since);
     println!("crash: 0 V after {within_ms} ms");
     assert!(within_ms < 0.01 && board.machine.board().trace.faults.len() == 1);
-    assert_eq!(after_ms(&mut board, 100), (Some(Fault::Watchdog), State::Faulted));
+    let place = board.machine.board().trace.faults[0].clone();
+    assert_eq!(after_ms(&mut board, 100), (Some(Fault::Crash), State::Faulted));
+    let told = board.query().unwrap().unwrap().fault.unwrap().to_string();
+    println!("told: {told}");
+    let counter = place.split(' ').next().unwrap();
+    assert!(told.contains(counter) && told.contains("fault status 0x00010000"), "{place}");
     assert_eq!(board.machine.resets.len(), 1);
 }
 
@@ -155,13 +160,37 @@ fn a_converter_without_supply_is_found_while_running_and_set_up_again_when_it_is
     assert_eq!(after_ms(&mut board, 10), (None, State::Disarmed));
 }
 
+/// How often the lamp at PA5 went on in a second.
+fn lights(board: &mut Operator) -> usize {
+    let mut levels = Vec::new();
+    for _ in 0..1000 {
+        board.run_ms(1).unwrap();
+        levels.push(board.machine.board().gpio[0].pin(5) == Pin::Output(true));
+    }
+    levels.windows(2).filter(|pair| !pair[0] && pair[1]).count()
+}
+
 #[test]
-fn a_board_without_its_crystal_waits_for_ever() {
+fn a_board_without_its_crystal_uses_its_own_oscillator_and_the_lamp_tells() {
+    let Some(image) = image() else { return };
+    for (crystal, expected) in [(true, 1), (false, 2)] {
+        let mut board = board_alone(&image);
+        board.machine.board().rcc.crystal = crystal;
+        board.run_ms(300).unwrap();
+        assert!(board.hello().unwrap() && !board.machine.board().converter.is_released());
+        assert_eq!(lights(&mut board), expected, "disarmed");
+    }
+}
+
+#[test]
+fn inputs_of_encoders_have_a_level_where_nothing_is_connected() {
     let Some(image) = image() else { return };
     let mut board = board_alone(&image);
-    board.machine.board().rcc.crystal = false;
-    board.run_ms(200).unwrap();
-    assert!(!board.hello().unwrap() && !board.machine.board().converter.is_released());
+    board.run_ms(50).unwrap();
+    let pulls = board.machine.board().gpio[0].pulls();
+    for pin in [0, 1, 6, 7, 8, 9] {
+        assert_eq!(pulls >> (2 * pin) & 3, 1, "PA{pin} is pulled up");
+    }
 }
 
 #[test]

@@ -102,7 +102,7 @@ fn an_nmi_in_the_middle_of_a_tick_in_the_middle_of_an_interrupt_changes_no_code(
         // Into the tick, or with luck a tick inside another interrupt, and some way on.
         let depth = if round % 2 == 0 { 1 } else { 2 };
         if board.machine.run_to_depth(depth).unwrap() {
-            let end = board.machine.board().now + draw.below(6000);
+            let end = board.machine.board().now + draw.below(2500);
             board.machine.run_until(end).unwrap();
             nested += u32::from(board.machine.board().nvic.depth() == depth);
             let mut machine = board.machine.board();

@@ -14,18 +14,18 @@
 //!
 //! Inverse dynamics and friction are evaluated for the reference in the middle of the interval
 //! in which the command acts; feedback uses the reference at the tick itself.
+//! All but the feedback depends on the tick's number alone: [`Controller::prepare`] computes it
+//! for the next tick once the codes of this one are out.
 //! Deadline: the codes are out before the next tick, 1 ms or 170,000 cycles of the
-//! STM32G474; `docs/firmware.md` holds the count of instructions, under 2,500.
+//! STM32G474; `docs/board.md` holds the count of instructions.
 
 use model::{FrictionState, Posture};
 
-use crate::Mode;
 use crate::block::{Gains, ParameterBlock};
-use crate::compensation::{JointMotion, less_tables};
-use crate::joint::{Joint, Measured};
-use crate::reference::{BRAKING_S, InjectionSource, Setpoint, Time, braking_time_s};
+use crate::feedforward::{Clock, JointFeedforward, last_tick};
+use crate::joint::{Joint, JointSample};
 use crate::start_fade::StartFade;
-use crate::{Angle, DacCode};
+use crate::{Angle, DacCode, Mode};
 
 /// What a tick puts out, and what it saw.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -49,20 +49,29 @@ impl TickOutput {
         // A finite command that is cut is at the limit, not at 0 V.
         !(self.saturated[index] && self.codes[index].0 == 0)
     }
+
+    fn of(samples: &[JointSample; 3]) -> Self {
+        Self {
+            codes: samples.map(|sample| sample.code),
+            reference: samples.map(|sample| sample.reference),
+            measured: samples.map(|sample| sample.measured),
+            velocity_rad_per_s: samples.map(|sample| sample.velocity_rad_per_s),
+            saturated: samples.map(|sample| sample.saturated),
+        }
+    }
 }
 
 /// The controller of all three joints.
 #[derive(Clone, Debug)]
 pub struct Controller {
     joints: [Joint; 3],
-    rate_per_s: f32,
-    last_tick: u32,
-    /// When the reference of this run ends: in its last tick, or before.
-    end_tick: u32,
-    /// Time in which each joint brakes after that [s].
-    braking_s: [f32; 3],
-    tick: u32,
+    clock: Clock,
     running: bool,
+    /// The next tick's, if it `is_prepared`.
+    feedforward: [JointFeedforward; 3],
+    is_prepared: bool,
+    /// Friction before the next tick was prepared.
+    friction_before: [FrictionState<f32>; 3],
     /// What the feedback leaves out at first, so that a run begins without a step.
     start_fade: StartFade,
     block: ParameterBlock,
@@ -76,12 +85,11 @@ impl Controller {
         let rate_per_s = 1.0 / block.sample_period_s;
         Self {
             joints: [0, 1, 2].map(|i| Joint::new(&block, i, rate_per_s)),
-            rate_per_s,
-            last_tick: last_tick(&block, rate_per_s),
-            end_tick: last_tick(&block, rate_per_s),
-            braking_s: [BRAKING_S; 3],
-            tick: 0,
+            clock: Clock::new(&block, rate_per_s),
             running: false,
+            feedforward: Default::default(),
+            is_prepared: false,
+            friction_before: Default::default(),
             start_fade: StartFade::default(),
             fingerprint: block.fingerprint(),
             block,
@@ -96,16 +104,17 @@ impl Controller {
     /// Whether the block, and what was derived from it once, are unchanged since it was taken:
     /// a check for corrupted memory. Some 5,000 instructions and more, `docs/board.md`.
     pub fn is_intact(&self) -> bool {
-        let fresh = |i| Joint::new(&self.block, i, self.rate_per_s);
+        let rate_per_s = self.clock.rate_per_s;
         self.block.fingerprint() == self.fingerprint
-            && self.rate_per_s == 1.0 / self.block.sample_period_s
-            && self.last_tick == last_tick(&self.block, self.rate_per_s)
-            && (0..3).all(|i| self.joints[i].has_scales_of(&fresh(i)))
+            && rate_per_s == 1.0 / self.block.sample_period_s
+            && self.clock.end_tick <= last_tick(&self.block, rate_per_s)
+            && (0..3).all(|i| self.joints[i].is_of(&self.block, i))
     }
 
     /// Resets the estimators: from the next tick on the counts have another zero.
     pub(crate) fn reset(&mut self) {
-        self.joints = [0, 1, 2].map(|i| Joint::new(&self.block, i, self.rate_per_s));
+        self.joints.iter_mut().for_each(Joint::reset);
+        self.is_prepared = false;
     }
 
     /// Changes the block as corrupted memory would; for tests.
@@ -126,14 +135,12 @@ impl Controller {
 
     /// Begins the reference at the next tick.
     pub fn start(&mut self) {
-        for (joint, injection) in self.joints.iter_mut().zip(&self.block.reference.injection) {
-            joint.injection = InjectionSource::new(injection, self.rate_per_s);
-            joint.friction = FrictionState::default();
-        }
-        self.tick = 0;
-        (self.end_tick, self.braking_s) = (self.last_tick, [BRAKING_S; 3]);
+        self.joints.iter_mut().for_each(Joint::begin_run);
+        self.clock = Clock::new(&self.block, self.clock.rate_per_s);
         self.running = true;
         self.start_fade = StartFade::default();
+        self.feedforward = Default::default();
+        self.is_prepared = false;
     }
 
     /// Begins the reference at the next tick, with joints at rest at these angles: what the
@@ -143,28 +150,55 @@ impl Controller {
         self.start_fade = StartFade::new(&self.block, start, measured);
     }
 
+    /// Whether it does more than measure.
+    #[inline]
+    pub(crate) fn is_running(&self) -> bool {
+        self.running
+    }
+
+    /// Whether the reference has ended.
+    #[inline]
+    pub(crate) fn has_ended(&self) -> bool {
+        self.clock.tick > self.clock.end_tick
+    }
+
     /// For how long the reference has ended [s].
     #[inline]
     pub fn held_s(&self) -> f32 {
-        self.tick.saturating_sub(self.end_tick) as f32 * self.block.sample_period_s
+        let ticks = self.clock.tick.saturating_sub(self.clock.end_tick);
+        ticks as f32 * self.block.sample_period_s
     }
 
     /// Ends the reference at the next tick: joints at these velocities brake to rest as fast as
     /// their ranges say that they can, and are held.
     pub fn brake(&mut self, velocity_rad_per_s: &[f32; 3]) {
-        if self.tick >= self.end_tick {
+        if self.clock.tick >= self.clock.end_tick {
             return;
         }
-        self.end_tick = self.tick;
-        self.braking_s = [0, 1, 2].map(|i| match &self.block.safety.position[i] {
-            Some(range) => braking_time_s(velocity_rad_per_s[i], range.braking_rad_per_s2),
-            None => BRAKING_S,
-        });
+        self.clock.end_now(&self.block, velocity_rad_per_s);
+        // Injected voltages, whose state has moved on too, end with the reference.
+        if core::mem::take(&mut self.is_prepared) {
+            for (joint, before) in self.joints.iter_mut().zip(self.friction_before) {
+                joint.friction = before;
+            }
+        }
     }
 
     /// Puts out 0 V from the next tick on.
     pub fn stop(&mut self) {
         self.running = false;
+    }
+
+    /// Computes what the next tick can know before its counts, after the codes of this one are
+    /// out; a tick that finds nothing prepared does it itself. The codes are the same.
+    pub fn prepare(&mut self) {
+        if !self.running || self.is_prepared {
+            return;
+        }
+        self.friction_before = self.joints.each_ref().map(|joint| joint.friction);
+        let Self { clock, block, start_fade, joints, feedforward, .. } = self;
+        JointFeedforward::of_tick(clock, block, start_fade, joints, feedforward);
+        self.is_prepared = true;
     }
 
     /// One tick: counts since power-on in, codes out.
@@ -185,107 +219,57 @@ impl Controller {
     /// ```
     #[inline(never)]
     pub fn tick(&mut self, counts: &[i32; 3]) -> TickOutput {
-        let measured = self.measure(counts);
-        let mut output = TickOutput {
-            measured: measured.map(|m| m.angle),
-            velocity_rad_per_s: measured.map(|m| m.velocity_rad_per_s),
-            ..TickOutput::default()
-        };
-        if self.running {
-            self.control(&measured, &mut output);
+        let mut samples = Default::default();
+        match self.running {
+            true => self.act(counts, &mut samples, |_, _| {}),
+            false => self.only_measure(counts, &mut samples),
         }
-        output
+        TickOutput::of(&samples)
     }
 
-    #[inline]
-    fn measure(&mut self, counts: &[i32; 3]) -> [Measured; 3] {
-        let [first, second, third] = &mut self.joints;
-        [first.measure(counts[0]), second.measure(counts[1]), third.measure(counts[2])]
-    }
-
-    /// The control law, see the head of this file.
-    #[inline]
-    fn control(&mut self, measured: &[Measured; 3], output: &mut TickOutput) {
-        let ahead = self.reference_ahead();
-        let inverse_dynamics_v = self.less_tables(self.inverse_dynamics(&ahead), &ahead);
-        let injected_v = self.injected();
-        for i in 0..3 {
-            let now = ahead[i].earlier(0.5 * self.block.sample_period_s);
-            let feedback_v = self.block.gains[i].feedback(&now, &measured[i]);
-            let feedback_v = self.start_fade.applied_to(feedback_v, i, self.tick);
-            let motion = self.block.mode[i].feedforward_motion(&ahead[i], &measured[i]);
-            let terms = self.terms(i, motion, feedback_v, inverse_dynamics_v[i]);
-            let motor_v = terms.sum(self.block.mode[i]) + injected_v[i];
-            let wanted_v = self.command_for(i, motor_v, ahead[i].angle);
-            let limit_v = self.block.command_limit_v;
-            // NaN compares false, so it counts as beyond the limit.
-            let within = wanted_v.abs() <= limit_v;
-            let command_v = if within { wanted_v } else { cut(wanted_v, limit_v) };
-            output.codes[i] = DacCode::from_volts(command_v);
-            output.saturated[i] = !within;
-            output.reference[i] = now.angle;
+    /// A tick of a run, joint by joint; each sample is shown as soon as it is complete.
+    #[inline(always)]
+    pub(crate) fn act(
+        &mut self,
+        counts: &[i32; 3],
+        samples: &mut [JointSample; 3],
+        mut show: impl FnMut(usize, &JointSample),
+    ) {
+        if !self.is_prepared {
+            self.prepare_late();
         }
-        self.tick = self.tick.saturating_add(1);
-    }
-
-    /// Feedback and feedforward of joint `i` (0 to 2), disturbance included.
-    #[inline]
-    fn terms(&mut self, i: usize, motion: JointMotion, feedback_v: f32, dynamics_v: f32) -> Terms {
-        let disturbance = self.block.compensations[i].disturbance(motion);
-        let friction_v = self.joints[i].friction.step_scaled(
-            &self.block.robot.friction[i],
-            disturbance.friction,
-            motion.velocity_rad_per_s,
-            self.block.sample_period_s,
-        );
-        Terms { feedback_v, inverse_dynamics_v: dynamics_v - disturbance.added_v, friction_v }
-    }
-
-    /// The command that brings a voltage to the motor, in the modes that know the model.
-    #[inline]
-    fn command_for(&self, i: usize, motor_v: f32, angle: Angle) -> f32 {
-        match self.block.mode[i] {
-            Mode::PdFriction | Mode::PdModel => {
-                self.block.compensations[i].command_for(motor_v, angle)
-            }
-            Mode::Pd | Mode::FrictionOnly | Mode::OpenLoop => motor_v,
+        let Self { joints, feedforward, block, .. } = self;
+        let limit_v = block.command_limit_v;
+        let known = feedforward.iter().zip(&block.gains).zip(&block.mode);
+        let joints = joints.iter_mut().zip(samples).zip(counts).zip(known);
+        for (i, (((joint, sample), count), ((known, gains), mode))) in joints.enumerate() {
+            joint.measure(*count, sample);
+            let wanted_v = match mode {
+                Mode::FrictionOnly => {
+                    known.friction_of_measured(i, block, joint, sample) + known.injected_v
+                }
+                _ => known.command_v(*mode, gains.feedback(known, sample)),
+            };
+            sample.command(wanted_v, limit_v);
+            sample.reference = known.angle;
+            show(i, sample);
         }
+        self.clock.tick = self.clock.tick.saturating_add(1);
+        self.is_prepared = false;
     }
 
-    /// The setpoints in the middle of the interval that begins with this tick.
-    #[inline]
-    fn reference_ahead(&self) -> [Setpoint; 3] {
-        let tick = if self.tick < self.end_tick { self.tick } else { self.end_tick };
-        let time = Time::new(tick, self.block.sample_period_s, self.rate_per_s);
-        let since_end_s = (self.tick - tick) as f32 * self.block.sample_period_s;
-        let mut wanted = self.block.reference.motion.each_ref().map(|motion| motion.at(time));
-        if tick == self.end_tick {
-            for (setpoint, braking_s) in wanted.iter_mut().zip(self.braking_s) {
-                *setpoint = setpoint.brought_to_rest(since_end_s, braking_s);
-            }
+    #[cold]
+    fn prepare_late(&mut self) {
+        self.prepare();
+    }
+
+    /// A tick outside a run: codes of 0 V.
+    #[inline(never)]
+    pub(crate) fn only_measure(&mut self, counts: &[i32; 3], samples: &mut [JointSample; 3]) {
+        for ((joint, sample), count) in self.joints.iter_mut().zip(samples).zip(counts) {
+            *sample = JointSample::default();
+            joint.measure(*count, sample);
         }
-        wanted
-    }
-
-    /// Motor voltages of the reference, the inverse dynamics of eq. (3), less the external load's.
-    #[inline]
-    fn inverse_dynamics(&self, wanted: &[Setpoint; 3]) -> [f32; 3] {
-        let robot = &self.block.robot;
-        let (second, third) = (wanted[1].angle.sin_cos(), wanted[2].angle.sin_cos());
-        let torque_nm = Posture::from_sines(second, third).inverse_dynamics(
-            &robot.base,
-            &robot.geometry,
-            &wanted.map(|w| w.velocity_rad_per_s),
-            &wanted.map(|w| w.acceleration_rad_per_s2),
-        );
-        let torque_nm = match &self.block.external_load {
-            None => torque_nm,
-            Some(load) => {
-                let less = load.torque(robot, wanted[0].angle, second, third);
-                [0, 1, 2].map(|i| torque_nm[i] - less[i])
-            }
-        };
-        robot.torque_to_voltage(&torque_nm)
     }
 
     /// Motor voltages that gravity takes at these angles [V].
@@ -295,77 +279,6 @@ impl Controller {
         let posture = Posture::from_sines(angles[1].sin_cos(), angles[2].sin_cos());
         robot.torque_to_voltage(&posture.gravity(&robot.base, &robot.geometry))
     }
-
-    /// Motor voltages less what tables add at the reference.
-    #[inline]
-    fn less_tables(&self, voltage_v: [f32; 3], wanted: &[Setpoint; 3]) -> [f32; 3] {
-        let joints = &self.block.compensations;
-        // Checked first: no tables cost nothing.
-        if joints.iter().all(|joint| joint.tables.is_empty()) {
-            return voltage_v;
-        }
-        less_tables(voltage_v, joints, &self.block.robot, wanted)
-    }
-
-    /// Injected voltages; none once the reference has ended.
-    #[inline]
-    fn injected(&mut self) -> [f32; 3] {
-        if self.tick >= self.end_tick {
-            return [0.0; 3];
-        }
-        let time = Time::new(self.tick, self.block.sample_period_s, self.rate_per_s);
-        let [first, second, third] = &mut self.joints;
-        [first, second, third].map(|joint| joint.injection.next_voltage(time))
-    }
-}
-
-/// The terms of a joint's command [V].
-#[derive(Clone, Copy, Debug)]
-struct Terms {
-    feedback_v: f32,
-    inverse_dynamics_v: f32,
-    friction_v: f32,
-}
-
-impl Terms {
-    /// The terms that a mode takes, added up.
-    #[inline]
-    fn sum(&self, mode: Mode) -> f32 {
-        match mode {
-            Mode::Pd => self.feedback_v,
-            Mode::PdFriction => self.feedback_v + self.friction_v,
-            Mode::PdModel => self.feedback_v + self.friction_v + self.inverse_dynamics_v,
-            Mode::FrictionOnly => self.friction_v,
-            Mode::OpenLoop => 0.0,
-        }
-    }
-}
-
-impl Mode {
-    /// The velocity whose friction is compensated: the reference's, or the measured one in the
-    /// mode without a reference.
-    #[inline]
-    fn friction_velocity(self, wanted: &Setpoint, measured: &Measured) -> f32 {
-        match self {
-            Self::FrictionOnly => measured.velocity_rad_per_s,
-            _ => wanted.velocity_rad_per_s,
-        }
-    }
-
-    /// The motion for which feedforward is computed.
-    #[inline]
-    fn feedforward_motion(self, wanted: &Setpoint, measured: &Measured) -> JointMotion {
-        JointMotion {
-            angle: if self == Self::FrictionOnly { measured.angle } else { wanted.angle },
-            position_rad: wanted.position_rad,
-            velocity_rad_per_s: self.friction_velocity(wanted, measured),
-        }
-    }
-}
-
-/// The tick in which the reference ends.
-fn last_tick(block: &ParameterBlock, rate_per_s: f32) -> u32 {
-    (block.reference.duration_s * rate_per_s + 0.5) as u32
 }
 
 /// The output for a voltage above `limit_v` in magnitude: the limit, or 0 V if it is not finite.
@@ -374,13 +287,43 @@ fn cut(voltage_v: f32, limit_v: f32) -> f32 {
     if voltage_v.is_finite() { limit_v.copysign(voltage_v) } else { 0.0 }
 }
 
-impl Gains {
-    /// Feedback voltage, eq. (17).
+impl JointFeedforward {
+    /// The control law with a reference, see the head of this file.
     #[inline]
-    fn feedback(&self, wanted: &Setpoint, measured: &Measured) -> f32 {
-        let position_error_rad = wanted.angle.minus(measured.angle);
-        let velocity_error = wanted.velocity_rad_per_s - measured.velocity_rad_per_s;
+    fn command_v(&self, mode: Mode, feedback_v: f32) -> f32 {
+        let motor_v = match mode {
+            Mode::PdModel => feedback_v + self.friction_v + self.inverse_dynamics_v,
+            Mode::PdFriction => feedback_v + self.friction_v,
+            Mode::Pd => feedback_v,
+            Mode::FrictionOnly | Mode::OpenLoop => 0.0,
+        };
+        self.input_inverses.applied_to(motor_v + self.injected_v)
+    }
+}
+
+impl JointSample {
+    /// Takes the code of a voltage, which is cut where it is beyond the limit.
+    #[inline]
+    fn command(&mut self, wanted_v: f32, limit_v: f32) {
+        self.code = DacCode::from_volts(wanted_v);
+        self.saturated = false;
+        // NaN compares false, so it counts as beyond the limit.
+        let is_within = wanted_v.abs() <= limit_v;
+        if !is_within {
+            self.code = DacCode::from_volts(cut(wanted_v, limit_v));
+            self.saturated = true;
+        }
+    }
+}
+
+impl Gains {
+    /// Feedback voltage, eq. (17), less what is left out as a run begins.
+    #[inline]
+    fn feedback(&self, wanted: &JointFeedforward, sample: &JointSample) -> f32 {
+        let position_error_rad = wanted.angle.minus(sample.measured);
+        let velocity_error = wanted.velocity_rad_per_s - sample.velocity_rad_per_s;
         self.proportional_v_per_rad * position_error_rad
             + self.derivative_v_s_per_rad * velocity_error
+            - wanted.start_step_v
     }
 }

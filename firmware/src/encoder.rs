@@ -9,9 +9,9 @@ use crate::Angle;
 pub struct EncoderScale {
     /// Never zero, so that dividing by it cannot panic in the tick.
     counts_per_turn: NonZeroU32,
-    /// Angle units per count, times 2^`shift`.
+    /// Angle units per count, times 2^31 once the count is shifted left.
     factor: u32,
-    shift: u32,
+    shift_left: u32,
 }
 
 /// The fewest and the most counts a turn that [`EncoderScale`] takes.
@@ -28,14 +28,15 @@ impl EncoderScale {
         let shift = counts_per_turn.ilog2();
         let turn = 1_u64 << (32 + shift);
         let factor = ((turn - 1) / u64::from(counts_per_turn.get())) as u32;
-        Self { counts_per_turn, factor, shift }
+        // A count within the turn has one bit more, so that it fits 32 bits when it is shifted.
+        Self { counts_per_turn, factor, shift_left: 31 - shift }
     }
 
     /// The angle of a count within the turn.
     #[inline]
     fn angle(&self, count_in_turn: u32) -> Angle {
-        let product = u64::from(count_in_turn) * u64::from(self.factor);
-        Angle((product >> self.shift) as u32 as i32)
+        let shifted = count_in_turn << (self.shift_left & 31);
+        Angle(((u64::from(shifted) * u64::from(self.factor)) >> 31) as u32 as i32)
     }
 }
 
@@ -71,13 +72,21 @@ impl Encoder {
     /// speed) passes unseen.
     #[inline]
     pub fn update(&mut self, count: i32) -> Angle {
-        let turn = self.scale.counts_per_turn;
-        let moved = remainder(count.wrapping_sub(self.last_count), turn);
-        let turn = turn.get();
-        let sum = self.count_in_turn + moved;
-        self.count_in_turn = if sum >= turn { sum - turn } else { sum };
+        let moved = count.wrapping_sub(self.last_count);
+        // Below zero it wraps to more than any turn has.
+        let sum = self.count_in_turn.wrapping_add_signed(moved);
+        let is_in_turn = sum < self.scale.counts_per_turn.get();
+        self.count_in_turn = if is_in_turn { sum } else { self.beyond_the_turn(moved) };
         self.last_count = count;
         self.scale.angle(self.count_in_turn)
+    }
+
+    /// The count within the turn after a move that leaves it.
+    #[cold]
+    fn beyond_the_turn(&self, moved: i32) -> u32 {
+        let turn = self.scale.counts_per_turn;
+        let sum = self.count_in_turn + remainder(moved, turn);
+        if sum >= turn.get() { sum - turn.get() } else { sum }
     }
 }
 

@@ -29,6 +29,7 @@ pub mod compensation;
 pub mod controller;
 pub mod dac;
 pub mod encoder;
+mod feedforward;
 pub mod frame;
 mod joint;
 pub mod link;

@@ -180,9 +180,14 @@ impl Responder {
             Request::Tick(counts) => {
                 let before = timer();
                 let output = controller.tick(&counts);
-                return Reply::to_tick(&output, timer().wrapping_sub(before));
+                let taken = timer().wrapping_sub(before);
+                controller.prepare();
+                return Reply::to_tick(&output, taken);
             }
-            Request::Start => controller.start(),
+            Request::Start => {
+                controller.start();
+                controller.prepare();
+            }
             Request::Stop => controller.stop(),
             Request::Load { .. } | Request::Quit | Request::Commit { .. } | Request::Boot => {}
         }

@@ -37,12 +37,12 @@ impl StartFade {
         Self { step_v, ticks, share_per_tick: 1.0 / ticks.max(1) as f32 }
     }
 
-    /// The feedback of joint `i` (0 to 2) in a tick of the run.
+    /// What the feedback of joint `i` (0 to 2) leaves out in a tick of the run [V].
     #[inline]
-    pub fn applied_to(&self, feedback_v: f32, i: usize, tick: u32) -> f32 {
+    pub fn left_out_v(&self, i: usize, tick: u32) -> f32 {
         if tick >= self.ticks {
-            return feedback_v;
+            return 0.0;
         }
-        feedback_v - self.step_v[i] * (self.ticks - tick) as f32 * self.share_per_tick
+        self.step_v[i] * (self.ticks - tick) as f32 * self.share_per_tick
     }
 }

@@ -63,6 +63,11 @@ impl VelocityTracker {
         }
     }
 
+    /// Its gains.
+    pub fn gains(&self) -> TrackerGains {
+        self.gains
+    }
+
     /// Takes the angle of this tick, returns the velocity [rad/s].
     #[inline]
     pub fn update(&mut self, angle: Angle) -> f32 {

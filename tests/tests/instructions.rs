@@ -15,10 +15,12 @@ use tests::{
     rig_that_compensates, simulated,
 };
 
-/// From counts in to codes out, whatever the board plays.
-const MOST_INSTRUCTIONS: f64 = 2500.0;
+/// From counts in to codes out, whatever the board plays, the next tick's part prepared.
+const MOST_INSTRUCTIONS: f64 = 700.0;
 /// On the motion (20)-(21) with all terms on, on average.
-const AIM: f64 = 1500.0;
+const AIM: f64 = 450.0;
+/// In the mode that compensates the friction of the measured motion, which nothing can prepare.
+const MOST_OF_MEASURED_FRICTION: f64 = 1000.0;
 
 fn instructions(timer_counts: u32) -> f64 {
     f64::from(timer_counts) / 25.6
@@ -38,7 +40,7 @@ fn no_reference_makes_a_tick_too_long() {
         let worst = recording.timer_counts.iter().copied().max().map_or(0.0, instructions);
         let mean = recording.instructions_per_tick();
         println!("{:24} {mean:8.0} {worst:8.0}", plan.name);
-        assert!(worst > 500.0, "the timer counts");
+        assert!(worst > 300.0, "the timer counts");
         assert!(worst < MOST_INSTRUCTIONS, "{}: {worst}", plan.name);
         assert!(plan.name != "task" || mean < AIM, "{mean}");
     }
@@ -98,7 +100,7 @@ fn full_block() -> ParameterBlock {
 }
 
 #[test]
-fn a_full_block_makes_a_tick_of_a_twenty_fifth_of_a_period_at_most() {
+fn a_full_block_delays_no_code() {
     let Some(image) = image() else { return };
     let mut board = qemu(&image);
     board.load(&full_block()).unwrap();
@@ -106,12 +108,11 @@ fn a_full_block_makes_a_tick_of_a_twenty_fifth_of_a_period_at_most() {
     let ticks = (0..5000).map(|k| board.tick(&[7 * k, -5 * k, 3 * k]).unwrap().timer_counts);
     let worst = ticks.max().map_or(0.0, instructions);
     println!("{:24} {worst:8.0}", "full block");
-    // 3,400 instructions, two cycles each allowed, of 170,000 cycles.
-    assert!(worst < 3400.0, "{worst}");
+    assert!(worst < MOST_INSTRUCTIONS, "{worst}");
 }
 
 #[test]
-fn a_full_block_with_tables_makes_a_tick_of_a_twentieth_of_a_period_at_most() {
+fn a_full_block_with_tables_delays_no_code() {
     let Some(image) = image() else { return };
     let (mut board, mut block) = (qemu(&image), full_block());
     let of_tables = rig_that_compensates(&full_tables(2)).compensations.joints;
@@ -123,8 +124,7 @@ fn a_full_block_with_tables_makes_a_tick_of_a_twentieth_of_a_period_at_most() {
     let ticks = (0..5000).map(|k| board.tick(&[7 * k, -5 * k, 3 * k]).unwrap().timer_counts);
     let worst = ticks.max().map_or(0.0, instructions);
     println!("{:24} {worst:8.0}", "full block with tables");
-    // 4,250 instructions, two cycles each allowed, of 170,000 cycles.
-    assert!(worst < 4250.0, "{worst}");
+    assert!(worst < MOST_INSTRUCTIONS, "{worst}");
 }
 
 #[test]
@@ -138,6 +138,10 @@ fn no_mode_makes_a_tick_too_long() {
         let ticks = (0..5000).map(|k| board.tick(&[7 * k, -5 * k, 3 * k]).unwrap().timer_counts);
         let worst = ticks.max().map_or(0.0, instructions);
         println!("{:24} {worst:8.0}", mode.name());
-        assert!(worst < MOST_INSTRUCTIONS, "{}: {worst}", mode.name());
+        let most = match mode {
+            Mode::FrictionOnly => MOST_OF_MEASURED_FRICTION,
+            _ => MOST_INSTRUCTIONS,
+        };
+        assert!(worst < most, "{}: {worst}", mode.name());
     }
 }

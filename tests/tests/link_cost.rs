@@ -14,6 +14,8 @@ use tests::{image, minute_of, rig};
 
 /// Ticks counted with each line.
 const TICKS: usize = 3000;
+/// From counts in to codes out on average, supervisor included, with everything on.
+const MOST_INSTRUCTIONS: f64 = 700.0;
 const COUNTS_PER_TURN: u32 = 655_360;
 
 /// What is on the line while the ticks are counted.
@@ -122,6 +124,7 @@ fn the_tick_costs_the_same_whatever_the_line_carries() {
         let (requests, broken) = (counters.requests, counters.frames_broken);
         let name = format!("{load:?}").to_lowercase();
         println!("{name:10} {mean:8.1} {worst:8.1} {requests:10} {broken:10}");
+        assert!(mean < MOST_INSTRUCTIONS, "{mean} instructions from counts to codes");
         if idle.is_empty() {
             idle.clone_from(&run);
         }

@@ -66,6 +66,9 @@ impl Reached {
 /// The other functions that one calls or jumps to, and from where.
 fn callees(code: &Code<'_>, caller: u32) -> Result<Vec<(u32, u32)>> {
     let name = code.function(caller).map_or("?", Function::name);
+    if let Some(target) = code.bridge(caller) {
+        return Ok(vec![(caller, function_at(code, name, caller, target)?)]);
+    }
     let mut callees = Vec::new();
     for (site, instruction) in code.instructions(caller)? {
         match instruction.flow {

@@ -1,4 +1,5 @@
-//! `cargo xtask check-elf`: the control tick neither computes in `f64` nor panics.
+//! `cargo xtask check-elf`: the control tick, from the interrupt's vector on, neither computes in
+//! `f64` nor panics, and what it takes at most.
 //!
 //! The chip's FPU has no `f64`: such arithmetic calls a routine of a hundred
 //! instructions and more. These routines, and those of a panic, are functions, so
@@ -12,6 +13,10 @@ use crate::code::{Code, Function};
 use crate::firmware;
 use crate::image::Image;
 use crate::toolchain::FirmwareToolchain;
+use crate::worst_case;
+
+/// The tick of the NUCLEO.
+const HANDLER: &str = "TIM6_DAC";
 
 /// Builds the images of the boards named, or of all, and checks them.
 pub fn run(names: &[&str]) -> Result<()> {
@@ -33,10 +38,13 @@ pub fn check(board: Board, image: &Image) -> Result<()> {
     }
     refuse_forbidden(image, &code, &reached)?;
     println!("{}: {}", board.name(), verdict(&code));
+    if board == Board::Nucleo {
+        worst_case::report(&code, HANDLER)?;
+    }
     Ok(())
 }
 
-/// Where `Controller::tick` and `Supervisor::tick` begin, in every copy that the compiler made of it.
+/// Where the handler of the tick begins, and the library's parts of it, in every copy.
 fn ticks(code: &Code<'_>) -> Result<Vec<u32>> {
     let ticks: Vec<u32> = code
         .functions()
@@ -44,7 +52,7 @@ fn ticks(code: &Code<'_>) -> Result<Vec<u32>> {
         .map(|(start, _)| start)
         .collect();
     if ticks.is_empty() {
-        bail!("no function Controller::tick or Supervisor::tick: they must be #[inline(never)]");
+        bail!("no function Controller::tick or Supervisor::act: they must be #[inline(never)]");
     }
     Ok(ticks)
 }
@@ -82,7 +90,10 @@ fn verdict(code: &Code<'_>) -> &'static str {
 }
 
 fn is_tick(name: &str) -> bool {
-    (name.contains("Controller") || name.contains("Supervisor")) && name.ends_with("::tick")
+    let of_the_library = name.contains("Controller") || name.contains("Supervisor");
+    let is_part =
+        ["::tick", "::act", "::complete", "::prepare"].iter().any(|end| name.ends_with(end));
+    name == HANDLER || of_the_library && is_part
 }
 
 fn is_forbidden(function: &Function) -> bool {
@@ -97,7 +108,8 @@ fn is_double(name: &str) -> bool {
         Some(operation) => {
             operation.starts_with('d') || operation.starts_with("cd") || operation.ends_with("2d")
         }
-        None => name.starts_with("__") && name.contains("df"),
+        // The linker's bridges have the whole name of what they lead to behind theirs.
+        None => name.starts_with("__") && !name.starts_with("__Thumb") && name.contains("df"),
     }
 }
 

@@ -127,6 +127,11 @@ impl<'data> Code<'data> {
             .with_context(|| format!("no instruction at {address:#x}"))
     }
 
+    /// Where the data that begin at an address end, as the compiler marks it.
+    pub fn end_of_data(&self, address: u32) -> Option<u32> {
+        if self.is_code(address) { None } else { self.next_mapping(address) }
+    }
+
     fn is_code(&self, address: u32) -> bool {
         self.mapping.range(..=address).next_back().is_none_or(|(_, &is_code)| is_code)
     }
@@ -135,7 +140,23 @@ impl<'data> Code<'data> {
         self.mapping.range(address + 1..).next().map(|(&next, _)| next)
     }
 
-    fn halfword(&self, address: u32) -> Option<u16> {
+    /// Where the linker's bridge to a function far away leads: MOVW, MOVT and BX of r12.
+    pub fn bridge(&self, start: u32) -> Option<u32> {
+        let word = |at: u32| Some((self.halfword(at)?, self.halfword(at + 2)?));
+        let immediate = |(first, second): (u16, u16)| {
+            let (i, high) = (u32::from(first >> 10 & 1), u32::from(first & 15));
+            high << 12 | i << 11 | u32::from(second >> 12 & 7) << 8 | u32::from(second & 0xff)
+        };
+        let (low, high) = (word(start)?, word(start + 4)?);
+        let is_bridge = low.0 & 0xfbf0 == 0xf240
+            && high.0 & 0xfbf0 == 0xf2c0
+            && [low.1, high.1].iter().all(|second| second >> 8 & 15 == 12)
+            && self.halfword(start + 8)? == 0x4760;
+        is_bridge.then(|| (immediate(high) << 16 | immediate(low)) & !1)
+    }
+
+    /// The halfword at an address.
+    pub fn halfword(&self, address: u32) -> Option<u16> {
         self.sections.iter().find_map(|(start, bytes)| {
             let offset = address.checked_sub(*start)? as usize;
             let halfword = bytes.get(offset..offset.checked_add(2)?)?;

@@ -19,14 +19,18 @@ const PACKAGES: [&str; 3] = ["cmake", "make", "libclang-dev"];
 const IMAGE_VARIABLE: &str = "RRR_NUCLEO_FIRMWARE";
 const TOOL_VARIABLE: &str = "RRR_TOOL";
 const SOAK_VARIABLE: &str = "RRR_SOAK";
+const TICKS_VARIABLE: &str = "RRR_TICKS";
 
-/// With `--soak` the tests at their full length, else the image at a port with these arguments.
+/// With `--soak` the tests at their full length, with `--ticks` what the tick takes, else the image at a port with these arguments.
 pub fn run(arguments: &[&str]) -> Result<()> {
     let toolchain = FirmwareToolchain::find_or_make()?;
     let image = firmware::build(&toolchain, Board::Nucleo)?;
     if let ["--soak"] = arguments {
         run_command(cargo("build").args(["--quiet", "--release", "--package", "host-tool"]))?;
         return run_tests(&image, true);
+    }
+    if let ["--ticks"] = arguments {
+        return tell_ticks(&image);
     }
     packages::ensure(&PACKAGES)?;
     let mut emulator = emulator("run");
@@ -37,6 +41,14 @@ pub fn run(arguments: &[&str]) -> Result<()> {
 /// The short tests; the host tool has been built.
 pub fn test(image: &Image) -> Result<()> {
     run_tests(image, false)
+}
+
+/// Prints what the tick takes in each reference and mode.
+fn tell_ticks(image: &Image) -> Result<()> {
+    packages::ensure(&PACKAGES)?;
+    let mut test = emulator("test");
+    test.env(IMAGE_VARIABLE, image.path()).env(TICKS_VARIABLE, "1");
+    run_command(test.args(["--test", "ticks", "--", "--nocapture"]))
 }
 
 fn run_tests(image: &Image, soak: bool) -> Result<()> {

@@ -1,11 +1,12 @@
 //! How long instructions take: one cycle each, and what the flash and the pipeline add.
 //!
+//! The CCM SRAM delivers each at once.
 //! The flash delivers 256 bits in 1 + wait states cycles; the instruction cache of 1 KiB holds 32
 //! such lines, the one used longest ago makes room (RM0440, 3.3.4). A taken branch refills the
 //! pipeline. Left out: wait states of data in the flash, divisions and multiple loads, contention
 //! of the buses. So cycles are too few by an estimated 10 to 40 percent.
 
-use crate::memory_map::FLASH_BYTES;
+use crate::memory_map::{CCM_START, FLASH_BYTES};
 
 /// Bytes of a line of the cache.
 const LINE_BYTES: u32 = 32;
@@ -41,7 +42,8 @@ impl Cost {
         let branch = if address == self.next_address { 0 } else { BRANCH_CYCLES };
         self.next_address = address + bytes;
         let line = address / LINE_BYTES;
-        let fetch = if line == self.last_line { 0 } else { self.fetch(line) };
+        let is_there = line == self.last_line || address >= CCM_START;
+        let fetch = if is_there { 0 } else { self.fetch(line) };
         (1 + branch + fetch) * self.cycle
     }
 

@@ -17,6 +17,8 @@ pub struct SystemControl {
     pub reset: bool,
     /// Full access to the floating-point unit was given.
     pub floating_point: bool,
+    /// Why there was a fault.
+    pub fault_status: u32,
     access: u32,
     handlers: u32,
     debug_monitor: u32,
@@ -36,6 +38,7 @@ impl SystemControl {
             // Deep sleep and the like are off.
             0xE000_ED10 => Ok(0),
             0xE000_ED24 => Ok(self.handlers),
+            0xE000_ED28 => Ok(self.fault_status),
             0xE000_ED88 => Ok(self.access),
             // Automatic and lazy saving of the floating-point registers, as after a reset.
             0xE000_EF34 => Ok(0xC000_0000),

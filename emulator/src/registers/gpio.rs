@@ -49,6 +49,11 @@ impl Gpio {
         }
     }
 
+    /// Resistors within the chip, two bits a pin: none, up, down.
+    pub fn pulls(&self) -> u32 {
+        self.pull
+    }
+
     /// The levels that the input register shows: what a pin drives, else its wire.
     fn input(&self) -> u32 {
         let level = |number: usize| match self.mode >> (2 * number) & 3 {

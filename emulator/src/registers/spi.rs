@@ -68,7 +68,7 @@ impl Spi {
     ///
     /// # Errors
     /// None of those modelled.
-    pub fn read(&mut self, offset: u32) -> Access<u32> {
+    pub fn read(&mut self, offset: u32, bytes: usize) -> Access<u32> {
         match offset {
             0x00 => Ok(self.control),
             0x04 => Ok(self.control2),
@@ -80,7 +80,10 @@ impl Spi {
                 }
                 Ok(status)
             }
-            0x0C => Ok(u32::from(self.received.pop_front().unwrap_or(0))),
+            0x0C => {
+                let mut byte = || u32::from(self.received.pop_front().unwrap_or(0));
+                Ok(if bytes == 1 { byte() } else { byte() | byte() << 8 })
+            }
             0x1C => Ok(0),
             _ => Err(Refusal::NotModelled),
         }

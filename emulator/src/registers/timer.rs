@@ -1,4 +1,4 @@
-//! TIM1, 2, 3, 5 and 6: time bases with compare channels, and counters of encoders.
+//! TIM1 to 6: time bases with compare channels, one with an output, and counters of encoders.
 
 use super::timer_events::Events;
 use super::{Access, Level, Time};
@@ -15,6 +15,8 @@ const ENCODER_MODE: u32 = 3;
 const OWN_INPUTS: u32 = 0x0303;
 /// The digital filter of 8 samples at a quarter of the clock, on both.
 const FILTERS: u32 = 0x7070;
+/// Channel 1 is an output, high below the compare value, which is taken over at once.
+const PWM_MODE_1: u32 = 6 << 4;
 
 /// A timer.
 #[derive(Clone, Debug)]
@@ -37,6 +39,10 @@ pub struct Timer {
     since: Time,
     /// Updates of the counter since the reset.
     pub updates: u64,
+    /// Channel 1 drives a pin.
+    has_output: bool,
+    level: Level,
+    edges: Vec<(Time, Level)>,
 }
 
 impl Timer {
@@ -59,6 +65,51 @@ impl Timer {
             count: 0,
             since: 0,
             updates: 0,
+            has_output: false,
+            level: false,
+            edges: Vec::new(),
+        }
+    }
+
+    /// One whose channel 1 drives a pin.
+    pub fn with_output(bits: u32) -> Self {
+        Self { has_output: true, ..Self::new(bits) }
+    }
+
+    /// The level of its output.
+    pub fn output(&self) -> Level {
+        self.level
+    }
+
+    /// Changes of its output since they were last taken.
+    pub fn take_edges(&mut self) -> Vec<(Time, Level)> {
+        std::mem::take(&mut self.edges)
+    }
+
+    /// The output follows the counter, high below the compare value.
+    fn drives(&self) -> bool {
+        self.has_output && self.outputs & 3 == 1 && self.modes[0] & 0xFF == PWM_MODE_1
+    }
+
+    fn set_output(&mut self, at: Time) {
+        let level = self.drives() && self.count < self.compare[0];
+        if level != std::mem::replace(&mut self.level, level) {
+            self.edges.push((at, level));
+        }
+    }
+
+    /// The output on the way through so many counts.
+    fn pass_edges(&mut self, events: &Events, counts: u64) {
+        let mut values = [(0, true), (u64::from(self.compare[0]), false)].map(|(value, level)| {
+            (events.until(value).filter(|c| *c <= counts * events.cycles), level)
+        });
+        values.sort();
+        for (cycles, level) in values {
+            if let Some(cycles) = cycles
+                && level != std::mem::replace(&mut self.level, level)
+            {
+                self.edges.push((self.since + cycles, level));
+            }
         }
     }
 
@@ -112,8 +163,16 @@ impl Timer {
             let waits = self.enabled & bit != 0 && self.flags & bit == 0;
             waits.then_some(u64::from(self.compare[i]))
         };
+        let edges =
+            if self.drives() { [Some(0), Some(u64::from(self.compare[0]))] } else { [None; 2] };
         let values = update.into_iter().chain((0..4).filter_map(of_channel));
+        let values = values.chain(edges.into_iter().flatten());
         values.filter_map(|value| events.until(value)).min().map(|cycles| self.since + cycles)
+    }
+
+    /// When the counter last began anew, as long as it counts time.
+    pub fn period_began(&self) -> Time {
+        self.since - u64::from(self.count) * (u64::from(self.prescaler_in_use) + 1)
     }
 
     /// Takes it to a point of time.
@@ -126,6 +185,9 @@ impl Timer {
         let counts = (now - self.since) / events.cycles;
         if counts == 0 {
             return;
+        }
+        if self.drives() {
+            self.pass_edges(&events, counts);
         }
         let updates = events.times(0, counts);
         self.updates += updates;
@@ -190,6 +252,7 @@ impl Timer {
             0x34..0x44 => self.compare[(offset as usize - 0x34) / 4] = value & self.mask,
             _ => return Err(Refusal::Value(value)),
         }
+        self.set_output(now);
         Ok(())
     }
 

@@ -76,11 +76,15 @@ impl ParameterBlock {
         let body = buffer.get_mut(HEADER_BYTES..room).ok_or(BlockError::Layout)?;
         let body_length = postcard::to_slice(self, body).map_err(|_| BlockError::Layout)?.len();
         let end = HEADER_BYTES + body_length;
-        buffer[0..2].copy_from_slice(&VERSION.to_le_bytes());
-        buffer[2..4].copy_from_slice(&(body_length as u16).to_le_bytes());
-        let checksum = CRC_32.checksum(&buffer[..end]);
-        buffer[end..end + CHECKSUM_BYTES].copy_from_slice(&checksum.to_le_bytes());
-        Ok(&buffer[..end + CHECKSUM_BYTES])
+        // No index that could panic: the tick checks its parameters with this.
+        let short = BlockError::Layout;
+        let (content, rest) = buffer.split_at_mut_checked(end).ok_or(short)?;
+        let [v0, v1] = VERSION.to_le_bytes();
+        let [l0, l1] = (body_length as u16).to_le_bytes();
+        *content.first_chunk_mut::<HEADER_BYTES>().ok_or(short)? = [v0, v1, l0, l1];
+        let checksum = CRC_32.checksum(content).to_le_bytes();
+        *rest.first_chunk_mut::<CHECKSUM_BYTES>().ok_or(short)? = checksum;
+        buffer.get(..end + CHECKSUM_BYTES).ok_or(short)
     }
 
     /// [`CRC_32C`] of the encoded block, as its identity; 0 if it cannot be encoded.

@@ -1,5 +1,6 @@
 //! The compensations as the tick evaluates them.
 
+use heapless::Vec;
 use model::effects::{
     cable_spring_v, cogging_v, dead_zone_inverse, quadratic_drag_v, ripple_factor,
     scale_asymmetric_friction, scale_position_friction, table_v, torque_constant_factor,
@@ -7,7 +8,9 @@ use model::effects::{
 use model::friction::FrictionScale;
 use model::{Posture, Robot};
 
-use super::parameters::{AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse};
+use super::parameters::{
+    AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse, MAX_INPUT_INVERSES,
+};
 use super::tables::TableAxis;
 use crate::Angle;
 use crate::reference::Setpoint;
@@ -115,19 +118,6 @@ impl Compensations {
         }
         disturbance
     }
-
-    /// The command that brings a voltage to the motor, at the reference angle.
-    #[inline]
-    pub fn command_for(&self, motor_v: f32, angle: Angle) -> f32 {
-        if self.input_inverses.is_empty() { motor_v } else { self.invert_inputs(motor_v, angle) }
-    }
-
-    // Not inlined, so that a joint without input effects does not pay for it.
-    #[inline(never)]
-    fn invert_inputs(&self, motor_v: f32, angle: Angle) -> f32 {
-        let last_first = self.input_inverses.iter().rev();
-        last_first.fold(motor_v, |voltage_v, effect| effect.apply(voltage_v, angle))
-    }
 }
 
 impl Feedforward {
@@ -155,19 +145,53 @@ impl Feedforward {
     }
 }
 
-impl InputInverse {
-    /// The input voltage for which the effect's output is `voltage_v`.
+/// The inverses of a joint's input effects at one instant, in the order in which they are applied.
+#[derive(Clone, Debug, Default)]
+pub struct InputInverses(Vec<Inversion, MAX_INPUT_INVERSES>);
+
+/// One of them, its wave over the turn evaluated.
+#[derive(Clone, Copy, Debug)]
+enum Inversion {
+    Divide(f32),
+    Subtract(f32),
+    DeadZone(f32),
+}
+
+impl InputInverses {
+    /// Evaluates them at the reference angle: the last effect is undone first.
     #[inline]
-    fn apply(&self, voltage_v: f32, angle: Angle) -> f32 {
+    pub fn evaluate(&mut self, joint: &Compensations, angle: Angle) {
+        self.0.clear();
+        for effect in joint.input_inverses.iter().rev() {
+            // There is room for as many.
+            let _ = self.0.push(effect.at(angle));
+        }
+    }
+
+    /// The command that brings a voltage to the motor [V].
+    #[inline]
+    pub fn applied_to(&self, motor_v: f32) -> f32 {
+        self.0.iter().fold(motor_v, |voltage_v, inversion| match *inversion {
+            Inversion::Divide(factor) => voltage_v / factor,
+            Inversion::Subtract(offset_v) => voltage_v - offset_v,
+            Inversion::DeadZone(half_width_v) => dead_zone_inverse(voltage_v, half_width_v),
+        })
+    }
+}
+
+impl InputInverse {
+    /// What undoes the effect at an angle.
+    #[inline]
+    fn at(&self, angle: Angle) -> Inversion {
         match *self {
             Self::TorqueConstant { relative_error } => {
-                voltage_v / torque_constant_factor(relative_error)
+                Inversion::Divide(torque_constant_factor(relative_error))
             }
             Self::TorqueRipple { relative_amplitude, wave } => {
-                voltage_v / ripple_factor(relative_amplitude, wave.sine(angle))
+                Inversion::Divide(ripple_factor(relative_amplitude, wave.sine(angle)))
             }
-            Self::DacOffset { offset_v } => voltage_v - offset_v,
-            Self::DeadZone { half_width_v } => dead_zone_inverse(voltage_v, half_width_v),
+            Self::DacOffset { offset_v } => Inversion::Subtract(offset_v),
+            Self::DeadZone { half_width_v } => Inversion::DeadZone(half_width_v),
         }
     }
 }

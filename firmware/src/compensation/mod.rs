@@ -16,7 +16,7 @@ pub mod limits;
 mod parameters;
 mod tables;
 
-pub(crate) use apply::{JointMotion, less_tables};
+pub(crate) use apply::{InputInverses, JointMotion, less_tables};
 pub use parameters::{
     AngularHarmonic, Compensations, ExternalLoad, Feedforward, InputInverse, MAX_FEEDFORWARD,
     MAX_INPUT_INVERSES,

@@ -65,7 +65,7 @@ impl<S: BlockStore> BoardRuntime<S> {
         }
     }
 
-    /// After a tick: sends its record if telemetry is on, stores a new fault.
+    /// After a tick: sends its record if telemetry is on, stores a new fault, prepares the next.
     pub fn after_tick(&mut self, record: &TickRecord) {
         self.handler.set_telemetry_dropped(self.outbox.dropped());
         if self.handler.streaming() {
@@ -78,6 +78,7 @@ impl<S: BlockStore> BoardRuntime<S> {
         if record.tick.is_multiple_of(CHECK_EVERY_TICKS) {
             self.parameters_corrupt = !self.supervisor.parameters_are_intact();
         }
+        self.supervisor.prepare();
     }
 
     /// Takes a byte of the line; an answer goes to the outbox.

@@ -69,6 +69,14 @@ impl InjectionSource {
         }
     }
 
+    /// Whether this is such a source, so many samples later.
+    pub fn goes_on_from(&self, beginning: &Self) -> bool {
+        match (self, beginning) {
+            (Self::Noise(source), Self::Noise(beginning)) => source.goes_on_from(beginning),
+            _ => self == beginning,
+        }
+    }
+
     /// The voltage of this tick [V].
     #[inline]
     pub fn next_voltage(&mut self, time: Time) -> f32 {

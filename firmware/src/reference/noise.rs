@@ -33,6 +33,14 @@ impl NoiseSource {
         }
     }
 
+    /// Whether this is such a noise, so many samples later.
+    pub fn goes_on_from(&self, beginning: &Self) -> bool {
+        let coefficients = |filter: &Biquad| [filter.gain, filter.a1, filter.a2];
+        self.scale_v == beginning.scale_v
+            && self.filter.each_ref().map(coefficients)
+                == beginning.filter.each_ref().map(coefficients)
+    }
+
     /// The next sample [V].
     #[inline]
     pub fn next_voltage(&mut self) -> f32 {

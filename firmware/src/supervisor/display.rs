@@ -30,7 +30,7 @@ impl Display for State {
 
 impl Fault {
     /// Every fault.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 17] = [
         Self::EncoderJump,
         Self::EncoderStuck,
         Self::TrackingError,
@@ -47,6 +47,7 @@ impl Fault {
         Self::DrivePower,
         Self::PositionLimit,
         Self::HoldTooLong,
+        Self::Crash,
     ];
 
     /// The name that messages use.
@@ -68,6 +69,7 @@ impl Fault {
             Self::DrivePower => "drive power",
             Self::PositionLimit => "position limit",
             Self::HoldTooLong => "hold too long",
+            Self::Crash => "crash",
         }
     }
 
@@ -97,7 +99,8 @@ impl Fault {
             | Self::Watchdog
             | Self::Converter
             | Self::EmergencyStop
-            | Self::DrivePower => "",
+            | Self::DrivePower
+            | Self::Crash => "",
         }
     }
 }
@@ -108,11 +111,27 @@ impl Display for Fault {
     }
 }
 
+impl FaultRecord {
+    /// The record of a crash at a program counter, with the processor's fault status.
+    pub fn of_crash(tick: u32, program_counter: u32, fault_status: u32) -> Self {
+        let (value, limit) = (f32::from_bits(program_counter), f32::from_bits(fault_status));
+        Self { fault: Fault::Crash, joint: 0, tick, value, limit }
+    }
+
+    /// Program counter and fault status of a crash.
+    pub fn crash(&self) -> Option<(u32, u32)> {
+        (self.fault == Fault::Crash).then(|| (self.value.to_bits(), self.limit.to_bits()))
+    }
+}
+
 impl Display for FaultRecord {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         write!(f, "{}", self.fault)?;
         if self.joint > 0 {
             write!(f, " at joint {}", self.joint)?;
+        }
+        if let Some((counter, status)) = self.crash() {
+            write!(f, " at {counter:#010x}, fault status {status:#010x}")?;
         }
         if !self.fault.unit().is_empty() {
             let (value, limit, unit) = (self.value, self.limit, self.fault.unit());

@@ -57,6 +57,9 @@ pub enum Fault {
     PositionLimit,
     /// The joints were held for too long after their reference had ended [s].
     HoldTooLong,
+    /// The processor met an instruction or an access that it cannot carry out, or a panic. The bits
+    /// of value and limit are the program counter and the fault status (CFSR).
+    Crash,
 }
 
 /// The first cause, with the figures that made it one.

@@ -21,6 +21,18 @@ pub struct Health {
     pub tick_time_tenth_us: u16,
 }
 
+impl Health {
+    /// Whether anything is wrong with the board.
+    #[inline]
+    pub(super) fn is_ill(&self) -> bool {
+        self.overrun
+            | self.converter_fault
+            | self.parameters_corrupt
+            | self.emergency_stop
+            | self.drive_power_lost
+    }
+}
+
 /// What was found while the board booted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BootReport {

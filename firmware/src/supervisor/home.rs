@@ -30,13 +30,22 @@ impl Home {
     #[inline]
     pub fn model_counts(&mut self, since_power_on: &[i32; 3]) -> [i32; 3] {
         self.last_counts = *since_power_on;
-        let mut counts = *since_power_on;
+        self.counts()
+    }
+
+    /// The same, of the last tick.
+    #[inline]
+    pub fn counts(&self) -> [i32; 3] {
+        [0, 1, 2].map(|i| self.last_counts[i].wrapping_add(self.offset_counts[i]))
+    }
+
+    /// Notes how far the encoders have been moved, once a tick.
+    #[inline]
+    pub fn note_travel(&mut self) {
         for i in 0..3 {
-            let went = counts[i].wrapping_sub(self.base_counts[i]).unsigned_abs();
+            let went = self.last_counts[i].wrapping_sub(self.base_counts[i]).unsigned_abs();
             self.furthest_counts[i] = self.furthest_counts[i].max(went);
-            counts[i] = counts[i].wrapping_add(self.offset_counts[i]);
         }
-        counts
     }
 
     /// Sets the present position of the joints; that of a joint whose encoder may be dead stays

@@ -3,8 +3,10 @@
 use core::f32::consts::TAU;
 
 use super::fault::{Fault, Implausible};
+use super::joint_limits::{DITHER_COUNTS, Limits, SATURATION_WEIGHT};
 use super::range_monitor::RangeMonitor;
 use super::stall::StallMonitor;
+use crate::joint::JointSample;
 use crate::{Angle, Mode, ParameterBlock};
 
 /// Ticks over which the velocity estimate is compared with the encoder's travel.
@@ -13,25 +15,6 @@ const WINDOW_TICKS: u32 = 64;
 const REST_RAD_PER_S: f32 = 0.05;
 /// Largest difference between the mean velocity estimate and the encoder's over a window [rad/s].
 const DISAGREEMENT_RAD_PER_S: f32 = 0.1;
-/// Dither of an encoder at a joint at rest, and about a smooth motion [counts].
-const DITHER_COUNTS: u32 = 3;
-
-/// A tick at the limit counts as many of those below it, so that no limit cycle with a fifth of
-/// its ticks at the limit goes on.
-const SATURATION_WEIGHT: u32 = 4;
-
-/// What is measured and commanded at a joint in a tick.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct JointSample {
-    pub count: i32,
-    pub velocity_rad_per_s: f32,
-    pub measured: Angle,
-    pub reference: Angle,
-    pub command_v: f32,
-    pub saturated: bool,
-    pub finite: bool,
-}
-
 /// A limit that was exceeded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct LimitViolation {
@@ -44,39 +27,6 @@ impl LimitViolation {
     /// A fault without figures.
     pub fn of(fault: Fault) -> Self {
         Self { fault, value: 0.0, limit: 0.0 }
-    }
-}
-
-/// The limits of one joint, in the units in which they are compared.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Limits {
-    jump_counts: u32,
-    speed_rad_per_s: f32,
-    tracking_error_rad: f32,
-    saturated_quarters: u32,
-    stuck_travel_rad: f32,
-    stuck_voltage_v: f32,
-    stuck_ticks: u32,
-}
-
-impl Limits {
-    fn of(block: &ParameterBlock, index: usize) -> Self {
-        let (safety, period_s) = (&block.safety, block.sample_period_s);
-        let counts_per_radian = block.encoder_counts_per_turn as f32 / TAU;
-        let acceleration = safety.acceleration_rad_per_s2[index];
-        let jump = acceleration * period_s * period_s * counts_per_radian;
-        Self {
-            // Converting to integers saturates.
-            jump_counts: (jump as u32).saturating_add(DITHER_COUNTS),
-            speed_rad_per_s: safety.speed_rad_per_s[index],
-            tracking_error_rad: safety.tracking_error_rad[index],
-            saturated_quarters: ((safety.saturation_s / period_s + 0.5) as u32)
-                .saturating_mul(SATURATION_WEIGHT),
-            stuck_travel_rad: safety.stuck_travel_rad,
-            // Commands that are cut below that must not hide a dead encoder.
-            stuck_voltage_v: safety.stuck_voltage_v.min(0.9 * block.command_limit_v),
-            stuck_ticks: (safety.stuck_s / period_s + 0.5) as u32,
-        }
     }
 }
 
@@ -96,6 +46,8 @@ pub(super) struct JointMonitor {
     /// Ticks seen so far, counted until the estimates have settled.
     ticks: u32,
     ticks_since_jump: u32,
+    /// The command of the last tick was cut.
+    was_cut: bool,
     /// Ticks at the limit, [`SATURATION_WEIGHT`] each, less those below it.
     saturated_quarters: u32,
     standstill: Standstill,
@@ -125,9 +77,11 @@ struct Window {
 impl JointMonitor {
     /// The monitor of joint `index` (0 to 2) with a checked block.
     pub fn new(block: &ParameterBlock, index: usize) -> Self {
+        // The compiler sees that no index below can be out of bounds: the tick comes here.
+        let index = index.min(2);
         let period_s = block.sample_period_s;
         Self {
-            limits: Limits::of(block, index),
+            limits: Limits::of(block, index, has_reference(block.mode[index])),
             has_reference: has_reference(block.mode[index]),
             radians_per_count: TAU / block.encoder_counts_per_turn as f32,
             rate_per_s: 1.0 / period_s,
@@ -137,6 +91,7 @@ impl JointMonitor {
             jump_counts: 0,
             ticks: 0,
             ticks_since_jump: WINDOW_TICKS,
+            was_cut: false,
             saturated_quarters: 0,
             standstill: Standstill::default(),
             stall: StallMonitor::new(block, index),
@@ -172,41 +127,51 @@ impl JointMonitor {
         self.standstill.count = self.last_count.wrapping_add(i32::MIN); // Out of reach: the next count restarts it.
     }
 
-    /// Checks a tick outside a run: jump, speed, finiteness.
-    #[inline]
-    pub fn check_at_rest(&mut self, sample: &JointSample) -> Option<Fault> {
+    /// Takes a tick in; whether it must be looked at closely, for a fault or not.
+    #[inline(always)]
+    pub fn is_suspicious(&mut self, sample: &JointSample, running: bool) -> bool {
         self.track_count(sample.count);
-        self.compare_velocity(sample);
-        if self.jump_counts > self.limits.jump_counts {
-            self.ticks_since_jump = 0;
+        self.was_cut = sample.saturated;
+        let stands = running && self.is_cut_or_stands(sample);
+        stands
+            || self.jump_counts > self.limits.jump_counts
+            || !self.limits.allow_speed(sample.velocity_rad_per_s)
+            || running && error_units(sample) >= self.limits.far_units
+            || running && self.range.is_left_by(sample)
+            || !sample.is_finite()
+    }
+
+    /// What is wrong in the tick that was just taken in; stall and range are looked at apart.
+    #[cold]
+    pub fn fault(&self, sample: &JointSample, running: bool) -> Option<Fault> {
+        let limits = &self.limits;
+        if self.jumps() {
             Some(Fault::EncoderJump)
-        } else if !(sample.finite && sample.velocity_rad_per_s.is_finite()) {
+        } else if !(sample.is_finite() && sample.velocity_rad_per_s.is_finite()) {
             Some(Fault::NotFinite)
-        } else if sample.velocity_rad_per_s.abs() > self.limits.speed_rad_per_s {
+        } else if sample.velocity_rad_per_s.abs() > limits.speed_rad_per_s {
             Some(Fault::Speed)
+        } else if !running {
+            None
+        } else if self.has_reference && tracking_error_rad(sample) > limits.tracking_error_rad {
+            Some(Fault::TrackingError)
+        } else if self.is_stuck(sample) {
+            Some(Fault::EncoderStuck)
+        } else if self.saturated_quarters > limits.saturated_quarters {
+            Some(Fault::Saturation)
         } else {
             None
         }
     }
 
-    /// Checks a tick of a run.
-    #[inline]
-    pub fn check_running(&mut self, sample: &JointSample) -> Option<Fault> {
-        let rest = self.check_at_rest(sample);
-        self.count_saturation(sample.saturated);
-        let stuck = self.is_stuck(sample);
-        if rest.is_some() {
-            rest
-        } else if self.has_reference && tracking_error_rad(sample) > self.limits.tracking_error_rad
-        {
-            Some(Fault::TrackingError)
-        } else if stuck {
-            Some(Fault::EncoderStuck)
-        } else if self.saturated_quarters > self.limits.saturated_quarters {
-            Some(Fault::Saturation)
-        } else {
-            None
-        }
+    /// Whether the encoder has jumped; its first two moves mean nothing.
+    fn jumps(&self) -> bool {
+        self.ticks >= 2 && self.jump_counts > self.limits.jump_counts
+    }
+
+    /// Whether the command of the last tick was cut.
+    pub fn was_cut(&self) -> bool {
+        self.was_cut
     }
 
     /// Counts, and whether it is time to look what holds the joint.
@@ -238,7 +203,7 @@ impl JointMonitor {
             Fault::EncoderStuck if self.has_reference => {
                 (sample.reference.minus(self.standstill.reference).abs(), limits.stuck_travel_rad)
             }
-            Fault::EncoderStuck => (sample.command_v.abs(), limits.stuck_voltage_v),
+            Fault::EncoderStuck => (sample.command_v().abs(), limits.stuck_voltage_v),
             Fault::PositionLimit => {
                 self.range.leaves(sample.count, sample.velocity_rad_per_s).unwrap_or_default()
             }
@@ -252,7 +217,7 @@ impl JointMonitor {
 
     /// Why the estimates are implausible, if they are.
     pub fn implausible(&self, sample: &JointSample) -> Option<Implausible> {
-        if !sample.finite || !sample.velocity_rad_per_s.is_finite() {
+        if !sample.is_finite() || !sample.velocity_rad_per_s.is_finite() {
             Some(Implausible::NotFinite)
         } else if self.ticks < 2 * WINDOW_TICKS {
             Some(Implausible::NotSettled)
@@ -267,18 +232,24 @@ impl JointMonitor {
         }
     }
 
-    /// The change of the encoder's step from the one before, zero until one is known.
+    /// The change of the encoder's step from the one before.
     #[inline]
     fn track_count(&mut self, count: i32) {
         let moved = count.wrapping_sub(self.last_count);
-        let change = moved.wrapping_sub(self.last_move).unsigned_abs();
+        self.jump_counts = moved.wrapping_sub(self.last_move).unsigned_abs();
         self.last_count = count;
         self.last_move = moved;
-        self.ticks_since_jump = self.ticks_since_jump.saturating_add(1);
+    }
+
+    /// The rest of a tick, on which no code depends.
+    #[inline]
+    pub fn complete(&mut self, sample: &JointSample) {
+        self.ticks_since_jump =
+            if self.jumps() { 0 } else { self.ticks_since_jump.saturating_add(1) };
         if self.ticks < 2 * WINDOW_TICKS {
             self.ticks += 1;
         }
-        self.jump_counts = if self.ticks <= 2 { 0 } else { change };
+        self.compare_velocity(sample);
     }
 
     /// Compares the estimate with the encoder's travel, once a window.
@@ -301,36 +272,55 @@ impl JointMonitor {
         window.sum_rad_per_s += sample.velocity_rad_per_s;
     }
 
-    #[inline]
-    fn count_saturation(&mut self, saturated: bool) {
+    /// Counts what goes on for many ticks; whether it has gone on for too long.
+    #[inline(always)]
+    fn is_cut_or_stands(&mut self, sample: &JointSample) -> bool {
+        let is_cut = (sample.saturated || self.saturated_quarters != 0)
+            && self.count_saturation(sample.saturated);
+        let moved = sample.count.wrapping_sub(self.standstill.count).unsigned_abs();
+        if moved <= DITHER_COUNTS {
+            return self.stands(sample) || is_cut;
+        }
+        let (count, reference) = (sample.count, sample.reference);
+        self.standstill = Standstill { count, reference, pushed_ticks: 0 };
+        self.stall.moves();
+        is_cut
+    }
+
+    /// Whether the command was at its limit for too long.
+    #[inline(never)]
+    fn count_saturation(&mut self, saturated: bool) -> bool {
         let quarters = self.saturated_quarters;
         self.saturated_quarters = match saturated {
             true => quarters.saturating_add(SATURATION_WEIGHT),
             false => quarters.saturating_sub(1),
         };
+        self.saturated_quarters > self.limits.saturated_quarters
     }
 
-    /// Whether the encoder does not move although its joint must.
-    #[inline]
-    fn is_stuck(&mut self, sample: &JointSample) -> bool {
-        let standstill = &mut self.standstill;
-        if sample.count.wrapping_sub(standstill.count).unsigned_abs() > DITHER_COUNTS {
-            let (count, reference) = (sample.count, sample.reference);
-            *standstill = Standstill { count, reference, pushed_ticks: 0 };
-            self.stall.moves();
-            return false;
-        }
+    /// Counts a tick in which the encoder has not moved; whether its joint must have.
+    #[inline(never)]
+    fn stands(&mut self, sample: &JointSample) -> bool {
         if self.has_reference {
-            self.stall.stands(sample.command_v);
+            self.stall.stands(sample.command_v());
+            return self.is_stuck(sample) || self.stall.is_due();
+        }
+        let pushed = sample.command_v().abs() > self.limits.stuck_voltage_v;
+        // A voltage that swings to and fro pushes too.
+        let ticks = self.standstill.pushed_ticks;
+        self.standstill.pushed_ticks =
+            if pushed { ticks.saturating_add(1) } else { ticks.saturating_sub(1) };
+        self.is_stuck(sample)
+    }
+
+    /// Whether the encoder has stood for so long that its joint must have moved.
+    #[inline]
+    fn is_stuck(&self, sample: &JointSample) -> bool {
+        let standstill = &self.standstill;
+        if self.has_reference {
             let travel_rad = sample.reference.minus(standstill.reference).abs();
             return travel_rad > self.limits.stuck_travel_rad;
         }
-        let pushed = sample.command_v.abs() > self.limits.stuck_voltage_v;
-        // A voltage that swings to and fro pushes too.
-        standstill.pushed_ticks = match pushed {
-            true => standstill.pushed_ticks.saturating_add(1),
-            false => standstill.pushed_ticks.saturating_sub(1),
-        };
         standstill.pushed_ticks > self.limits.stuck_ticks
     }
 }
@@ -338,6 +328,12 @@ impl JointMonitor {
 #[inline]
 fn tracking_error_rad(sample: &JointSample) -> f32 {
     sample.reference.minus(sample.measured).abs()
+}
+
+/// Distance from the reference, in the units of an [`Angle`].
+#[inline]
+fn error_units(sample: &JointSample) -> u32 {
+    sample.reference.0.wrapping_sub(sample.measured.0).unsigned_abs()
 }
 
 /// Whether a mode tracks a reference.

@@ -22,6 +22,7 @@ mod display;
 pub mod fault;
 mod health;
 mod home;
+mod joint_limits;
 mod joint_monitor;
 pub mod latch;
 mod monitored_controller;

@@ -1,8 +1,10 @@
 //! The controller with a monitor on each of its joints.
 
-use super::joint_monitor::{JointMonitor, JointSample, has_reference};
+use super::fault::Fault;
+use super::joint_monitor::{JointMonitor, has_reference};
 use super::orders::OrderError;
-use crate::{Angle, Controller, DacCode, Mode, TickOutput};
+use crate::joint::JointSample;
+use crate::{Angle, Controller, DacCode, Mode};
 
 /// A controller and the monitors of its joints.
 #[derive(Clone, Debug)]
@@ -10,7 +12,7 @@ pub(super) struct MonitoredController {
     pub controller: Controller,
     pub joints: [JointMonitor; 3],
     pub mode: [Mode; 3],
-    pub last: TickOutput,
+    pub last: [JointSample; 3],
 }
 
 impl MonitoredController {
@@ -19,7 +21,7 @@ impl MonitoredController {
         Self {
             joints: [0, 1, 2].map(|index| JointMonitor::new(block, index)),
             mode: block.mode,
-            last: TickOutput::default(),
+            last: Default::default(),
             controller,
         }
     }
@@ -41,25 +43,55 @@ impl MonitoredController {
     /// Whether every joint is at rest and its estimates can be right.
     pub fn is_plausible(&self) -> Result<(), OrderError> {
         for (joint, index) in (1..).zip(0..3) {
-            let sample = self.sample(index, self.joints[index].last_count());
-            if let Some(why) = self.joints[index].implausible(&sample) {
+            if let Some(why) = self.joints[index].implausible(&self.last[index]) {
                 return Err(OrderError::Implausible { joint, why });
             }
         }
         Ok(())
     }
 
+    /// Runs the controller; whether something about a joint must be looked at.
     #[inline]
-    pub fn sample(&self, index: usize, count: i32) -> JointSample {
-        let output = &self.last;
-        JointSample {
-            count,
-            velocity_rad_per_s: output.velocity_rad_per_s[index],
-            measured: output.measured[index],
-            reference: output.reference[index],
-            command_v: output.codes[index].to_volts(),
-            saturated: output.saturated[index],
-            finite: output.is_finite(index),
+    pub fn act(&mut self, counts: &[i32; 3], running: bool) -> bool {
+        if !self.controller.is_running() {
+            return self.act_at_rest(counts, running);
+        }
+        let Self { controller, joints, last, .. } = self;
+        let mut is_suspicious = false;
+        controller.act(counts, last, |index, sample| {
+            is_suspicious |= joints[index].is_suspicious(sample, running);
+        });
+        is_suspicious
+    }
+
+    #[inline(never)]
+    fn act_at_rest(&mut self, counts: &[i32; 3], running: bool) -> bool {
+        self.controller.only_measure(counts, &mut self.last);
+        let joints = self.joints.iter_mut().zip(&self.last);
+        joints.fold(false, |is, (joint, sample)| is | joint.is_suspicious(sample, running))
+    }
+
+    /// What is wrong with joint `index` (0 to 2) in this tick.
+    #[cold]
+    pub fn fault(&mut self, index: usize, running: bool, brakes: bool) -> Option<Fault> {
+        let sample = self.last[index];
+        let joint = &mut self.joints[index];
+        let fault = joint.fault(&sample, running);
+        if fault.is_some() || !running {
+            return fault;
+        }
+        if joint.stall().is_due() && self.is_stalled(index) {
+            return Some(Fault::Stalled);
+        }
+        let leaves = !brakes && self.joints[index].range().is_left_by(&sample);
+        leaves.then_some(Fault::PositionLimit)
+    }
+
+    /// The rest of a tick, on which no code depends.
+    #[inline]
+    pub fn complete(&mut self) {
+        for (joint, sample) in self.joints.iter_mut().zip(&self.last) {
+            joint.complete(sample);
         }
     }
 
@@ -68,7 +100,7 @@ impl MonitoredController {
         let limits = self.controller.block().safety.start_error_rad;
         let start = self.controller.start_of_reference();
         for (number, index) in (1..).zip(0..3) {
-            let distance_rad = start[index].minus(self.last.measured[index]);
+            let distance_rad = start[index].minus(self.last[index].measured);
             if has_reference(self.mode[index]) && distance_rad.abs() > limits[index] {
                 return Err(OrderError::FarFromStart { joint: number, distance_rad });
             }
@@ -93,17 +125,17 @@ impl MonitoredController {
 
     /// Brakes the joints to rest.
     pub fn brake(&mut self) {
-        self.controller.brake(&self.last.velocity_rad_per_s);
+        self.controller.brake(&self.last.map(|sample| sample.velocity_rad_per_s));
     }
 
     /// The voltage at joint `index` (0 to 2) less gravity's, and what friction may hold of it [V].
     #[cold]
     pub fn unbalanced_v(&self, index: usize) -> (f32, f32) {
-        let command_v = self.last.codes[index].to_volts();
+        let command_v = self.last[index].command_v();
         // A joint without a reference may not know where it is.
         let posture = [0, 1, 2].map(|i| match has_reference(self.mode[i]) {
-            true => self.last.measured[i],
-            false => self.last.reference[i],
+            true => self.last[i].measured,
+            false => self.last[i].reference,
         });
         let net_v = command_v - self.controller.gravity_v(&posture)[index];
         (net_v.abs(), self.joints[index].stall_limit_v())
@@ -122,14 +154,15 @@ impl MonitoredController {
 
     /// Begins the reference, without a step of the feedback where the joints are off its start.
     pub fn start(&mut self, start: &[Angle; 3]) {
-        self.controller.start_from(start, &self.last.measured);
+        self.controller.start_from(start, &self.last.map(|sample| sample.measured));
         self.joints.iter_mut().for_each(JointMonitor::begin_run);
     }
 
     /// Sets the codes to 0 V, in this tick too.
     pub fn stop(&mut self) {
         self.controller.stop();
-        self.last.codes = [DacCode(0); 3];
-        self.last.saturated = [false; 3];
+        for sample in &mut self.last {
+            (sample.code, sample.saturated) = (DacCode(0), false);
+        }
     }
 }

@@ -4,6 +4,7 @@ use core::f32::consts::TAU;
 
 use crate::ParameterBlock;
 use crate::block::PositionLimits;
+use crate::joint::JointSample;
 use crate::reference::braking_distance_rad;
 
 /// A joint's range and how it is measured.
@@ -38,6 +39,12 @@ impl RangeMonitor {
         } else {
             None
         }
+    }
+
+    /// Whether the joint would leave its range.
+    #[inline]
+    pub fn is_left_by(&self, sample: &JointSample) -> bool {
+        self.leaves(sample.count, sample.velocity_rad_per_s).is_some()
     }
 
     /// The position and the end of the range that it is beyond [rad].

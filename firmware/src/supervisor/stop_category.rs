@@ -30,7 +30,8 @@ impl Fault {
             | Self::Converter
             | Self::Stalled
             | Self::EmergencyStop
-            | Self::DrivePower => StopCategory::Off,
+            | Self::DrivePower
+            | Self::Crash => StopCategory::Off,
         }
     }
 }

@@ -2,41 +2,92 @@
 
 use super::fault::{Fault, State};
 use super::health::Health;
-use super::joint_monitor::{JointSample, LimitViolation};
-use super::monitored_controller::MonitoredController;
+use super::joint_monitor::LimitViolation;
 use super::state_machine::Supervisor;
 use super::stop_category::StopCategory;
 use super::tick_record::TickRecord;
+use crate::joint::JointSample;
 use crate::{Angle, DacCode, Mode};
 
 impl Supervisor {
     /// One tick: counts since power-on in; codes, and all that there is to tell, out.
-    #[inline(never)]
     pub fn tick(&mut self, counts: &[i32; 3], health: Health) -> TickRecord {
-        self.health = health;
+        self.act(counts, &health);
+        self.complete()
+    }
+
+    /// The first part of a tick: counts since power-on in, [`Self::codes`] out. [`Self::complete`] follows
+    /// before the next order or tick.
+    #[inline(never)]
+    pub fn act(&mut self, counts: &[i32; 3], health: &Health) {
+        self.health = *health;
         self.counters.ticks = self.counters.ticks.wrapping_add(1);
-        self.counters.overruns = self.counters.overruns.wrapping_add(u32::from(health.overrun));
-        let longest = self.counters.longest_tick_tenth_us.max(u32::from(health.tick_time_tenth_us));
-        self.counters.longest_tick_tenth_us = longest;
         // Without a branch, so that the tick's cost does not depend on the line.
         self.silent_ticks = self.silent_ticks.saturating_add(1) * u32::from(!health.host_heard);
         if self.state == State::Stopping && self.controlled_stop.is_over() {
             self.stop(State::Faulted);
         }
-        let counts = &self.home.model_counts(counts);
+        let counts = self.home.model_counts(counts);
         let board = self.board_fault();
-        let joint = self.control(counts);
+        let joint = self.control(&counts);
         if let Some(violation) = board {
             self.enter_fault(0, violation);
         } else if let Some((index, fault)) = joint {
-            self.enter_joint_fault(index, fault, counts[index]);
+            self.enter_joint_fault(index, fault);
         }
-        self.record(counts)
+    }
+
+    /// The codes of the last tick for the converter; `None` where it is held at 0 V.
+    #[inline]
+    pub fn codes(&self) -> Option<[DacCode; 3]> {
+        self.driven().map(|last| last.each_ref().map(|sample| sample.code))
+    }
+
+    /// The second part of a tick, once the codes are out: what no code depends on.
+    #[inline(never)]
+    pub fn complete(&mut self) -> TickRecord {
+        let Health { overrun, tick_time_tenth_us, .. } = self.health;
+        self.counters.overruns = self.counters.overruns.wrapping_add(u32::from(overrun));
+        let longest = self.counters.longest_tick_tenth_us.max(u32::from(tick_time_tenth_us));
+        self.counters.longest_tick_tenth_us = longest;
+        self.home.note_travel();
+        let counts = self.home.counts();
+        if let Some(monitored) = &mut self.monitored {
+            monitored.complete();
+            for (count, joint) in self.counters.saturated.iter_mut().zip(&monitored.joints) {
+                *count = count.wrapping_add(u32::from(joint.was_cut()));
+            }
+        }
+        self.record(&counts)
+    }
+
+    /// Computes what the next tick can know already: after [`Self::complete`] and any orders, with
+    /// the time that is left. The codes are the same without it.
+    #[inline(never)]
+    pub fn prepare(&mut self) {
+        if let Some(monitored) = &mut self.monitored {
+            monitored.controller.prepare();
+        }
+    }
+
+    /// What the controller has put out, where it goes to the converter.
+    #[inline]
+    fn driven(&self) -> Option<&[JointSample; 3]> {
+        let monitored = self.monitored.as_ref().filter(|_| self.state.drives())?;
+        Some(&monitored.last)
     }
 
     /// A fault of the board, not of a joint.
     #[inline]
     fn board_fault(&self) -> Option<LimitViolation> {
+        let is_ill = self.health.is_ill();
+        let is_silent = self.host_timeout_ticks.is_some_and(|most| self.silent_ticks > most);
+        let holds = self.monitored.as_ref().is_some_and(|m| m.controller.has_ended());
+        if is_ill | is_silent | holds { self.first_board_fault() } else { None }
+    }
+
+    #[cold]
+    fn first_board_fault(&self) -> Option<LimitViolation> {
         if self.state.enables() && self.health.emergency_stop {
             return Some(LimitViolation::of(Fault::EmergencyStop));
         }
@@ -82,26 +133,19 @@ impl Supervisor {
     /// Runs the controller and checks every joint; returns the first one (0 to 2) at fault.
     #[inline]
     fn control(&mut self, counts: &[i32; 3]) -> Option<(usize, Fault)> {
-        let monitored = self.monitored.as_mut()?;
-        monitored.last = monitored.controller.tick(counts);
         let running = self.state.drives();
+        let monitored = self.monitored.as_mut()?;
+        if monitored.act(counts, running) { self.first_fault(running) } else { None }
+    }
+
+    /// Looks at every joint closely.
+    #[cold]
+    fn first_fault(&mut self, running: bool) -> Option<(usize, Fault)> {
+        let monitored = self.monitored.as_mut()?;
         let brakes = self.state == State::Stopping;
         let mut first: Option<(usize, Fault)> = None;
         for index in 0..3 {
-            let sample = monitored.sample(index, counts[index]);
-            let joint = &mut monitored.joints[index];
-            let fault =
-                if running { joint.check_running(&sample) } else { joint.check_at_rest(&sample) };
-            let is_due = running && fault.is_none() && joint.stall().is_due();
-            let fault = match is_due && monitored.is_stalled(index) {
-                true => Some(Fault::Stalled),
-                false => fault,
-            };
-            let leaves =
-                running && !brakes && fault.is_none() && joint_leaves(monitored, index, &sample);
-            let fault = if leaves { Some(Fault::PositionLimit) } else { fault };
-            let cut = u32::from(sample.saturated);
-            self.counters.saturated[index] = self.counters.saturated[index].wrapping_add(cut);
+            let fault = monitored.fault(index, running, brakes);
             if fault == Some(Fault::EncoderJump) {
                 self.home.invalidate(index);
             }
@@ -117,7 +161,7 @@ impl Supervisor {
     }
 
     #[cold]
-    fn enter_joint_fault(&mut self, index: usize, fault: Fault, count: i32) {
+    fn enter_joint_fault(&mut self, index: usize, fault: Fault) {
         if fault == Fault::EncoderStuck {
             self.home.invalidate(index);
         }
@@ -127,7 +171,7 @@ impl Supervisor {
                 let (value, limit) = monitored.unbalanced_v(index);
                 LimitViolation { fault, value, limit }
             }
-            _ => monitored.joints[index].violation(fault, &monitored.sample(index, count)),
+            _ => monitored.joints[index].violation(fault, &monitored.last[index]),
         };
         self.enter_fault(index as u8 + 1, violation);
     }
@@ -135,27 +179,19 @@ impl Supervisor {
     /// The record of this tick.
     #[inline]
     fn record(&self, counts: &[i32; 3]) -> TickRecord {
-        let output = self.monitored.as_ref().map(|monitored| (&monitored.last, monitored.mode));
-        let running = output.filter(|_| self.state.drives());
+        let running = self.driven();
         TickRecord {
             tick: self.counters.ticks,
             counts: *counts,
-            codes: running.map_or([DacCode(0); 3], |(output, _)| output.codes),
-            reference: running.map_or([Angle(0); 3], |(output, _)| output.reference),
-            mode: output.map_or([Mode::OpenLoop; 3], |(_, mode)| mode),
+            codes: running.map_or([DacCode(0); 3], |last| last.map(|sample| sample.code)),
+            reference: running.map_or([Angle(0); 3], |last| last.map(|sample| sample.reference)),
+            mode: self.monitored.as_ref().map_or([Mode::OpenLoop; 3], |monitored| monitored.mode),
             state: self.state,
-            saturated: running.map_or(0, |(output, _)| bits(&output.saturated)),
+            saturated: running.map_or(0, |last| bits(&last.map(|sample| sample.saturated))),
             fault: self.fault.map(|record| (record.fault, record.joint)),
             tick_time_tenth_us: self.health.tick_time_tenth_us,
         }
     }
-}
-
-/// Whether joint `index` (0 to 2) would leave its range.
-#[inline]
-fn joint_leaves(monitored: &MonitoredController, index: usize, sample: &JointSample) -> bool {
-    let range = monitored.joints[index].range();
-    range.leaves(sample.count, sample.velocity_rad_per_s).is_some()
 }
 
 #[inline]

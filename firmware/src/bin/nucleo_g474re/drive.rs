@@ -3,10 +3,15 @@
 //! Every level that is missing, or whose wire is broken, is the safe one: resistors pull the
 //! outputs low while nothing drives them, the inputs pull themselves low.
 
-use embassy_stm32::Peri;
 use embassy_stm32::gpio::{Input, Level, Output, Pull, Speed};
+use embassy_stm32::pac::gpio::vals::Idr;
 use embassy_stm32::peripherals::{PC5, PC6, PC8, PC9};
+use embassy_stm32::{Peri, pac};
 use firmware::supervisor::{DriveOutputs, Health};
+
+/// The inputs are PC5 and PC8.
+const EMERGENCY_STOP: usize = 5;
+const POWER_GOOD: usize = 8;
 
 /// The pins to amplifiers and emergency stop.
 pub struct DrivePins {
@@ -20,8 +25,8 @@ pub struct DrivePins {
 pub struct Drive {
     enable: Output<'static>,
     brakes: Output<'static>,
-    power_good: Input<'static>,
-    not_pressed: Input<'static>,
+    _power_good: Input<'static>,
+    _not_pressed: Input<'static>,
     /// What was low in the tick before: a single disturbed sample stops nothing.
     was_low: [bool; 2],
 }
@@ -32,8 +37,8 @@ impl Drive {
         Self {
             enable: Output::new(pins.enable, Level::Low, Speed::Low),
             brakes: Output::new(pins.brakes, Level::Low, Speed::Low),
-            power_good: Input::new(pins.power_good, Pull::Down),
-            not_pressed: Input::new(pins.emergency_stop, Pull::Down),
+            _power_good: Input::new(pins.power_good, Pull::Down),
+            _not_pressed: Input::new(pins.emergency_stop, Pull::Down),
             was_low: [true; 2],
         }
     }
@@ -41,7 +46,9 @@ impl Drive {
     /// Reads both inputs, for the tick.
     #[inline]
     pub fn read(&mut self, health: &mut Health) {
-        let is_low = [self.not_pressed.is_low(), self.power_good.is_low()];
+        // Both at once, at the same instant.
+        let levels = pac::GPIOC.idr().read();
+        let is_low = [EMERGENCY_STOP, POWER_GOOD].map(|pin| levels.idr(pin) == Idr::LOW);
         health.emergency_stop = is_low[0] && self.was_low[0];
         health.drive_power_lost = is_low[1] && self.was_low[1];
         self.was_low = is_low;

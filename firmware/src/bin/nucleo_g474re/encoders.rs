@@ -1,6 +1,7 @@
 //! Three quadrature encoders, each counted by a timer, four counts a line.
 
 use embassy_stm32::Peri;
+use embassy_stm32::gpio::Pull;
 use embassy_stm32::pac;
 use embassy_stm32::pac::timer::vals::FilterValue;
 use embassy_stm32::peripherals::{PA0, PA1, PA6, PA7, PA8, PA9, TIM1, TIM2, TIM3};
@@ -11,6 +12,11 @@ use firmware::encoder::CounterExtender;
 ///
 /// At full speed, 983 counts a tick, an edge comes every 1.02 us.
 const FILTER: FilterValue = FilterValue::FDTS_DIV4_N8;
+
+/// An input that nothing is connected to, or whose wire is broken, has a level and does not count.
+fn pulled_up() -> Config {
+    Config { ch1_pull: Pull::Up, ch2_pull: Pull::Up, ..Config::default() }
+}
 
 /// A timer and its channels A and B.
 type Wires<T, A, B> = (Peri<'static, T>, Peri<'static, A>, Peri<'static, B>);
@@ -31,9 +37,9 @@ impl Encoders {
         third: Wires<TIM1, PA8, PA9>,
     ) -> Self {
         let mut encoders = Self {
-            first: Qei::new(first.0, first.1, first.2, Config::default()),
-            second: Qei::new(second.0, second.1, second.2, Config::default()),
-            third: Qei::new(third.0, third.1, third.2, Config::default()),
+            first: Qei::new(first.0, first.1, first.2, pulled_up()),
+            second: Qei::new(second.0, second.1, second.2, pulled_up()),
+            third: Qei::new(third.0, third.1, third.2, pulled_up()),
             extenders: [CounterExtender::default(); 3],
         };
         encoders.filter_and_zero();

@@ -11,14 +11,17 @@ use embassy_time::{Duration, Instant};
 use firmware::link::{SupervisorAccess, SupervisorStatus};
 use firmware::supervisor::{Order, OrderError, State, TickRecord};
 use firmware::{Controller, ParameterBlock};
-use heapless::spsc::{Consumer, Producer, Queue};
 
-/// A queue of N slots holds N - 1 things.
-type Controllers = Queue<Controller, 2>;
-type Questions = Queue<Question, 2>;
-type Replies = Queue<Reply, 2>;
-/// 31 ms of records while the line sends something else.
-type Records = Queue<TickRecord, 32>;
+use crate::queue::{Consumer, Producer, Queue};
+
+type Controllers = Queue<Controller, 1>;
+type Questions = Queue<Question, 1>;
+type Replies = Queue<Reply, 1>;
+/// What the line may do meanwhile [ticks].
+const RECORDS: usize = 32;
+type Records = Queue<TickRecord, RECORDS>;
+/// The end at which the tasks take the tick's records out.
+pub type RecordReader = Consumer<TickRecord, RECORDS>;
 
 /// By then the tick has answered, whenever it was asked.
 const ANSWERED_AFTER: Duration = Duration::from_millis(4);
@@ -44,22 +47,22 @@ pub struct Reply {
 
 /// The tasks' end.
 pub struct Remote {
-    controllers: Producer<'static, Controller>,
-    questions: Producer<'static, Question>,
-    replies: Consumer<'static, Reply>,
+    controllers: Producer<Controller, 1>,
+    questions: Producer<Question, 1>,
+    replies: Consumer<Reply, 1>,
     status: SupervisorStatus,
 }
 
 /// The tick's end.
 pub struct Inbox {
-    pub controllers: Consumer<'static, Controller>,
-    pub questions: Consumer<'static, Question>,
-    pub replies: Producer<'static, Reply>,
-    pub records: Producer<'static, TickRecord>,
+    pub controllers: Consumer<Controller, 1>,
+    pub questions: Consumer<Question, 1>,
+    pub replies: Producer<Reply, 1>,
+    pub records: Producer<TickRecord, RECORDS>,
 }
 
 /// Both ends and the tick's records; `None` the second time.
-pub fn channel() -> Option<(Remote, Consumer<'static, TickRecord>, Inbox)> {
+pub fn channel() -> Option<(Remote, RecordReader, Inbox)> {
     let controllers = singleton!(: Controllers = Queue::new())?.split();
     let questions = singleton!(: Questions = Queue::new())?.split();
     let replies = singleton!(: Replies = Queue::new())?.split();
@@ -84,7 +87,7 @@ impl Remote {
     fn ask(&mut self, question: Question) -> Result<(), OrderError> {
         // An answer that came too late for an earlier question.
         while self.replies.dequeue().is_some() {}
-        let asked = self.questions.enqueue(question).is_ok();
+        let asked = self.questions.enqueue(question);
         let end = Instant::now() + ANSWERED_AFTER;
         while asked && Instant::now() < end {
             if let Some(reply) = self.replies.dequeue() {
@@ -111,10 +114,10 @@ impl SupervisorAccess for Remote {
     }
 
     fn replace(&mut self, block: &ParameterBlock) -> Result<(), OrderError> {
-        let waits = self.controllers.enqueue(Controller::new(block.clone())).is_err();
-        match waits {
-            true => Err(OrderError::NotNow { state: self.status.state }),
-            false => self.ask(Question::Replace),
+        match self.controllers.enqueue(Controller::new(block.clone())) {
+            true => self.ask(Question::Replace),
+            // An earlier one still waits.
+            false => Err(OrderError::NotNow { state: self.status.state }),
         }
     }
 }

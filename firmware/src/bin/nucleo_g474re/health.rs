@@ -8,6 +8,7 @@ use embassy_stm32::{Peri, pac};
 use embassy_time::Timer;
 use firmware::supervisor::State;
 
+use crate::clocks::Source;
 use crate::exchange::SHARED;
 
 /// Time on and time off [ms].
@@ -20,14 +21,28 @@ fn rhythm_ms(state: State) -> (u64, u64) {
     }
 }
 
-/// Blinks the lamp.
+/// Time that the lamp is off in the middle of its light where the crystal is missing [ms].
+const GAP_MS: u64 = 40;
+
+/// Blinks the lamp; each light is two where the clock does not come from the crystal.
 #[embassy_executor::task]
-pub async fn show(pin: Peri<'static, PA5>) -> ! {
+pub async fn show(pin: Peri<'static, PA5>, source: Source) -> ! {
+    if source == Source::Internal {
+        defmt::error!("the crystal does not start: times are true to one in a hundred only");
+    }
     let mut lamp = Output::new(pin, Level::Low, Speed::Low);
     loop {
         let (on_ms, off_ms) = rhythm_ms(SHARED.state());
         lamp.set_high();
-        Timer::after_millis(on_ms).await;
+        if source == Source::Internal {
+            Timer::after_millis((on_ms - GAP_MS) / 2).await;
+            lamp.set_low();
+            Timer::after_millis(GAP_MS).await;
+            lamp.set_high();
+            Timer::after_millis((on_ms - GAP_MS) / 2).await;
+        } else {
+            Timer::after_millis(on_ms).await;
+        }
         lamp.set_low();
         Timer::after_millis(off_ms).await;
     }

@@ -10,9 +10,9 @@ use firmware::supervisor::latch::Latch;
 #[unsafe(link_section = ".uninit.LATCH")]
 static mut LATCH: MaybeUninit<Latch> = MaybeUninit::uninit();
 
-/// The fault that was latched before the reset; call it before the ticks begin.
+/// The fault that was latched before the reset; call it before the ticks begin, or after a crash.
 pub fn read() -> Option<FaultRecord> {
-    // SAFETY: all bytes of a `Latch` may have any value; nothing else runs yet.
+    // SAFETY: all bytes of a `Latch` may have any value; nothing else runs yet, or any more.
     let latch = unsafe { ptr::read_volatile((&raw const LATCH).cast::<Latch>()) };
     latch.fault()
 }

@@ -13,11 +13,9 @@ use embassy_stm32::{Peri, bind_interrupts, dma};
 use embassy_time::{Duration, Instant, with_timeout};
 use firmware::link::{BAUD, Handler, MAX_FRAME_BYTES, SupervisorAccess, Telemetry, ToHost};
 use firmware::store::Store;
-use firmware::supervisor::TickRecord;
 use heapless::Vec;
-use heapless::spsc::Consumer;
 
-use crate::exchange::{Remote, SHARED};
+use crate::exchange::{RecordReader, Remote, SHARED};
 use crate::flash::BoardFlash;
 
 /// 11 ms of a line that never pauses.
@@ -48,7 +46,7 @@ pub struct Link {
     sender: UartTx<'static, Async>,
     handler: Handler<Store<BoardFlash>>,
     remote: Remote,
-    records: Consumer<'static, TickRecord>,
+    records: RecordReader,
     stored_at: Instant,
     /// Records that the port did not take.
     records_lost: u32,
@@ -62,7 +60,7 @@ impl Link {
         receive_dma: Peri<'static, DMA1_CH2>,
         handler: Handler<Store<BoardFlash>>,
         remote: Remote,
-        records: Consumer<'static, TickRecord>,
+        records: RecordReader,
     ) -> Self {
         let mut config = Config::default();
         config.baudrate = BAUD;

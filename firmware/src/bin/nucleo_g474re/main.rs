@@ -8,13 +8,17 @@
 
 mod clocks;
 mod converter;
+mod converter_line;
 mod drive;
 mod encoders;
 mod exchange;
 mod flash;
 mod health;
+mod hot_code;
 mod latch;
 mod link;
+mod load;
+mod queue;
 mod safe_state;
 mod tick;
 mod watchdog;
@@ -32,6 +36,7 @@ use crate::converter::{Converter, ConverterPins};
 use crate::drive::{Drive, DrivePins};
 use crate::encoders::Encoders;
 use crate::link::{Link, LinkPins};
+use crate::load::Load;
 use crate::tick::Wired;
 use crate::watchdog::Watchdog;
 
@@ -44,7 +49,7 @@ bind_interrupts!(struct Interrupts {
 
 #[embassy_executor::main]
 async fn main(spawner: Spawner) {
-    let p = clocks::start();
+    let (p, clock_source) = clocks::start();
     clocks::put_tick_above_all();
     let watchdog_reset = health::was_reset_by_watchdog();
     let mut store = flash::store(p.FLASH);
@@ -52,15 +57,15 @@ async fn main(spawner: Spawner) {
     let watchdog = Watchdog::start(p.IWDG);
     let encoders =
         Encoders::new((p.TIM2, p.PA0, p.PA1), (p.TIM3, p.PA6, p.PA7), (p.TIM1, p.PA8, p.PA9));
-    let converter = Converter::new(ConverterPins {
+    let pins = ConverterPins {
         spi: p.SPI2,
         clock: p.PB13,
         data_out: p.PB15,
         data_in: p.PB14,
         sync: p.PB12,
-        load: p.PB11,
         clear: p.PB10,
-    });
+    };
+    let converter = Converter::new(pins, Load::new(p.TIM4, p.PB6));
     let drive = Drive::new(DrivePins {
         enable: p.PC6,
         brakes: p.PC9,
@@ -84,7 +89,7 @@ async fn main(spawner: Spawner) {
 
     spawner.spawn(defmt::unwrap!(watchdog::watch(watchdog)));
     spawner.spawn(defmt::unwrap!(link::serve(link)));
-    spawner.spawn(defmt::unwrap!(health::show(p.PA5)));
+    spawner.spawn(defmt::unwrap!(health::show(p.PA5, clock_source)));
     spawner.spawn(defmt::unwrap!(health::log()));
 }
 

@@ -2,10 +2,18 @@
 //!
 //! A panic ends here too, as panic-probe raises a hard fault once it has logged.
 //! The watchdog, which nobody pets any more, resets the board within 34 ms, and a
-//! board that comes out of a watchdog's reset is faulted and puts out 0 V.
+//! board that comes out of a watchdog's reset is faulted and puts out 0 V. Where it was and why stays
+//! in the memory that a reset leaves alone, and is told as the fault.
 
+use core::sync::atomic::Ordering::Relaxed;
+
+use cortex_m::peripheral::SCB;
 use cortex_m_rt::{ExceptionFrame, exception};
 use embassy_stm32::pac;
+use firmware::supervisor::FaultRecord;
+
+use crate::exchange::SHARED;
+use crate::latch;
 
 /// CLR of the converter is PB10.
 const CLEAR_PIN: usize = 10;
@@ -27,10 +35,22 @@ pub fn wait_for_reset() -> ! {
     }
 }
 
-// SAFETY: touches nothing but the register of one pin, and does not return.
+// SAFETY: the outputs are safe before anything else is touched, and nothing else runs any more.
 #[exception]
-unsafe fn HardFault(_: &ExceptionFrame) -> ! {
+unsafe fn HardFault(frame: &ExceptionFrame) -> ! {
+    outputs_to_zero();
+    keep_for_the_next_boot(frame.pc());
     wait_for_reset()
+}
+
+/// Keeps where it was and why, unless another fault came before it.
+fn keep_for_the_next_boot(program_counter: u32) {
+    if latch::read().is_none() {
+        // SAFETY: reading the status has no effect.
+        let status = unsafe { (*SCB::PTR).cfsr.read() };
+        let tick = SHARED.ticks.load(Relaxed);
+        latch::write(Some(&FaultRecord::of_crash(tick, program_counter, status)));
+    }
 }
 
 // SAFETY: as above; an interrupt that nobody expects is a fault like any other.

@@ -13,17 +13,17 @@ use embassy_stm32::peripherals::TIM6;
 use embassy_stm32::time::Hertz;
 use embassy_stm32::timer::low_level::Timer;
 use embassy_stm32::{Peri, pac};
-use firmware::DacCode;
+use firmware::ad5754r::Channel;
 use firmware::link::SupervisorAccess;
 use firmware::supervisor::{
-    BootReport, CHECK_EVERY_TICKS, FaultRecord, Health, Order, State, Supervisor, TickRecord,
+    BootReport, CHECK_EVERY_TICKS, FaultRecord, Health, Order, OrderError, State, Supervisor,
+    TickRecord,
 };
-use heapless::spsc::Consumer;
 
 use crate::converter::Converter;
 use crate::drive::Drive;
 use crate::encoders::Encoders;
-use crate::exchange::{Inbox, Question, Remote, Reply, SHARED, channel};
+use crate::exchange::{Inbox, Question, RecordReader, Remote, Reply, SHARED, channel};
 use crate::latch;
 
 const TIMER_CLOCK: Hertz = Hertz(10_000_000);
@@ -56,6 +56,8 @@ struct Tick {
     health: Health,
     /// Whether the outputs follow the codes.
     released: bool,
+    /// The codes were there after the time at which they act.
+    is_late: bool,
     /// When the last tick ended, by the executor's clock, which begins anew every 65 ms [us].
     ended_us: Option<u16>,
 }
@@ -66,7 +68,7 @@ pub fn start(
     wired: Wired,
     mut supervisor: Supervisor,
     report: BootReport,
-) -> (Remote, Consumer<'static, TickRecord>) {
+) -> (Remote, RecordReader) {
     let Wired { encoders, mut converter, drive } = wired;
     let set_up = converter.set_up();
     if let Err(fault) = set_up {
@@ -78,7 +80,7 @@ pub fn start(
     latch::write(latched.as_ref());
     let (remote, records, inbox) = defmt::unwrap!(channel());
     let tick = Tick {
-        timer: millisecond_timer(timer),
+        timer: millisecond_timer(timer, &mut converter),
         encoders,
         converter,
         drive,
@@ -87,6 +89,7 @@ pub fn start(
         latched,
         health: Health { converter_fault, ..Health::default() },
         released: false,
+        is_late: false,
         ended_us: None,
     };
     TICK.store(defmt::unwrap!(singleton!(: Tick = tick)), Release);
@@ -95,13 +98,17 @@ pub fn start(
     (remote, records)
 }
 
-fn millisecond_timer(timer: Peri<'static, TIM6>) -> Timer<'static, TIM6> {
+fn millisecond_timer(
+    timer: Peri<'static, TIM6>,
+    converter: &mut Converter,
+) -> Timer<'static, TIM6> {
     let mut timer = Timer::new(timer);
     timer.regs_core().arr().write(|w| w.set_arr(COUNTS_PER_PERIOD - 1));
     timer.set_tick_freq(TIMER_CLOCK);
     timer.clear_update_interrupt();
     timer.enable_update_interrupt(true);
     timer.start();
+    converter.start_load(TIMER_CLOCK, COUNTS_PER_PERIOD - 1);
     timer
 }
 
@@ -119,55 +126,88 @@ impl Tick {
         self.timer.clear_update_interrupt();
         // First of all, so that the instant of sampling depends on nothing below.
         let counts = self.encoders.read();
+        self.converter.begin_tick();
         self.health.host_heard = SHARED.host_heard.load(Relaxed);
         SHARED.host_heard.store(false, Relaxed);
         self.drive.read(&mut self.health);
-        let record = self.supervisor.tick(&counts, self.health);
-        self.put_out(&record);
-        self.drive.write(self.supervisor.drive_outputs());
-        self.latch();
-        self.watch_converter(&record);
+        self.supervisor.act(&counts, &self.health);
+        let record = self.put_out();
         self.answer();
         self.check_parameters(record.tick);
-        self.publish(record);
+        // What the next tick can know already, whatever the orders have changed.
+        self.supervisor.prepare();
+        self.watch_converter(&record);
         self.measure_tick_time();
     }
 
     /// Answers a question of the tasks, one a tick at most, once the codes are out: what the
     /// line carries delays no voltage. Orders act from the next tick on.
     fn answer(&mut self) {
-        let Some(question) = self.inbox.questions.dequeue() else { return };
+        if let Some(question) = self.inbox.questions.dequeue() {
+            self.answer_to(question);
+        }
+    }
+
+    // Apart from the tick, whose stack it would fill with a controller.
+    #[cold]
+    #[inline(never)]
+    fn answer_to(&mut self, question: Question) {
         let outcome = match question {
             Question::Status => Ok(()),
             Question::Order(order) => {
                 self.renew_converter(order);
                 self.supervisor.execute(order)
             }
-            Question::Replace => match self.inbox.controllers.dequeue() {
-                Some(controller) => self.supervisor.replace(controller),
-                None => Ok(()),
-            },
+            Question::Replace => self.replace(),
         };
         // There is room: the tasks ask one thing at a time.
         let _ = self.inbox.replies.enqueue(Reply { outcome, status: self.supervisor.status() });
     }
 
-    fn put_out(&mut self, record: &TickRecord) {
-        if !record.state.drives() {
+    #[inline(never)]
+    fn replace(&mut self) -> Result<(), OrderError> {
+        match self.inbox.controllers.dequeue() {
+            Some(controller) => self.supervisor.replace(controller),
+            None => Ok(()),
+        }
+    }
+
+    /// Sends the codes, where the supervisor lets them out, and completes the tick while the line
+    /// to the converter is busy.
+    #[inline]
+    fn put_out(&mut self) -> TickRecord {
+        let Some(codes) = self.supervisor.codes() else {
             self.converter.hold_at_zero();
             self.released = false;
-            return;
-        }
+            let record = self.supervisor.complete();
+            self.drive.write(self.supervisor.drive_outputs());
+            self.publish(&record);
+            self.latch();
+            self.is_late = false;
+            return record;
+        };
         if !self.released {
             self.converter.release();
             self.released = true;
         }
-        let codes: &[DacCode; 3] = &record.codes;
-        if self.converter.put_out(codes).is_err() {
+        let [first, second, third] = Channel::JOINTS;
+        self.converter.begin(first, codes[0]);
+        let record = self.supervisor.complete();
+        let mut is_sent = self.converter.end().is_ok();
+        self.drive.write(self.supervisor.drive_outputs());
+        self.converter.begin(second, codes[1]);
+        self.publish(&record);
+        is_sent &= self.converter.end().is_ok();
+        self.latch();
+        self.converter.begin(third, codes[2]);
+        is_sent &= self.converter.end().is_ok();
+        self.is_late = is_sent && !self.converter.load();
+        if !is_sent {
             // At once; the supervisor hears of it in the next tick.
             self.converter.hold_at_zero();
             self.health.converter_fault = true;
         }
+        record
     }
 
     /// Now and then, after the codes are out, so that it delays nothing.
@@ -195,22 +235,35 @@ impl Tick {
     fn latch(&mut self) {
         let fault = self.supervisor.fault();
         if fault != self.latched {
-            self.latched = fault;
-            latch::write(fault.as_ref());
+            self.latch_anew(fault);
         }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn latch_anew(&mut self, fault: Option<FaultRecord>) {
+        self.latched = fault;
+        latch::write(fault.as_ref());
     }
 
     /// Once a second, after the codes are out, so that it delays nothing.
     fn check_parameters(&mut self, tick: u32) {
         if tick.is_multiple_of(CHECK_EVERY_TICKS) {
-            self.health.parameters_corrupt = !self.supervisor.parameters_are_intact();
+            self.check_parameters_now();
         }
     }
 
-    fn publish(&mut self, record: TickRecord) {
+    #[cold]
+    #[inline(never)]
+    fn check_parameters_now(&mut self) {
+        self.health.parameters_corrupt = !self.supervisor.parameters_are_intact();
+    }
+
+    #[inline]
+    fn publish(&mut self, record: &TickRecord) {
         SHARED.set_state(record.state);
         count(&SHARED.ticks);
-        if SHARED.streaming.load(Relaxed) && self.inbox.records.enqueue(record).is_err() {
+        if SHARED.streaming.load(Relaxed) && !self.inbox.records.enqueue(*record) {
             count(&SHARED.records_dropped);
         }
     }
@@ -218,7 +271,8 @@ impl Tick {
     fn measure_tick_time(&mut self) {
         let mut taken = u32::from(self.timer.regs_core().cnt().read().cnt());
         // The timer's event has come again: the interrupt follows at once, late.
-        self.health.overrun = self.timer.regs_core().sr().read().uif() || self.missed_a_tick();
+        self.health.overrun =
+            self.timer.regs_core().sr().read().uif() || self.missed_a_tick() || self.is_late;
         if self.health.overrun {
             taken += u32::from(COUNTS_PER_PERIOD);
             count(&SHARED.overruns);

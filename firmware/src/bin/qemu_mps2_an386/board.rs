@@ -32,8 +32,9 @@ impl Board {
         let mut health = self.runtime.health();
         health.tick_time_tenth_us = tenth_us(self.last_tick_counts);
         let before = timer::now();
-        let record = self.runtime.supervisor.tick(counts, health);
+        self.runtime.supervisor.act(counts, &health);
         let timer_counts = timer::now().wrapping_sub(before);
+        let record = self.runtime.supervisor.complete();
         self.last_tick_counts = timer_counts;
         self.runtime.after_tick(&record);
         Reply {
@@ -46,8 +47,10 @@ impl Board {
         }
     }
 
+    /// Serves the line; what it has changed is in the next tick.
     pub fn serve_line(&mut self) {
         self.line.serve(&mut self.runtime);
+        self.runtime.supervisor.prepare();
     }
 
     /// Ticks by the board's own clock for ever, at encoders that stand still.
