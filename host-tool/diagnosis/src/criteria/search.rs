@@ -32,6 +32,8 @@ criteria! {
         overlooked_steps: usize = 3,
         /// How often a search for backlash restarts from near where it ended.
         restarts: usize = 3,
+        /// How many of the starts of such a search are followed up.
+        restarts_followed: usize = 4,
         /// Steps of such a search.
         restart_steps: usize = 8,
         /// A restart must gain this part of the squares.

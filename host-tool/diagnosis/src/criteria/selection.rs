@@ -61,6 +61,9 @@ criteria! {
         /// An effect whose size is this close to a bound, in parts of its range, is refused: the search
         /// wanted on.
         near_bound: f64 = 0.005,
+        /// An angle at which an effect rests lies no further from the motion [rad]: half a turn, beyond
+        /// which a spring is an offset by another name.
+        far_rest_rad: f64 = 3.2,
         /// A spring leaves its motor this part of the joint's inertia, or it only smooths what the
         /// encoder reads.
         least_motor_inertia: f64 = 0.02,

@@ -9,6 +9,7 @@ use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
 use crate::trial::hypothesis::EffectInstance;
 use files::Role;
+use rig::effects::Kind;
 
 /// Whether nothing is left that asks for another effect: no gap to begin with, or so little of the
 /// gap that it may be the method's own, for effects that are not linear are not removed to the
@@ -83,11 +84,15 @@ fn restores_prior(before: &ResidualStats, after: &ResidualStats, criteria: &Crit
     before.prior_penalty - after.prior_penalty > least
 }
 
-/// Whether an effect is not at its bound, and whether a spring leaves its motor some inertia, without which it would only smooth what the
-/// encoder reads, and whether its backlash, if it has some, is more than the spring's deflection.
+/// Whether an effect is not at its bound and rests near the motion, and whether a spring leaves its
+/// motor some inertia, without which it would only smooth what the encoder reads, and whether its
+/// backlash, if it has some, is more than the spring's deflection.
 pub fn is_physical(effect: &EffectInstance, subject: &Subject, evidence: &Evidence) -> bool {
     let policy = &evidence.criteria.selection;
     if !effect.is_spring() && effect.is_at_bound(policy.near_bound) {
+        return false;
+    }
+    if rests_far(effect, evidence) {
         return false;
     }
     let Some((joint, spring)) = effect.build().and_then(|effect| effect.transmission()) else {
@@ -100,4 +105,17 @@ pub fn is_physical(effect: &EffectInstance, subject: &Subject, evidence: &Eviden
     let has_motor = spring.motor_inertia_kg_m2 > least_inertia_kg_m2;
     let is_free = spring.gap_rad * spring.stiffness_nm_per_rad > policy.least_gap * largest_nm;
     has_motor && (is_free || !effect.has_backlash())
+}
+
+/// Whether an angle of an effect lies so far from the motion that it is none: cables that rest ten turns
+/// away are a constant by another name.
+fn rests_far(effect: &EffectInstance, evidence: &Evidence) -> bool {
+    let far_rad = evidence.criteria.selection.far_rest_rad;
+    let Some(joint) = usize::from(effect.joint).checked_sub(1) else { return false };
+    let angles = evidence.stretches.iter().flat_map(|stretch| &stretch.motion.q_rad[joint]);
+    let (lowest, highest) = angles
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), q| (low.min(*q), high.max(*q)));
+    let near = lowest - far_rad..=highest + far_rad;
+    let parameters = effect.definition.parameters.iter().zip(&effect.values);
+    parameters.filter(|(p, _)| p.kind == Kind::Angle).any(|(_, value)| !near.contains(value))
 }

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::finalists::{Finalist, finalists};
 use super::policy::{gain, is_accepted, is_done, is_physical};
-use super::restart::restarted;
+use super::restart::{restarted, with_play};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::fit::preparation::as_given;
@@ -230,6 +230,7 @@ fn finished(subject: &Subject, model: FittedModel) -> FittedModel {
     let hypothesis = model.linear.hypothesis.clone();
     let mut best =
         FittedModel::fitted(&model.evidence, subject, hypothesis, steps).unwrap_or(model);
+    best = with_play(subject, &best).unwrap_or(best);
     best = best.settled(subject);
     for _ in 0..subject.criteria.search.restarts {
         match restarted(subject, &best) {

@@ -36,7 +36,8 @@ pub struct Held {
 /// A cause's worth on the confirming logs, with 95 % intervals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Worth {
-    /// Part of the gap's squares above the noise.
+    /// Part of the gap's squares above the noise; all of it where the model leaves more without this
+    /// one of several causes than without any.
     pub share: f64,
     /// Its interval.
     pub share_interval: [f64; 2],
@@ -96,7 +97,8 @@ impl<'a> Confirmation<'a> {
         let least_excess = self.subject.criteria.verdict.least_excess;
         let share = |sums: &[f64]| match sums {
             [without, with, gap, noise] => {
-                (without - with) / (gap - noise).max(least_excess * noise).max(f64::MIN_POSITIVE)
+                let excess = (gap - noise).max(least_excess * noise).max(f64::MIN_POSITIVE);
+                ((without - with) / excess).min(1.0)
             }
             _ => 0.0,
         };
