@@ -1,0 +1,73 @@
+//! Inertia of an articulated body (RBDA 7.1): a symmetric 6 x 6 matrix in blocks of 3 x 3.
+
+use super::body::Body;
+use super::spatial::{Force, Motion, Transform};
+use crate::Real;
+use crate::vector::{
+    Matrix3, Vector3, add, add_scaled, multiply, multiply_transposed, product, scale, skew,
+    transposed,
+};
+
+/// [[inertia, coupling], [coupling^T, mass]]: force = this times acceleration, plus a bias.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ArticulatedBody<T> {
+    inertia: Matrix3<T>,
+    coupling: Matrix3<T>,
+    mass: Matrix3<T>,
+}
+
+impl<T: Real> ArticulatedBody<T> {
+    /// A rigid body's, eq. (2.63).
+    pub(super) fn of(body: &Body<T>) -> Self {
+        let (zero, m) = (T::zero(), body.mass_kg);
+        Self {
+            inertia: body.inertia_matrix(),
+            coupling: skew(&body.moment_kg_m),
+            mass: [[m, zero, zero], [zero, m, zero], [zero, zero, m]],
+        }
+    }
+
+    /// Sum.
+    pub(super) fn plus(&self, other: &Self) -> Self {
+        let sum = |a, b| add_scaled(a, b, T::one());
+        Self {
+            inertia: sum(&self.inertia, &other.inertia),
+            coupling: sum(&self.coupling, &other.coupling),
+            mass: sum(&self.mass, &other.mass),
+        }
+    }
+
+    /// The force of an acceleration.
+    pub(super) fn times(&self, motion: &Motion<T>) -> Force<T> {
+        let (w, v) = (&motion.angular, &motion.linear);
+        Force {
+            moment: add(&multiply(&self.inertia, w), &multiply(&self.coupling, v)),
+            force: add(&multiply_transposed(&self.coupling, w), &multiply(&self.mass, v)),
+        }
+    }
+
+    /// What is left when a joint gives way: this - f f^T / d, eq. (7.23).
+    pub(super) fn released(&self, force: &Force<T>, d: T) -> Self {
+        let less = |block: &Matrix3<T>, a: &Vector3<T>, b: &Vector3<T>| {
+            [0, 1, 2].map(|i| add(&block[i], &scale(b, -a[i] / d)))
+        };
+        Self {
+            inertia: less(&self.inertia, &force.moment, &force.moment),
+            coupling: less(&self.coupling, &force.moment, &force.force),
+            mass: less(&self.mass, &force.force, &force.force),
+        }
+    }
+
+    /// From a frame's coordinates into its parent's: X^T I X.
+    pub(super) fn out_of(&self, frame: &Transform<T>) -> Self {
+        let turn = &frame.rotation;
+        let back = transposed(turn);
+        let turned = |block: &Matrix3<T>| product(&product(turn, block), &back);
+        let (near, mass) = (turned(&self.coupling), turned(&self.mass));
+        let r = skew(&frame.position);
+        let coupling = add_scaled(&near, &product(&r, &mass), T::one());
+        let inertia = add_scaled(&turned(&self.inertia), &product(&near, &r), -T::one());
+        let inertia = add_scaled(&inertia, &product(&r, &transposed(&coupling)), T::one());
+        Self { inertia, coupling, mass }
+    }
+}
