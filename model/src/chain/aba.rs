@@ -39,7 +39,7 @@ impl<T: Real> SerialChain<T> {
     fn moving_links(&self, q: &[T], qd: &[T]) -> [Released<T>; MAX_JOINTS] {
         let (mut velocity, zero) = (Motion::zero(), T::zero());
         let base = Released {
-            place: Transform::identity(),
+            place: Transform::nowhere(),
             velocity,
             drift: velocity,
             force: Force::zero(),
@@ -49,9 +49,9 @@ impl<T: Real> SerialChain<T> {
         let mut links = [base; MAX_JOINTS];
         for (index, placed) in self.placed().iter().enumerate() {
             let place = placed.place(q[index]);
-            let own = placed.subspace.times(qd[index]);
-            velocity = place.motion_into(&velocity).plus(&own);
-            links[index] = Released { place, velocity, drift: velocity.cross(&own), ..base };
+            velocity = placed.velocity(&place.motion_into(&velocity), qd[index]);
+            let drift = placed.acceleration(&Motion::zero(), &velocity, [qd[index], T::zero()]);
+            links[index] = Released { place, velocity, drift, ..base };
         }
         links
     }
@@ -66,8 +66,8 @@ impl<T: Real> SerialChain<T> {
             let momentum = joint.body.times(&link.velocity);
             let bias = link.velocity.cross_force(&momentum).plus(&bias_beyond);
             link.force = body.times(&placed.subspace);
-            link.inertia = placed.subspace.dot(&link.force) + joint.armature;
-            link.torque = torque[index] - placed.subspace.dot(&bias);
+            link.inertia = placed.along(&link.force) + joint.armature;
+            link.torque = torque[index] - placed.along(&bias);
             let left = body.released(&link.force, link.inertia);
             let given = link.force.times(link.torque / link.inertia);
             let bias = bias.plus(&left.times(&link.drift)).plus(&given);

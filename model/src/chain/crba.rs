@@ -14,11 +14,10 @@ impl<T: Real> SerialChain<T> {
         for index in (0..n).rev() {
             composite = composite.plus(&joints[index].joint.body);
             let mut force = composite.times(&joints[index].subspace);
-            mass[index * n + index] =
-                joints[index].subspace.dot(&force) + joints[index].joint.armature;
+            mass[index * n + index] = joints[index].along(&force) + joints[index].joint.armature;
             for before in (0..index).rev() {
                 force = places[before + 1].force_out_of(&force);
-                let entry = joints[before].subspace.dot(&force);
+                let entry = joints[before].along(&force);
                 mass[index * n + before] = entry;
                 mass[before * n + index] = entry;
             }

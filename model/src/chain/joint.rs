@@ -1,11 +1,13 @@
 //! A joint of a chain, with the link that it moves.
 
 use super::body::Body;
-use super::spatial::{Motion, Transform};
+use super::spatial::{Force, Motion, Transform};
 use crate::Real;
 use crate::mechanism::JointKind;
 use crate::parameter::{ParameterError, named};
-use crate::vector::{Matrix3, Vector3, add, add_scaled, dot, multiply, product, scale, skew};
+use crate::vector::{
+    Matrix3, Vector3, add, add_scaled, cross, dot, multiply, product, scale, skew,
+};
 
 /// A joint and its link, as URDF describes them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,6 +100,45 @@ impl<T: Real> PlacedJoint<T> {
             subspace: Motion { angular: vector(angular), linear: vector(linear) },
             turned: self.turned.map(matrix),
             slide: vector(self.slide),
+        }
+    }
+
+    /// v + S qd, eq. (5.7).
+    #[inline]
+    pub(super) fn velocity(&self, carried: &Motion<T>, qd: T) -> Motion<T> {
+        let own = scale(&self.joint.axis, qd);
+        match self.joint.kind {
+            JointKind::Revolute => Motion { angular: add(&carried.angular, &own), ..*carried },
+            JointKind::Prismatic => Motion { linear: add(&carried.linear, &own), ..*carried },
+        }
+    }
+
+    /// a + S qdd + v x S qd, eq. (5.8), `velocity` with the joint's own.
+    #[inline]
+    pub(super) fn acceleration(
+        &self,
+        carried: &Motion<T>,
+        velocity: &Motion<T>,
+        [qd, qdd]: [T; 2],
+    ) -> Motion<T> {
+        let own = scale(&self.joint.axis, qd);
+        let turned = add(&scale(&self.joint.axis, qdd), &cross(&velocity.angular, &own));
+        let Motion { angular, linear } = carried;
+        match self.joint.kind {
+            JointKind::Revolute => Motion {
+                angular: add(angular, &turned),
+                linear: add(linear, &cross(&velocity.linear, &own)),
+            },
+            JointKind::Prismatic => Motion { angular: *angular, linear: add(linear, &turned) },
+        }
+    }
+
+    /// S . f: the force along the axis, or the moment about it.
+    #[inline]
+    pub(super) fn along(&self, force: &Force<T>) -> T {
+        match self.joint.kind {
+            JointKind::Revolute => dot(&self.joint.axis, &force.moment),
+            JointKind::Prismatic => dot(&self.joint.axis, &force.force),
         }
     }
 }

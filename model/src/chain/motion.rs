@@ -20,16 +20,13 @@ impl<T: Real> SerialChain<T> {
     #[inline]
     pub(super) fn link_motions(&self, q: &[T], qd: &[T], qdd: &[T]) -> [LinkMotion<T>; MAX_JOINTS] {
         let (mut velocity, mut acceleration) = (Motion::zero(), self.base_acceleration());
-        let base = LinkMotion { place: Transform::identity(), velocity, acceleration };
+        let base = LinkMotion { place: Transform::nowhere(), velocity, acceleration };
         let mut links = [base; MAX_JOINTS];
         for (index, placed) in self.placed().iter().enumerate() {
             let place = placed.place(q[index]);
-            let own = placed.subspace.times(qd[index]);
-            velocity = place.motion_into(&velocity).plus(&own);
-            acceleration = place
-                .motion_into(&acceleration)
-                .plus(&placed.subspace.times(qdd[index]))
-                .plus(&velocity.cross(&own));
+            velocity = placed.velocity(&place.motion_into(&velocity), qd[index]);
+            let carried = place.motion_into(&acceleration);
+            acceleration = placed.acceleration(&carried, &velocity, [qd[index], qdd[index]]);
             links[index] = LinkMotion { place, velocity, acceleration };
         }
         links
@@ -38,7 +35,7 @@ impl<T: Real> SerialChain<T> {
     /// Where each of the n links stands in the one before; the entries behind mean nothing.
     #[inline]
     pub(super) fn places(&self, q: &[T]) -> [Transform<T>; MAX_JOINTS] {
-        let mut places = [Transform::identity(); MAX_JOINTS];
+        let mut places = [Transform::nowhere(); MAX_JOINTS];
         for (index, placed) in self.placed().iter().enumerate() {
             places[index] = placed.place(q[index]);
         }

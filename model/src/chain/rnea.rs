@@ -1,7 +1,7 @@
 //! Inverse dynamics: the recursive Newton-Euler algorithm, RBDA Table 5.1.
 
-use super::serial_chain::SerialChain;
-use super::spatial::Force;
+use super::serial_chain::{MAX_JOINTS, SerialChain};
+use super::spatial::{Force, Motion, Transform};
 use crate::Real;
 
 impl<T: Real> SerialChain<T> {
@@ -9,13 +9,20 @@ impl<T: Real> SerialChain<T> {
     /// n torques from n positions, velocities and accelerations.
     #[inline]
     pub(super) fn newton_euler(&self, q: &[T], qd: &[T], qdd: &[T], torque: &mut [T]) {
-        let links = self.link_motions(q, qd, qdd);
+        let mut links = [(Transform::nowhere(), Force::zero()); MAX_JOINTS];
+        let (mut velocity, mut acceleration) = (Motion::zero(), self.base_acceleration());
+        for (index, (placed, link)) in self.placed().iter().zip(&mut links).enumerate() {
+            let place = placed.place(q[index]);
+            velocity = placed.velocity(&place.motion_into(&velocity), qd[index]);
+            let carried = place.motion_into(&acceleration);
+            acceleration = placed.acceleration(&carried, &velocity, [qd[index], qdd[index]]);
+            *link = (place, placed.joint.body.force(&velocity, &acceleration));
+        }
         let mut beyond = Force::zero();
-        for (index, placed) in self.placed().iter().enumerate().rev() {
-            let (link, joint) = (&links[index], &placed.joint);
-            let force = joint.body.force(&link.velocity, &link.acceleration).plus(&beyond);
-            torque[index] = placed.subspace.dot(&force) + joint.armature * qdd[index];
-            beyond = link.place.force_out_of(&force);
+        for (index, (placed, link)) in self.placed().iter().zip(&links).enumerate().rev() {
+            let force = link.1.plus(&beyond);
+            torque[index] = placed.along(&force) + placed.joint.armature * qdd[index];
+            beyond = link.0.force_out_of(&force);
         }
     }
 }

@@ -107,6 +107,12 @@ impl<T: Real> Transform<T> {
         Self { rotation, position: [zero; 3] }
     }
 
+    /// All zero, no frame: room for one.
+    #[inline]
+    pub(super) fn nowhere() -> Self {
+        Self { rotation: [[T::zero(); 3]; 3], position: [T::zero(); 3] }
+    }
+
     /// A motion from the parent's coordinates into the frame's: X m, eq. (2.24).
     #[inline]
     pub fn motion_into(&self, motion: &Motion<T>) -> Motion<T> {

@@ -43,12 +43,16 @@ impl ArmFile {
     pub fn remarks(&self) -> Vec<String> {
         let known = (0..self.joints.len()).filter(|index| self.joints[*index].is_link_known());
         let is_odd = |index: &usize| {
-            let body = self.joints[*index].of_chain().body;
+            let mut body = self.joints[*index].of_chain().body;
+            // A rod or a point is the limit of bodies, and published digits are rounded.
+            let [xx, _, _, yy, _, zz] = &mut body.inertia_kg_m2;
+            let little = 1e-4 * (*xx + *yy + *zz) + 1e-12;
+            [xx, yy, zz].into_iter().for_each(|moment| *moment += little);
             body.mass_kg > 0.0 && !body.is_physical()
         };
         let remark = |index| {
             format!(
-                "no body has the inertia of joint {}: its moments exceed their sums",
+                "no body has the inertia of joint {}: one of its moments exceeds the sum of the others",
                 self.describe(index)
             )
         };
