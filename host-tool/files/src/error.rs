@@ -230,7 +230,9 @@ impl Problem {
                 "`rrr diagnose --print-criteria` prints every key with its meaning and default"
             }
             Self::UnknownFormat(_) => "update the tool, or write the file with `format = 1`",
-            Self::ArmOfAnyKind => "update the tool, or give a robot.toml or model.toml with `format = 1`",
+            Self::ArmOfAnyKind => {
+                "update the tool, or give a robot.toml or model.toml with `format = 1`"
+            }
             Self::UnknownKey(_) => "correct its name, with the unit, or delete the line",
             Self::Urdf(_) => "correct the URDF, or write the joints into the file without `urdf`",
             Self::MissingParameter(_) => "add it to the file",

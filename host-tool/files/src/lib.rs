@@ -27,6 +27,7 @@
 
 mod appending;
 pub mod arm_file;
+pub mod arm_log;
 mod bytes;
 pub mod dataset;
 pub mod error;
@@ -41,6 +42,7 @@ pub mod table;
 mod toml_source;
 
 pub use arm_file::{ArmFile, ArmJoint};
+pub use arm_log::{ArmJointLog, ArmLog};
 pub use dataset::{Dataset, Entry, Experiment, Recording, Role};
 pub use error::{FileError, Problem};
 pub use excitation_file::ExcitationFile;

@@ -104,8 +104,8 @@ fn all_that_the_format_has_is_read() {
     assert_eq!(drive.torque_constant, Some(40.0));
     let encoder = slide.encoder.unwrap();
     assert_eq!(encoder.side, EncoderSide::Motor);
-    let step_m = encoder.step(drive.gear_ratio, true);
-    assert!((step_m - std::f64::consts::TAU / (8192.0 * 314.2)).abs() < 1e-18);
+    let step_m = slide.count_step().unwrap();
+    assert!((step_m + std::f64::consts::TAU / (8192.0 * 314.2)).abs() < 1e-18);
     assert_eq!(slide.friction.unwrap().alpha2, Some(2.0));
     assert_eq!(slide.standard_error("com_m"), Some([0.01; 3].as_slice()));
     assert_eq!(slide.standard_error("inertia_kg_m2"), None);

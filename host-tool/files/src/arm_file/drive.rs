@@ -66,13 +66,14 @@ pub struct Encoder {
 }
 
 impl Encoder {
-    /// One count as a position of the joint [rad; m], from the gear ratio and the kind of joint.
+    /// One count as a position of the joint [rad; m], from the gear ratio and the kind of joint;
+    /// negative where the motor turns against the joint.
     pub fn step(&self, gear_ratio: f64, is_prismatic: bool) -> f64 {
         let turn = std::f64::consts::TAU;
         match (self.side, is_prismatic) {
             (EncoderSide::Joint, true) => 1.0 / self.counts,
             (EncoderSide::Joint, false) => turn / self.counts,
-            (EncoderSide::Motor, _) => turn / (self.counts * gear_ratio.abs()),
+            (EncoderSide::Motor, _) => turn / (self.counts * gear_ratio),
         }
     }
 }

@@ -57,6 +57,12 @@ impl ArmJoint {
         self.standard_error.get(name).map(Vec::as_slice)
     }
 
+    /// One count of its encoder as a position of the joint [rad; m]; `None` without an encoder.
+    pub fn count_step(&self) -> Option<f64> {
+        let gear_ratio = self.drive.as_ref().map_or(1.0, |drive| drive.gear_ratio);
+        Some(self.encoder?.step(gear_ratio, self.kind == JointKind::Prismatic))
+    }
+
     /// The joint of a chain; what is unknown of the link is zero.
     pub(super) fn of_chain(&self) -> Joint<f64> {
         let LinkTable { mass_kg, com_m, inertia_kg_m2 } = self.link;
