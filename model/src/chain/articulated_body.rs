@@ -4,8 +4,8 @@ use super::body::Body;
 use super::spatial::{Force, Motion, Transform};
 use crate::Real;
 use crate::vector::{
-    Matrix3, Vector3, add, add_scaled, multiply, multiply_transposed, product, scale, skew,
-    transposed,
+    Matrix3, Vector3, add, add_scaled, cross, multiply, multiply_transposed, product, scale, skew,
+    subtract, transposed,
 };
 
 /// [[inertia, coupling], [coupling^T, mass]]: force = this times acceleration, plus a bias.
@@ -58,16 +58,24 @@ impl<T: Real> ArticulatedBody<T> {
         }
     }
 
-    /// From a frame's coordinates into its parent's: X^T I X.
+    /// From a frame's coordinates into its parent's: X^T I X, with M' = R M R^T,
+    /// H' = R H R^T + skew(r) M', I' = R I R^T - R H R^T skew(r) + skew(r) H'^T.
     pub(super) fn out_of(&self, frame: &Transform<T>) -> Self {
-        let turn = &frame.rotation;
-        let back = transposed(turn);
-        let turned = |block: &Matrix3<T>| product(&product(turn, block), &back);
-        let (near, mass) = (turned(&self.coupling), turned(&self.mass));
-        let r = skew(&frame.position);
-        let coupling = add_scaled(&near, &product(&r, &mass), T::one());
-        let inertia = add_scaled(&turned(&self.inertia), &product(&near, &r), -T::one());
-        let inertia = add_scaled(&inertia, &product(&r, &transposed(&coupling)), T::one());
-        Self { inertia, coupling, mass }
+        let (turn, r) = (&frame.rotation, &frame.position);
+        let (mass, near) = (turned(turn, &self.mass), turned(turn, &self.coupling));
+        // M' is symmetric: its rows are its columns.
+        let lever = transposed(&mass.map(|column| cross(r, &column)));
+        let coupling = add_scaled(&near, &lever, T::one());
+        // Row by row, a skew(r) is a x r.
+        let own = turned(turn, &self.inertia);
+        let moved = [0, 1, 2].map(|i| subtract(&own[i], &cross(&near[i], r)));
+        let far = transposed(&coupling.map(|column| cross(r, &column)));
+        Self { inertia: add_scaled(&moved, &far, T::one()), coupling, mass }
     }
+}
+
+/// R block R^T.
+#[inline]
+fn turned<T: Real>(turn: &Matrix3<T>, block: &Matrix3<T>) -> Matrix3<T> {
+    product(turn, block).map(|row| multiply(turn, &row))
 }
