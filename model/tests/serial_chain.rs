@@ -129,6 +129,27 @@ proptest! {
         }
     }
 
+    /// In dual numbers the slope by a parameter is the regressor's column.
+    #[test]
+    fn slopes_by_parameters_are_the_regressor(Moving { chain, q, qd, qdd } in moving_chain()) {
+        let (n, p) = (q.len(), chain.parameter_count());
+        let (mut rows, mut values) = (vec![0.0; n * p], vec![0.0; p]);
+        chain.regressor(&q, &qd, &qdd, &mut rows);
+        chain.parameters(&mut values);
+        let [q, qd, qdd] = [q, qd, qdd].map(|x| x.into_iter().map(Dual::<1>::fixed).collect::<Vec<_>>());
+        for parameter in (0..p).step_by(7) {
+            let dual = |(k, x): (usize, &f64)| if k == parameter { Dual::along(*x, 0) } else { Dual::fixed(*x) };
+            let mut varied = chain.cast::<Dual<1>>();
+            varied.set_parameters(&values.iter().enumerate().map(dual).collect::<Vec<_>>());
+            let torque = inverse(&varied, &q, &qd, &qdd);
+            for joint in 0..n {
+                let expected = rows[joint * p + parameter];
+                let error = torque[joint].slope[0] - expected;
+                prop_assert!(error.abs() < 1e-11 * expected.abs().max(100.0), "{error:e}");
+            }
+        }
+    }
+
     #[test]
     fn links_of_point_masses_are_physical(Moving { chain, .. } in moving_chain()) {
         prop_assert!(chain.joints().all(|joint| joint.body.is_physical()));
