@@ -6,7 +6,7 @@ use common::chains::{Moving, chain_of, moving_chain};
 use common::rigid_robot::{RigidRobot, State, rigid_robot, state};
 use common::{cases, largest};
 use model::Dual;
-use model::chain::SerialChain;
+use model::chain::{Body, Joint, SerialChain, Transform};
 use model::mechanism::{Mechanism, Rrr};
 use proptest::prelude::*;
 
@@ -151,6 +151,23 @@ proptest! {
     }
 
     #[test]
+    fn ten_numbers_are_a_body_and_back(Moving { chain, .. } in moving_chain()) {
+        for joint in chain.joints() {
+            let numbers = joint.body.log_cholesky().unwrap();
+            let again = Body::of_log_cholesky(&numbers).to_array();
+            prop_assert!(relative_error(&again, &joint.body.to_array()) < 1e-11);
+        }
+    }
+
+    #[test]
+    fn any_ten_numbers_are_matter(numbers in proptest::array::uniform10(-2.0..2.0)) {
+        let body = Body::of_log_cholesky(&numbers);
+        prop_assert!(body.is_physical());
+        prop_assert!(relative_error(&body.log_cholesky().unwrap(), &numbers) < 1e-6);
+        prop_assert_eq!(Body { mass_kg: -body.mass_kg, ..body }.log_cholesky(), None);
+    }
+
+    #[test]
     fn links_of_point_masses_are_physical(Moving { chain, .. } in moving_chain()) {
         prop_assert!(chain.joints().all(|joint| joint.body.is_physical()));
         let [mut lighter, mut flatter] = [chain.joints().next().unwrap().body; 2];
@@ -162,7 +179,6 @@ proptest! {
 
 #[test]
 fn a_payload_is_a_part_of_the_last_link() {
-    use model::chain::{Body, Joint, Transform};
     let joint = Joint {
         kind: model::mechanism::JointKind::Prismatic,
         origin: Transform::identity(),
@@ -178,7 +194,6 @@ fn a_payload_is_a_part_of_the_last_link() {
 
 #[test]
 fn what_is_no_chain_is_refused() {
-    use model::chain::{Body, Joint, Transform};
     let joint = Joint {
         kind: model::mechanism::JointKind::Revolute,
         origin: Transform::identity(),

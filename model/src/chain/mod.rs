@@ -8,6 +8,7 @@
 //! | --- | --- | --- |
 //! | `spatial.rs` | motion and force vectors, coordinate transforms | RBDA 2.2 to 2.9 |
 //! | `body.rs` | a link's mass, first moment, inertia | RBDA 2.13 |
+//! | `log_cholesky.rs` | bodies by ten numbers that may be anything | Rucker and Wensing 2022 |
 //! | `articulated_body.rs` | an articulated body's 6 x 6 inertia | RBDA 7.1 |
 //! | `joint.rs` | a joint: where it stands, its axis, its link, its rotor | RBDA 4.4 |
 //! | `serial_chain.rs` | the chain itself | |
@@ -25,6 +26,7 @@ mod body;
 mod crba;
 mod jacobian;
 mod joint;
+mod log_cholesky;
 mod mechanism;
 mod motion;
 mod regressor;
