@@ -65,25 +65,28 @@ pub fn scale<T: Real>(v: &Vector3<T>, factor: T) -> Vector3<T> {
 /// The transposed matrix times a vector.
 #[inline]
 pub fn multiply_transposed<T: Real>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
-    [0, 1, 2].map(|k| m[0][k] * v[0] + m[1][k] * v[1] + m[2][k] * v[2])
+    let along = |k: usize| m[0][k] * v[0] + m[1][k] * v[1] + m[2][k] * v[2];
+    [along(0), along(1), along(2)]
 }
 
 /// Product of two matrices.
 #[inline]
 pub fn product<T: Real>(a: &Matrix3<T>, b: &Matrix3<T>) -> Matrix3<T> {
-    a.map(|row| multiply_transposed(b, &row))
+    [multiply_transposed(b, &a[0]), multiply_transposed(b, &a[1]), multiply_transposed(b, &a[2])]
 }
 
 /// The transposed matrix.
 #[inline]
 pub fn transposed<T: Real>(m: &Matrix3<T>) -> Matrix3<T> {
-    [0, 1, 2].map(|column| m.map(|row| row[column]))
+    let column = |k: usize| [m[0][k], m[1][k], m[2][k]];
+    [column(0), column(1), column(2)]
 }
 
 /// Entry-wise a + factor b.
 #[inline]
 pub fn add_scaled<T: Real>(a: &Matrix3<T>, b: &Matrix3<T>, factor: T) -> Matrix3<T> {
-    [0, 1, 2].map(|i| add(&a[i], &scale(&b[i], factor)))
+    let row = |i: usize| add(&a[i], &scale(&b[i], factor));
+    [row(0), row(1), row(2)]
 }
 
 /// The matrix of the vector product: skew(a) b = a x b.

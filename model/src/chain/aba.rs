@@ -23,6 +23,7 @@ struct Released<T> {
 
 impl<T: Real> SerialChain<T> {
     /// The n accelerations that n torques give.
+    #[inline]
     pub(super) fn articulated_bodies(&self, q: &[T], qd: &[T], torque: &[T], qdd: &mut [T]) {
         let mut links = self.moving_links(q, qd);
         self.release_joints(&mut links, torque);
@@ -36,6 +37,7 @@ impl<T: Real> SerialChain<T> {
     }
 
     /// Velocities, base to tip.
+    #[inline]
     fn moving_links(&self, q: &[T], qd: &[T]) -> [Released<T>; MAX_JOINTS] {
         let (mut velocity, zero) = (Motion::zero(), T::zero());
         let base = Released {
@@ -57,6 +59,7 @@ impl<T: Real> SerialChain<T> {
     }
 
     /// Articulated inertias and bias forces, tip to base, eq. (7.41) to (7.47).
+    #[inline]
     fn release_joints(&self, links: &mut [Released<T>; MAX_JOINTS], torque: &[T]) {
         let mut beyond = ArticulatedBody::of(&Body::zero());
         let mut bias_beyond = Force::zero();

@@ -5,7 +5,7 @@ use super::spatial::{Force, Motion, Transform};
 use crate::Real;
 use crate::vector::{
     Matrix3, Vector3, add, add_scaled, cross, multiply, multiply_transposed, product, scale, skew,
-    subtract, transposed,
+    transposed,
 };
 
 /// [[inertia, coupling], [coupling^T, mass]]: force = this times acceleration, plus a bias.
@@ -18,6 +18,7 @@ pub(super) struct ArticulatedBody<T> {
 
 impl<T: Real> ArticulatedBody<T> {
     /// A rigid body's, eq. (2.63).
+    #[inline]
     pub(super) fn of(body: &Body<T>) -> Self {
         let (zero, m) = (T::zero(), body.mass_kg);
         Self {
@@ -28,6 +29,7 @@ impl<T: Real> ArticulatedBody<T> {
     }
 
     /// Sum.
+    #[inline]
     pub(super) fn plus(&self, other: &Self) -> Self {
         let sum = |a, b| add_scaled(a, b, T::one());
         Self {
@@ -38,6 +40,7 @@ impl<T: Real> ArticulatedBody<T> {
     }
 
     /// The force of an acceleration.
+    #[inline]
     pub(super) fn times(&self, motion: &Motion<T>) -> Force<T> {
         let (w, v) = (&motion.angular, &motion.linear);
         Force {
@@ -47,9 +50,12 @@ impl<T: Real> ArticulatedBody<T> {
     }
 
     /// What is left when a joint gives way: this - f f^T / d, eq. (7.23).
+    #[inline]
     pub(super) fn released(&self, force: &Force<T>, d: T) -> Self {
+        let factor = -T::one() / d;
         let less = |block: &Matrix3<T>, a: &Vector3<T>, b: &Vector3<T>| {
-            [0, 1, 2].map(|i| add(&block[i], &scale(b, -a[i] / d)))
+            let row = |i: usize| add(&block[i], &scale(b, a[i] * factor));
+            [row(0), row(1), row(2)]
         };
         Self {
             inertia: less(&self.inertia, &force.moment, &force.moment),
@@ -60,16 +66,17 @@ impl<T: Real> ArticulatedBody<T> {
 
     /// From a frame's coordinates into its parent's: X^T I X, with M' = R M R^T,
     /// H' = R H R^T + skew(r) M', I' = R I R^T - R H R^T skew(r) + skew(r) H'^T.
+    #[inline]
     pub(super) fn out_of(&self, frame: &Transform<T>) -> Self {
         let (turn, r) = (&frame.rotation, &frame.position);
         let (mass, near) = (turned(turn, &self.mass), turned(turn, &self.coupling));
         // M' is symmetric: its rows are its columns.
-        let lever = transposed(&mass.map(|column| cross(r, &column)));
+        let lever = transposed(&across(r, &mass));
         let coupling = add_scaled(&near, &lever, T::one());
-        // Row by row, a skew(r) is a x r.
+        // Row by row, a skew(r) is a x r, which is -r x a.
         let own = turned(turn, &self.inertia);
-        let moved = [0, 1, 2].map(|i| subtract(&own[i], &cross(&near[i], r)));
-        let far = transposed(&coupling.map(|column| cross(r, &column)));
+        let moved = add_scaled(&own, &across(r, &near), T::one());
+        let far = transposed(&across(r, &coupling));
         Self { inertia: add_scaled(&moved, &far, T::one()), coupling, mass }
     }
 }
@@ -77,5 +84,12 @@ impl<T: Real> ArticulatedBody<T> {
 /// R block R^T.
 #[inline]
 fn turned<T: Real>(turn: &Matrix3<T>, block: &Matrix3<T>) -> Matrix3<T> {
-    product(turn, block).map(|row| multiply(turn, &row))
+    let half = product(turn, block);
+    [multiply(turn, &half[0]), multiply(turn, &half[1]), multiply(turn, &half[2])]
+}
+
+/// r x each row.
+#[inline]
+fn across<T: Real>(r: &Vector3<T>, rows: &Matrix3<T>) -> Matrix3<T> {
+    [cross(r, &rows[0]), cross(r, &rows[1]), cross(r, &rows[2])]
 }

@@ -22,6 +22,7 @@ pub struct Body<T> {
 
 impl<T: Real> Body<T> {
     /// Nothing.
+    #[inline]
     pub fn zero() -> Self {
         let zero = T::zero();
         Self { mass_kg: zero, moment_kg_m: [zero; 3], inertia_kg_m2: [zero; 6] }
@@ -29,6 +30,7 @@ impl<T: Real> Body<T> {
 
     /// From mass [kg], centre of mass [m] and inertia about it, xx xy xz yy yz zz [kg m^2],
     /// by the parallel axis theorem, eq. (2.63).
+    #[inline]
     pub fn about_centre(mass_kg: T, centre_m: Vector3<T>, inertia_kg_m2: [T; 6]) -> Self {
         let [x, y, z] = centre_m;
         let steiner = [y * y + z * z, -x * y, -x * z, x * x + z * z, -y * z, x * x + y * y];
@@ -40,17 +42,20 @@ impl<T: Real> Body<T> {
     }
 
     /// A point mass [kg] at a point [m].
+    #[inline]
     pub fn point(mass_kg: T, at_m: Vector3<T>) -> Self {
         Self::about_centre(mass_kg, at_m, [T::zero(); 6])
     }
 
     /// The ten numbers: m, m c (3), inertia about the origin (xx xy xz yy yz zz).
+    #[inline]
     pub fn to_array(&self) -> [T; BODY_PARAMETERS] {
         let ([x, y, z], [xx, xy, xz, yy, yz, zz]) = (self.moment_kg_m, self.inertia_kg_m2);
         [self.mass_kg, x, y, z, xx, xy, xz, yy, yz, zz]
     }
 
     /// The body of ten numbers in the order of [`Body::to_array`].
+    #[inline]
     pub fn from_array([mass_kg, x, y, z, inertia @ ..]: [T; BODY_PARAMETERS]) -> Self {
         Self { mass_kg, moment_kg_m: [x, y, z], inertia_kg_m2: inertia }
     }
@@ -87,6 +92,7 @@ impl<T: Real> Body<T> {
     }
 
     /// The body from a frame's coordinates into its parent's: X^T I X, eq. (2.66).
+    #[inline]
     pub fn out_of(&self, frame: &Transform<T>) -> Self {
         let (turn, r) = (&frame.rotation, &frame.position);
         let near = multiply(turn, &self.moment_kg_m);
@@ -112,12 +118,14 @@ impl<T: Real> Body<T> {
     }
 
     /// The same body in another number type.
+    #[inline]
     pub fn cast<U: Real>(&self) -> Body<U> {
         Body::from_array(self.to_array().map(|x| U::constant(x.as_f64())))
     }
 
     /// Whether mass and pseudo-inertia could be those of matter: the matrix
     /// [[tr(I)/2 1 - I, m c], [(m c)^T, m]] is positive definite (Wensing, Kim and Slotine 2018).
+    #[inline]
     pub fn is_physical(&self) -> bool {
         let zero = T::zero();
         let i = self.inertia_matrix();

@@ -7,6 +7,7 @@ use crate::Real;
 impl<T: Real> SerialChain<T> {
     /// D_ij = S_j . F_i with F_i = I^c_i S_i carried down to joint j, I^c_i the body of all links
     /// from i on; n x n row by row, rotors on the diagonal.
+    #[inline]
     pub(super) fn composite_bodies(&self, q: &[T], mass: &mut [T]) {
         let (joints, places) = (self.placed(), self.places(q));
         let n = joints.len();

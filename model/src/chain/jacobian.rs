@@ -8,6 +8,7 @@ use crate::vector::{cross, multiply, subtract};
 
 impl<T: Real> SerialChain<T> {
     /// Where the last link's frame, moved to the tip, stands in the base.
+    #[inline]
     pub fn tip(&self, q: &[T]) -> Transform<T> {
         let chain = self.placed().iter().zip(q);
         let last = chain.fold(Transform::identity(), |all, (joint, q)| all.then(&joint.place(*q)));
@@ -16,6 +17,7 @@ impl<T: Real> SerialChain<T> {
 
     /// 6 x n, velocity over angular velocity in the base frame: axis x (tip - joint) and axis of
     /// a revolute joint, axis and 0 of a prismatic one.
+    #[inline]
     pub(super) fn jacobian(&self, q: &[T], rows: &mut [T]) {
         let (tip, n) = (self.tip(q).position, self.placed().len());
         let mut frame = Transform::identity();

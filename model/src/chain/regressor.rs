@@ -12,6 +12,7 @@ use crate::vector::{Matrix3, Vector3, add, cross, dot, multiply_transposed, prod
 pub const LINK_PARAMETERS: usize = BODY_PARAMETERS + 1;
 
 /// The name of a link's parameter, 0 to [`LINK_PARAMETERS`] - 1.
+#[inline]
 pub fn link_parameter_name(kind: JointKind, index: usize) -> &'static str {
     const NAMES: [&str; BODY_PARAMETERS] = [
         "mass_kg",
@@ -83,6 +84,7 @@ fn inertia_columns<T: Real>(w: &Vector3<T>, wd: &Vector3<T>) -> [Vector3<T>; 6] 
 impl<T: Real> SerialChain<T> {
     /// Link i moves under joint j <= i by S_j, carried into the frame of link i: row j holds its
     /// scalar product with the force on body i. n x 11 n, row by row.
+    #[inline]
     pub(super) fn rows(&self, q: &[T], qd: &[T], qdd: &[T], rows: &mut [T]) {
         let links = self.link_motions(q, qd, qdd);
         let width = LINK_PARAMETERS * self.placed().len();

@@ -25,7 +25,7 @@ pub const MAX_JOINTS: usize = 10;
 ///     armature: 0.1,
 /// };
 /// let chain = SerialChain::new([0.0, 0.0, -9.81], &[pendulum])?;
-/// let mut torque_nm = [0.0];
+/// let mut torque_nm = [0.0_f64];
 /// chain.inverse_dynamics(&[0.0], &[0.0], &[1.0], &mut torque_nm);
 /// assert!((torque_nm[0] - (9.81 + 0.5 + 0.1)).abs() < 1e-12);
 /// # Ok::<(), model::ParameterError>(())
