@@ -4,6 +4,7 @@ use model::chain::{Body, Joint, Transform, rotation_of_rpy};
 use model::mechanism::JointKind;
 
 use super::drive::{ArmFriction, Drive, Encoder, StandardErrors};
+use super::units::Units;
 
 /// The rigid body that a joint moves; absent values are unknown.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -61,6 +62,26 @@ impl ArmJoint {
     pub fn count_step(&self) -> Option<f64> {
         let gear_ratio = self.drive.as_ref().map_or(1.0, |drive| drive.gear_ratio);
         Some(self.encoder?.step(gear_ratio, self.kind == JointKind::Prismatic))
+    }
+
+    /// The name of its rotor's inertia in a file, `armature_kg_m2` or `armature_kg`.
+    pub fn armature_name(&self) -> String {
+        self.units().armature()
+    }
+
+    /// The names of friction's six values in a file, as they are written.
+    pub fn friction_names(&self) -> [String; 6] {
+        self.units().of_friction()[0].friction()
+    }
+
+    /// The unit of its command: `V`, `A`, `Nm` or `N`.
+    pub fn command_unit(&self) -> &'static str {
+        self.units().command
+    }
+
+    fn units(&self) -> Units {
+        let drive = self.drive.as_ref().map(|drive| drive.kind);
+        Units::of(self.kind, drive.unwrap_or_default())
     }
 
     /// The joint of a chain; what is unknown of the link is zero.
