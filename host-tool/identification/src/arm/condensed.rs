@@ -36,7 +36,8 @@ impl Condensed {
             let own = self.layout.own(joint);
             all.view_mut((first, 0), (rows, links)).copy_from(&scaled.columns(0, links));
             all.view_mut((first, own), (rows, OWN)).copy_from(&scaled.columns(links, OWN));
-            all.column_mut(self.layout.all()).rows_mut(first, rows)
+            all.column_mut(self.layout.all())
+                .rows_mut(first, rows)
                 .copy_from(&scaled.column(links + OWN));
             first += rows;
         }

@@ -17,12 +17,21 @@ pub struct Fit {
     pub values: Vec<f64>,
     /// Their covariance.
     pub covariance: DMatrix<f64>,
+    /// Squares that are left, those of the prior among them.
+    pub squares: f64,
 }
 
 impl Fit {
     /// The numbers in which commands are linear.
     pub fn numbers(&self) -> Vec<f64> {
         self.unknowns.numbers(&self.values)
+    }
+
+    /// Whether a joint's unknown rotor may be none.
+    fn is_in_doubt(&self, joint: usize, settings: &Settings) -> bool {
+        let at = OF_JOINT * joint + ROTOR;
+        let is_unknown = matches!(self.unknowns.joints[joint].rotor, Rotor::Unknown(_));
+        is_unknown && self.covariance[(at, at)].sqrt() > settings.rotor_doubt
     }
 
     /// Standard errors of functions of the unknowns, by their slopes.
@@ -43,38 +52,38 @@ impl Fit {
     }
 }
 
-/// Fits, and again without rotors that the data do not determine and without Coulomb friction that
-/// would drive.
+/// Fits; then without each unknown rotor that the fit can do without, and without Coulomb friction
+/// that would drive.
 ///
 /// # Errors
 /// The search comes to nothing.
-pub fn fit(
-    rows: &DMatrix<f64>,
-    mut unknowns: Unknowns,
-    settings: &Settings,
-) -> Result<Fit, ArmError> {
-    let mut start = unknowns.start();
-    loop {
-        let found = search(rows, unknowns, &start)?;
-        unknowns = found.unknowns.clone();
-        let mut again = false;
-        for (index, joint) in unknowns.joints.iter_mut().enumerate() {
-            let first = OF_JOINT * index;
-            let doubt = found.covariance[(first + ROTOR, first + ROTOR)].sqrt();
-            if matches!(joint.rotor, Rotor::Unknown(_)) && doubt > settings.rotor_doubt {
-                joint.rotor = Rotor::Fixed(0.0);
-                again = true;
-            }
-            if found.values[first + COULOMB] < 0.0 && !joint.without_coulomb {
-                joint.without_coulomb = true;
-                again = true;
+pub fn fit(rows: &DMatrix<f64>, unknowns: Unknowns, settings: &Settings) -> Result<Fit, ArmError> {
+    let start = unknowns.start();
+    let mut found = search(rows, unknowns, &start)?;
+    for index in 0..found.unknowns.joints.len() {
+        if found.is_in_doubt(index, settings) {
+            let mut without = found.unknowns.clone();
+            without.joints[index].rotor = Rotor::Fixed(0.0);
+            let other = search(rows, without, &found.values)?;
+            if other.squares < found.squares + settings.rotor_evidence {
+                found = other;
             }
         }
-        if !again {
-            return Ok(found);
-        }
-        start = found.values;
     }
+    while let Some(without) = without_driving_friction(&found) {
+        found = search(rows, without, &found.values)?;
+    }
+    Ok(found)
+}
+
+/// The same unknowns with Coulomb friction held at zero where it came out below; `None` where it
+/// nowhere did.
+fn without_driving_friction(found: &Fit) -> Option<Unknowns> {
+    let mut unknowns = found.unknowns.clone();
+    for (joint, own) in unknowns.joints.iter_mut().zip(found.values.chunks_exact(OF_JOINT)) {
+        joint.without_coulomb |= own[COULOMB] < 0.0;
+    }
+    (unknowns != found.unknowns).then_some(unknowns)
 }
 
 fn search(rows: &DMatrix<f64>, unknowns: Unknowns, start: &[f64]) -> Result<Fit, ArmError> {
@@ -91,5 +100,6 @@ fn search(rows: &DMatrix<f64>, unknowns: Unknowns, start: &[f64]) -> Result<Fit,
     let covariance = found.unit_covariance.ok_or_else(|| {
         ArmError::Numerical("the logs and what is given leave a parameter open".to_owned())
     })?;
-    Ok(Fit { values: found.parameters, covariance, unknowns })
+    let squares = found.residuals.norm_squared();
+    Ok(Fit { values: found.parameters, covariance, squares, unknowns })
 }

@@ -77,7 +77,12 @@ pub fn values_of(numbers: &[f64; BODY_PARAMETERS]) -> LinkValues {
 }
 
 /// The values that the file gives, with their standard deviations.
-fn given(joint: &ArmJoint, mass: f64, reach: &Reach, settings: &Settings) -> Vec<(usize, f64, f64)> {
+fn given(
+    joint: &ArmJoint,
+    mass: f64,
+    reach: &Reach,
+    settings: &Settings,
+) -> Vec<(usize, f64, f64)> {
     let link = &joint.link;
     let inertia = link.inertia_kg_m2.unwrap_or_default();
     let half_trace = (inertia[0] + inertia[3] + inertia[5]) / 2.0;

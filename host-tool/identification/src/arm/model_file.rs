@@ -40,9 +40,8 @@ fn all_values(all: &[f64]) -> Vec<f64> {
 }
 
 fn put_link(joint: &mut ArmJoint, given: &[(usize, f64, f64)], values: &[f64], errors: &[f64]) {
-    let is_as_given = |(k, value, doubt): &(usize, f64, f64)| {
-        (values[*k] - value).abs() <= CHANGE * doubt
-    };
+    let is_as_given =
+        |(k, value, doubt): &(usize, f64, f64)| (values[*k] - value).abs() <= CHANGE * doubt;
     if given.len() == BODY_PARAMETERS && given.iter().all(is_as_given) {
         return;
     }

@@ -1,7 +1,7 @@
 //! The smoothed motion of a stretch, and its command smoothed alike.
 
-use signal::derivative::{decimated, first, midpoints, second};
 use signal::LowPass;
+use signal::derivative::{decimated, first, midpoints, second};
 
 use super::band::Band;
 use super::stretch::Stretch;

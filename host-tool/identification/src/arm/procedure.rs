@@ -1,7 +1,7 @@
 //! The whole way from logs to a model.
 
-use files::{FileError, Role};
 use files::arm_file::ArmFriction;
+use files::{FileError, Role};
 use model::chain::SerialChain;
 use model::mechanism::Mechanism;
 use recordings::{ArmCampaign, ArmRecording};

@@ -41,8 +41,11 @@ pub struct Settings {
     pub doubt_of_friction: f64,
     /// Passes of weighting: each joint's weight has settled after three.
     pub weighting_passes: usize,
-    /// A rotor whose logarithm is known no better than this is undetermined, a factor of two.
+    /// An unknown rotor whose logarithm has a smaller standard error than this is beyond doubt.
     pub rotor_doubt: f64,
+    /// Any other unknown rotor is written only where the fit without it is worse by this many squared
+    /// standard deviations: three of them.
+    pub rotor_evidence: f64,
 }
 
 impl Default for Settings {
@@ -63,7 +66,8 @@ impl Default for Settings {
             doubt_of_link: 0.2,
             doubt_of_friction: 1.0,
             weighting_passes: 5,
-            rotor_doubt: 0.7,
+            rotor_doubt: 0.05,
+            rotor_evidence: 9.0,
         }
     }
 }

@@ -67,9 +67,8 @@ impl Clock {
     }
 
     fn sample(&self, values: &[f64]) -> Vec<f64> {
-        let between = |&(row, share): &(usize, f64)| {
-            values[row] + share * (values[row + 1] - values[row])
-        };
+        let between =
+            |&(row, share): &(usize, f64)| values[row] + share * (values[row + 1] - values[row]);
         self.points.iter().map(between).collect()
     }
 }

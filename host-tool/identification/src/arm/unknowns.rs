@@ -88,7 +88,8 @@ impl Unknowns {
     pub fn numbers(&self, all: &[f64]) -> Vec<f64> {
         let layout = Layout { joints: self.joints.len() };
         let mut numbers = vec![0.0; layout.all()];
-        for (index, (joint, own)) in self.joints.iter().zip(all.chunks_exact(OF_JOINT)).enumerate() {
+        for (index, (joint, own)) in self.joints.iter().zip(all.chunks_exact(OF_JOINT)).enumerate()
+        {
             let link = &mut numbers[LINK_PARAMETERS * index..][..LINK_PARAMETERS];
             link[..BODY_PARAMETERS].copy_from_slice(&body(own).to_array());
             link[ROTOR] = joint.armature(own);

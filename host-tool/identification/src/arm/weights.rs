@@ -52,7 +52,8 @@ fn weighed(rows: &[JointRows], numbers: &[f64], layout: Layout) -> Weighting {
         }
         let variance = squares / f64::max(count, 1.0);
         // A log without any noise would weigh infinitely.
-        let floor = 1e-18 * rows.iter().flat_map(|r| &r.command).map(|u| u * u).fold(1e-12, f64::max);
+        let floor =
+            1e-18 * rows.iter().flat_map(|r| &r.command).map(|u| u * u).fold(1e-12, f64::max);
         let variance = variance.max(floor);
         let share = if count > 0.0 { (independent / count).min(1.0) } else { 0.0 };
         misfit += 0.5 * count * variance.ln();
