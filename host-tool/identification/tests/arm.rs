@@ -132,6 +132,20 @@ fn of_pendulum() -> Recorder {
     }
 }
 
+fn of_six_joints() -> Recorder {
+    Recorder {
+        loop_hz: 500,
+        every: 1,
+        duration_s: 40.0,
+        amplitude: vec![1.0, 0.7, 0.8, 1.2, 1.2, 1.5],
+        middle: vec![0.0, 0.4, 0.3, 0.0, 0.5, 0.0],
+        fastest_hz: 0.8,
+        stiffness: vec![4000.0, 4000.0, 2000.0, 600.0, 500.0, 300.0],
+        noise: 0.002,
+        seed: 1,
+    }
+}
+
 fn other(recorder: &Recorder, seed: u128) -> Recorder {
     Recorder { seed, duration_s: 20.0, ..recorder.clone() }
 }
@@ -210,17 +224,7 @@ fn six_joints_with_gears_and_wrong_drawings_are_found() {
         joint.link.com_m = joint.link.com_m.map(|centre| centre.map(|x| 1.1 * x));
         (joint.armature, joint.friction) = (None, None);
     }
-    let recorder = Recorder {
-        loop_hz: 500,
-        every: 1,
-        duration_s: 40.0,
-        amplitude: vec![1.0, 0.7, 0.8, 1.2, 1.2, 1.5],
-        middle: vec![0.0, 0.4, 0.3, 0.0, 0.5, 0.0],
-        fastest_hz: 0.8,
-        stiffness: vec![4000.0, 4000.0, 2000.0, 600.0, 500.0, 300.0],
-        noise: 0.002,
-        seed: 1,
-    };
+    let recorder = of_six_joints();
     let found = identified(&truth, &robot, &[recorder.clone(), other(&recorder, 2)]);
     assert_within(&truth, &found, &recorder, 0.01);
     // The first link's mass has no effect on any torque.
@@ -228,4 +232,36 @@ fn six_joints_with_gears_and_wrong_drawings_are_found() {
     assert!((given - kept).abs() < 1e-3 * given, "{given} {kept}");
     let rotor = found.model.joints[2].armature.unwrap();
     assert!((rotor - 0.6).abs() < 0.006, "{rotor}");
+}
+
+#[test]
+fn six_joints_of_which_only_the_geometry_is_known_are_found() {
+    let truth = six_joints();
+    let mut robot = truth.clone();
+    forget_links(&mut robot);
+    let recorder = of_six_joints();
+    let begin = std::time::Instant::now();
+    let found = identified(&truth, &robot, &[recorder.clone(), other(&recorder, 2)]);
+    println!("recorded and identified in {:?}", begin.elapsed());
+    assert_within(&truth, &found, &recorder, 0.01);
+}
+
+#[test]
+fn logs_of_20_hz_and_5_khz_serve_together() {
+    let truth = parse(PENDULUM);
+    let mut robot = truth.clone();
+    forget_links(&mut robot);
+    let slow = Recorder {
+        loop_hz: 1000,
+        every: 50,
+        duration_s: 90.0,
+        fastest_hz: 0.5,
+        noise: 0.002,
+        ..of_pendulum()
+    };
+    let fast = Recorder { loop_hz: 5000, duration_s: 12.0, seed: 3, ..of_pendulum() };
+    let found = identified(&truth, &robot, &[slow.clone(), fast.clone(), other(&slow, 2)]);
+    assert_within(&truth, &found, &fast, 0.01);
+    let alone = identified(&truth, &robot, &[slow.clone(), other(&slow, 2)]);
+    assert_within(&truth, &alone, &slow, 0.02);
 }

@@ -7,7 +7,7 @@ use nalgebra::DMatrix;
 use serde::Serialize;
 
 use super::fit::Fit;
-use super::layout::{Layout, OWN};
+use super::layout::{FRICTION, Layout};
 
 /// A combination of link parameters.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -48,7 +48,7 @@ pub fn condition_number(
     moves: &[bool],
 ) -> Option<f64> {
     let own = (0..layout.joints).filter(|joint| moves[*joint]);
-    let own = own.flat_map(|joint| layout.own(joint)..layout.own(joint) + OWN);
+    let own = own.flat_map(|joint| layout.own(joint)..layout.own(joint) + FRICTION);
     let columns: Vec<usize> = base.columns().into_iter().chain(own).collect();
     let mut chosen = rows.select_columns(&columns);
     for mut column in chosen.column_iter_mut() {
@@ -60,9 +60,5 @@ pub fn condition_number(
     }
     let singular = chosen.svd(false, false).singular_values;
     let ratio = singular.max() / singular.min();
-    (chosen_is_tall(rows, columns.len()) && ratio < 1e12).then_some(ratio)
-}
-
-fn chosen_is_tall(rows: &DMatrix<f64>, columns: usize) -> bool {
-    rows.nrows() >= columns
+    (rows.nrows() >= columns.len() && ratio < 1e12).then_some(ratio)
 }

@@ -6,7 +6,7 @@ use signal::estimation::{NonlinearSettings, minimise};
 use super::error::ArmError;
 use super::own_prior::Rotor;
 use super::settings::Settings;
-use super::unknowns::{COULOMB, OF_JOINT, ROTOR, Unknowns};
+use super::unknowns::{COULOMB, JointUnknowns, OF_JOINT, ROTOR, Unknowns};
 
 /// What the search found.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,11 +27,12 @@ impl Fit {
         self.unknowns.numbers(&self.values)
     }
 
-    /// Whether a joint's unknown rotor may be none.
-    fn is_in_doubt(&self, joint: usize, settings: &Settings) -> bool {
+    /// Whether a joint's unknown rotor may be none: an unknown link takes its place easily.
+    fn is_rotor_in_doubt(&self, joint: usize, settings: &Settings) -> bool {
         let at = OF_JOINT * joint + ROTOR;
-        let is_unknown = matches!(self.unknowns.joints[joint].rotor, Rotor::Unknown(_));
-        is_unknown && self.covariance[(at, at)].sqrt() > settings.rotor_doubt
+        let JointUnknowns { rotor, link, .. } = &self.unknowns.joints[joint];
+        let is_open = self.covariance[(at, at)].sqrt() > settings.rotor_doubt;
+        matches!(rotor, Rotor::Unknown(_)) && (is_open || !link.is_given())
     }
 
     /// Standard errors of functions of the unknowns, by their slopes.
@@ -61,7 +62,7 @@ pub fn fit(rows: &DMatrix<f64>, unknowns: Unknowns, settings: &Settings) -> Resu
     let start = unknowns.start();
     let mut found = search(rows, unknowns, &start)?;
     for index in 0..found.unknowns.joints.len() {
-        if found.is_in_doubt(index, settings) {
+        if found.is_rotor_in_doubt(index, settings) {
             let mut without = found.unknowns.clone();
             without.joints[index].rotor = Rotor::Fixed(0.0);
             let other = search(rows, without, &found.values)?;
@@ -94,7 +95,7 @@ fn search(rows: &DMatrix<f64>, unknowns: Unknowns, start: &[f64]) -> Result<Fit,
         let all = left.iter().copied().chain(unknowns.prior_residuals(all)).collect::<Vec<_>>();
         all.iter().all(|r| r.is_finite()).then_some(all)
     };
-    let settings = NonlinearSettings { tolerance: 1e-9, patience: 20, relative_step: 1e-5 };
+    let settings = NonlinearSettings { tolerance: 1e-7, patience: 20, relative_step: 1e-5 };
     let found = minimise(residuals, start, &unknowns.scale(), &settings);
     let found = found.ok_or_else(|| ArmError::Numerical("the start is out of range".to_owned()))?;
     let covariance = found.unit_covariance.ok_or_else(|| {

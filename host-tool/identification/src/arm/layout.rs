@@ -5,6 +5,9 @@ use model::chain::LINK_PARAMETERS;
 /// Friction's numbers per joint: Coulomb level, viscous coefficient, and a constant beside.
 pub const OWN: usize = 3;
 
+/// Those of them that are friction, the first.
+pub const FRICTION: usize = 2;
+
 /// Link parameters of n joints, then per joint Coulomb, viscous, constant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Layout {

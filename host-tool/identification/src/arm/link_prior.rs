@@ -57,6 +57,11 @@ impl LinkPrior {
         }
     }
 
+    /// Whether all of the link is given.
+    pub fn is_given(&self) -> bool {
+        self.given.len() == BODY_PARAMETERS
+    }
+
     /// What a search is charged for a link: one entry per number and given value.
     pub fn residuals(&self, numbers: &[f64; BODY_PARAMETERS]) -> Vec<f64> {
         let values = values_of(numbers);

@@ -18,8 +18,10 @@ pub const COULOMB: usize = LINK_PARAMETERS;
 
 /// An unknown rotor lies within a factor of a hundred of where it is searched from.
 const ROTOR_WIDTH: f64 = 4.6;
-/// Unknown friction and constants, in largest commands: no information.
+/// Unknown friction, in largest commands: no information.
 const OWN_WIDTH: f64 = 100.0;
+/// Constants beside, in largest commands: where gravity may explain as much, it does.
+const CONSTANT_WIDTH: f64 = 0.1;
 
 /// One joint.
 #[derive(Clone, Debug, PartialEq)]
@@ -146,7 +148,7 @@ impl JointUnknowns {
             Some((value, doubt)) => (own[COULOMB + k] - value) / doubt,
             None => own[COULOMB + k] / widths[k],
         });
-        let constant = own[COULOMB + 2] / widths[0];
+        let constant = own[COULOMB + 2] / (CONSTANT_WIDTH * self.largest);
         let mut all = self.link.residuals(&link_numbers(own));
         all.push(rotor);
         all.extend(friction);
