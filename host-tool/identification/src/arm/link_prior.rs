@@ -51,7 +51,7 @@ impl LinkPrior {
         width[1..4].fill(3.0_f64.ln());
         width[7..].fill(size);
         Self {
-            start: body.log_cholesky().expect("made possible above"),
+            start: body.log_cholesky().unwrap_or_else(|| round_body(mass, centre, size)),
             width,
             given: given(joint, mass, reach, settings),
         }
@@ -69,6 +69,13 @@ impl LinkPrior {
         let near = self.given.iter().map(|(k, value, doubt)| (values[*k] - value) / doubt);
         wide.chain(near).collect()
     }
+}
+
+/// The numbers of an unknown link's inertia about a centre: for one so far from its joint that
+/// its given inertia is lost in rounding.
+fn round_body(mass: f64, [x, y, z]: [f64; 3], length_m: f64) -> [f64; BODY_PARAMETERS] {
+    let radius = (UNKNOWN_RADIUS * length_m).ln();
+    [mass.ln() / 2.0, radius, radius, radius, 0.0, 0.0, 0.0, x, y, z]
 }
 
 /// The values of a file that belong to the numbers of log-Cholesky.
@@ -118,6 +125,9 @@ fn possible(mass: f64, inertia: [f64; 6], length_m: f64) -> [f64; 6] {
     let [xx, xy, xz, yy, yz, zz] = inertia;
     let tensor = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
     let moments = Matrix3::identity() * (tensor.trace() / 2.0) - tensor;
+    if !moments.iter().all(|moment| moment.is_finite()) {
+        return inertia;
+    }
     let mut split = SymmetricEigen::new(moments);
     let least = mass * (0.01 * length_m).powi(2);
     split.eigenvalues.apply(|moment| *moment = moment.max(least));
@@ -130,14 +140,54 @@ fn possible(mass: f64, inertia: [f64; 6], length_m: f64) -> [f64; 6] {
 pub fn reaches(joints: &[ArmJoint]) -> Vec<Reach> {
     /// No link is shorter [m].
     const SHORTEST_M: f64 = 0.05;
-    let length = |joint: &ArmJoint| joint.origin_xyz_m.iter().map(|x| x * x).sum::<f64>().sqrt();
+    /// Nor longer [m].
+    const LONGEST_M: f64 = 100.0;
+    let length = |joint: &ArmJoint| {
+        let square: f64 = joint.origin_xyz_m.iter().map(|x| x * x).sum();
+        square.sqrt().clamp(SHORTEST_M, LONGEST_M)
+    };
     (0..joints.len())
         .map(|index| match joints.get(index + 1) {
-            Some(next) => Reach {
-                middle_m: next.origin_xyz_m.map(|x| x / 2.0),
-                length_m: length(next).max(SHORTEST_M),
-            },
-            None => Reach { middle_m: [0.0; 3], length_m: length(&joints[index]).max(SHORTEST_M) },
+            Some(next) => {
+                Reach { middle_m: next.origin_xyz_m.map(|x| x / 2.0), length_m: length(next) }
+            }
+            None => Reach { middle_m: [0.0; 3], length_m: length(&joints[index]) },
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use files::arm_file::LinkTable;
+
+    use super::*;
+
+    #[test]
+    fn any_given_link_has_a_possible_start() {
+        let reach = Reach { middle_m: [0.1, 0.0, 0.0], length_m: 0.3 };
+        let inertias = [[0.0; 6], [1.0, 0.0, 0.0, 1e-3, 0.0, 1e-3], [1e300; 6], [1e-6; 6]];
+        for inertia in inertias {
+            for (mass, x) in [(0.0, 0.0), (1.0, 1e7), (1e5, 1e-3), (1e-9, 1e200)] {
+                let link = LinkTable {
+                    mass_kg: Some(mass),
+                    com_m: Some([x, 0.0, 0.0]),
+                    inertia_kg_m2: Some(inertia),
+                };
+                let joint = ArmJoint { link, ..ArmJoint::default() };
+                let prior = LinkPrior::of(&joint, &reach, &Settings::default());
+                assert!(prior.start.iter().all(|number| number.is_finite()), "{joint:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn values_and_numbers_agree() {
+        let given = [2.0, 0.1, -0.2, 0.05, 0.02, 1e-3, 0.0, 0.03, -2e-3, 0.025];
+        let [mass, x, y, z, inertia @ ..] = given;
+        let body = Body::about_centre(mass, [x, y, z], inertia);
+        let found = values_of(&body.log_cholesky().unwrap());
+        for (given, found) in given.iter().zip(found) {
+            assert!((given - found).abs() < 1e-12, "{given} {found}");
+        }
+    }
 }
