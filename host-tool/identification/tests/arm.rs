@@ -265,3 +265,20 @@ fn logs_of_20_hz_and_5_khz_serve_together() {
     let alone = identified(&truth, &robot, &[slow.clone(), other(&slow, 2)]);
     assert_within(&truth, &alone, &slow, 0.02);
 }
+
+#[test]
+fn commands_beyond_the_drive_s_limit_do_no_harm() {
+    let mut truth = parse(PENDULUM);
+    truth.joints[0].drive.as_mut().unwrap().limit = Some(2.5);
+    let mut robot = truth.clone();
+    forget_links(&mut robot);
+    let recorder = of_pendulum();
+    let log = record(&truth, &recorder);
+    let beyond = log.lines().skip(1).filter(|line| {
+        let u: f64 = line.split(',').nth(2).unwrap().parse().unwrap();
+        u.abs() > 2.5
+    });
+    assert!(beyond.count() > 100);
+    let found = identified(&truth, &robot, &[recorder.clone(), other(&recorder, 2)]);
+    assert_within(&truth, &found, &recorder, 0.01);
+}

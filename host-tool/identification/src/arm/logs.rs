@@ -30,7 +30,8 @@ impl PreparedLog {
         joints: &[ArmJoint],
         settings: &Settings,
     ) -> Result<Self, ArmError> {
-        let all = stretches(&recording.log, settings.longest_gap);
+        let mut all = stretches(&recording.log, settings.longest_gap);
+        all.iter_mut().for_each(|stretch| limit(stretch, joints));
         let steps: Vec<_> = joints.iter().map(ArmJoint::count_step).collect();
         let longest_s = all.iter().map(Stretch::duration_s).fold(0.0, f64::max);
         let too_short = |needed_s, rate_hz| ArmError::TooShort {
@@ -77,5 +78,14 @@ impl PreparedLog {
             }
         }
         scales
+    }
+}
+
+/// Commands as the drives pass them on: not beyond their limits.
+fn limit(stretch: &mut Stretch, joints: &[ArmJoint]) {
+    for (command, joint) in stretch.command.iter_mut().zip(joints) {
+        if let Some(limit) = joint.drive.as_ref().and_then(|drive| drive.limit) {
+            command.iter_mut().for_each(|u| *u = u.clamp(-limit, limit));
+        }
     }
 }

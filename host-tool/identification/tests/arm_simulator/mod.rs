@@ -129,11 +129,21 @@ pub fn record(arm: &ArmFile, recorder: &Recorder) -> String {
             }
             text.push('\n');
         }
+        let u = limited(arm, &u);
         for _ in 0..parts {
             step(arm, &chain, &constants, &u, &mut q, &mut qd, period_s / parts as f64);
         }
     }
     text
+}
+
+/// What the drives pass on.
+fn limited(arm: &ArmFile, u: &[f64]) -> Vec<f64> {
+    let limit = |joint: &files::ArmJoint| joint.drive.as_ref().unwrap().limit;
+    let of_joint = |(joint, u): (&files::ArmJoint, &f64)| {
+        limit(joint).map_or(*u, |limit| u.clamp(-limit, limit))
+    };
+    arm.joints.iter().zip(u).map(of_joint).collect()
 }
 
 fn header(arm: &ArmFile) -> String {
