@@ -14,6 +14,7 @@
 //! | [`base`], [`geometry`], [`links`] | the 16 base parameters of eq. (4), and their computation from link masses |
 //! | [`robot`], [`pendulum`] | a complete rig: three joints, or the one joint of eq. (11) |
 //! | [`reference_robot`] | the numbers printed in the paper |
+//! | [`mechanism`], [`chain`] | the interface of all arms; serial chains of any joints, recursively |
 //! | [`dual`] | numbers that carry their derivatives, for exact slopes of all of these |
 //!
 //! The voltages that hold the reference robot's arm level, and the acceleration with
@@ -37,6 +38,7 @@
 
 pub mod base;
 mod base_check;
+pub mod chain;
 pub mod dual;
 pub mod dynamics;
 pub mod effects;
@@ -44,6 +46,7 @@ pub mod friction;
 pub mod friction_parameters;
 pub mod geometry;
 pub mod links;
+pub mod mechanism;
 pub mod parameter;
 pub mod pendulum;
 pub mod real;

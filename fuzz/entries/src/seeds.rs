@@ -207,6 +207,11 @@ const PENDULUM: &str = "format = 1\n[robot]\ntorque_constant_Nm_per_V = [3]\n\
     alpha2_V_s_per_rad = 0.1\n";
 const DATASET: &str = "format = 1\nencoder_counts_per_rev = 655360\n[[log]]\nfile = \"a.csv\"\n\
     experiment = \"slow\"\nrole = \"train\"\n";
+const ARM: &str = "format = 2\n[robot]\ngravity_m_s2 = [0, 0, -9.81]\n[[joint]]\nname = \"a\"\n\
+    kind = \"revolute\"\norigin_xyz_m = [0, 0, 0.1]\naxis = [0, 0, 1]\nmass_kg = 1\n\
+    com_m = [0, 0, 0]\ninertia_kg_m2 = [1, 0, 0, 1, 0, 1]\nlimits_rad = [-1, 1]\n\
+    [joint.drive]\nkind = \"current\"\ntorque_constant_Nm_per_A = 2\n[joint.encoder]\n\
+    counts_per_rev = 4096\n[joint.friction]\nalpha0_V = 0.1\n[joint.standard_error]\nmass_kg = 0.1\n";
 /// Models, data sets and excitations.
 pub fn toml_files() -> Vec<Vec<u8>> {
     let model = written("model.toml", |path| {
@@ -226,5 +231,5 @@ pub fn toml_files() -> Vec<Vec<u8>> {
         file.write(path).expect("the excitation is good");
     });
     let with_effects = [&model, EFFECTS.as_bytes()].concat();
-    vec![model, with_effects, PENDULUM.into(), DATASET.into(), excitation]
+    vec![model, with_effects, PENDULUM.into(), DATASET.into(), ARM.into(), excitation]
 }

@@ -166,6 +166,18 @@ pub enum Problem {
     /// A format number of a later (or no) version.
     #[error("format {0} is not known here: this version reads format 1")]
     UnknownFormat(i64),
+    /// A file of the general format where only the special one is read.
+    #[error(
+        "format 2 is not known here: this version reads format 1, and arms of any kind (format 2) \
+         in `rrr inverse-dynamics` and `rrr identify DATASET` alone"
+    )]
+    ArmOfAnyKind,
+    /// A key that its table does not have.
+    #[error("{0}")]
+    UnknownKey(String),
+    /// A URDF that does not parse or does not fit.
+    #[error("{0}")]
+    Urdf(String),
     /// A value that must be there.
     #[error("{0} is missing")]
     MissingParameter(String),
@@ -218,6 +230,11 @@ impl Problem {
                 "`rrr diagnose --print-criteria` prints every key with its meaning and default"
             }
             Self::UnknownFormat(_) => "update the tool, or write the file with `format = 1`",
+            Self::ArmOfAnyKind => {
+                "update the tool, or give a robot.toml or model.toml with `format = 1`"
+            }
+            Self::UnknownKey(_) => "correct its name, with the unit, or delete the line",
+            Self::Urdf(_) => "correct the URDF, or write the joints into the file without `urdf`",
             Self::MissingParameter(_) => "add it to the file",
             Self::Parameter(_) => "correct the value in the file",
             Self::Contradiction(_) => "correct one of the two",

@@ -26,6 +26,8 @@
 #![forbid(unsafe_code)]
 
 mod appending;
+pub mod arm_file;
+pub mod arm_log;
 mod bytes;
 pub mod dataset;
 pub mod error;
@@ -34,10 +36,13 @@ pub mod log;
 mod number;
 pub mod replace;
 pub mod robot_file;
+mod section;
 pub mod settings;
 pub mod table;
 mod toml_source;
 
+pub use arm_file::{ArmFile, ArmJoint};
+pub use arm_log::{ArmJointLog, ArmLog};
 pub use dataset::{Dataset, Entry, Experiment, Recording, Role};
 pub use error::{FileError, Problem};
 pub use excitation_file::ExcitationFile;

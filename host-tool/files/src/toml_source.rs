@@ -10,8 +10,11 @@ use toml::de::{DeInteger, DeTable, DeValue};
 use super::bytes;
 use super::error::{FileError, Place, Problem};
 
-/// The only format number there is.
+/// The format of all files but those of arms of any kind.
 pub(super) const FORMAT: i64 = 1;
+
+/// The format of arms of any kind.
+pub(super) const ARM_FORMAT: i64 = 2;
 
 /// A TOML file's text.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,11 +38,22 @@ impl TomlSource {
 
     /// Checks the same in a file's bytes.
     pub(super) fn of(path: &Path, bytes: Vec<u8>) -> Result<Self, FileError> {
+        Self::of_format(path, bytes, FORMAT)
+    }
+
+    /// The same where another format is wanted.
+    pub(super) fn of_format(path: &Path, bytes: Vec<u8>, format: i64) -> Result<Self, FileError> {
         let source = Self { path: path.to_owned(), text: bytes::text(path, bytes)? };
         let document = source.document()?;
-        source.check_format(document.get_ref())?;
+        source.check_format(document.get_ref(), format)?;
         source.check_finite("", document.get_ref())?;
         Ok(source)
+    }
+
+    /// The format number of a file's text, as far as it has one.
+    pub(super) fn format_of(text: &str) -> Option<i64> {
+        let document = DeTable::parse(text).ok()?;
+        document.get_ref().get("format")?.get_ref().as_integer().and_then(whole)
     }
 
     /// Reads a file that may lack a format number, and checks that every number is finite.
@@ -49,7 +63,8 @@ impl TomlSource {
         Ok(source)
     }
 
-    fn document(&self) -> Result<Spanned<DeTable<'_>>, FileError> {
+    /// The file's values with their places.
+    pub(super) fn document(&self) -> Result<Spanned<DeTable<'_>>, FileError> {
         DeTable::parse(&self.text).map_err(|error| self.syntax(&error))
     }
 
@@ -115,7 +130,8 @@ impl TomlSource {
         bytes::line_at_end(&self.text.as_bytes()[..span.start.min(self.text.len())])
     }
 
-    fn problem_at(&self, problem: Problem, span: Range<usize>) -> FileError {
+    /// A problem at a range of bytes.
+    pub(super) fn problem_at(&self, problem: Problem, span: Range<usize>) -> FileError {
         problem.at(Place::line(self.line_at(span))).in_file(&self.path)
     }
 
@@ -129,12 +145,13 @@ impl TomlSource {
         }
     }
 
-    fn check_format(&self, document: &DeTable) -> Result<(), FileError> {
+    fn check_format(&self, document: &DeTable, wanted: i64) -> Result<(), FileError> {
         let Some(value) = document.get("format") else {
-            return Err(self.problem(Problem::MissingParameter("`format = 1`".to_owned())));
+            let missing = format!("`format = {wanted}`");
+            return Err(self.problem(Problem::MissingParameter(missing)));
         };
         let problem = match value.get_ref().as_integer().and_then(whole) {
-            Some(FORMAT) => return Ok(()),
+            Some(format) if format == wanted => return Ok(()),
             Some(other) => Problem::UnknownFormat(other),
             None => Problem::Toml("format must be a whole number".to_owned()),
         };
@@ -167,7 +184,8 @@ fn is_finite(number: &str) -> bool {
     number.replace('_', "").parse::<f64>().is_ok_and(f64::is_finite)
 }
 
-fn whole(number: &DeInteger) -> Option<i64> {
+/// A whole number in any base.
+pub(super) fn whole(number: &DeInteger) -> Option<i64> {
     i64::from_str_radix(number.as_str(), number.radix()).ok()
 }
 

@@ -2,6 +2,7 @@
 //!
 //! | module | step |
 //! | --- | --- |
+//! | [`arm`] | **arms of any kind**: links, rotors and friction from logs of any motion |
 //! | [`ekf`] | friction, inertia and gravity of a joint by the augmented Kalman filter, eq. (11) |
 //! | [`estimate`], [`friction_estimates`] | a value, and a joint's friction, with uncertainty |
 //! | [`friction_law`] | static friction or bristles, whichever the data carry |
@@ -18,6 +19,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod arm;
 pub mod base_parameters;
 pub mod ekf;
 pub mod estimate;

@@ -18,6 +18,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
+pub mod arm;
 pub mod campaign;
 mod error;
 pub mod motion;
@@ -27,6 +28,7 @@ pub mod smoothed;
 pub mod tracking;
 mod unbroken;
 
+pub use arm::{ArmCampaign, ArmRecording};
 pub use campaign::{Campaign, JointTrace, Known, Trace};
 pub use error::StepError;
 pub use tracking::Tracking;

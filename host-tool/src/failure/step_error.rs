@@ -1,6 +1,7 @@
 //! What to do when logs do not serve an estimate.
 
 use super::Failure;
+use identification::arm::ArmError;
 use recordings::StepError;
 
 impl From<StepError> for Failure {
@@ -11,5 +12,11 @@ impl From<StepError> for Failure {
             StepError::Numerical { .. } => "look at the logs: the motion may not excite it",
         };
         Self::new(error.to_string(), hint)
+    }
+}
+
+impl From<ArmError> for Failure {
+    fn from(error: ArmError) -> Self {
+        Self::new(error.to_string(), error.hint())
     }
 }

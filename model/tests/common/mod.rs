@@ -1,6 +1,7 @@
 //! What several test files share.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+pub mod chains;
 pub mod lugre;
 pub mod newton_euler;
 pub mod rigid_robot;

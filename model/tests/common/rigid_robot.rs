@@ -54,7 +54,7 @@ fn geometry() -> impl Strategy<Value = Geometry<f64>> {
     })
 }
 
-fn link() -> impl Strategy<Value = Link<f64>> {
+pub fn link() -> impl Strategy<Value = Link<f64>> {
     let point = (0.05..2.0, uniform3(-0.3..0.3));
     uniform6(point).prop_map(|points| link_of_points(&points))
 }

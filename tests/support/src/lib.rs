@@ -51,8 +51,14 @@ fn present(path: PathBuf, is_required: bool) -> Option<PathBuf> {
     if is_there(&path, is_required) {
         return Some(path);
     }
-    tell(&format!("skipped: {}, because {} is absent\n", test_name(), path.display()));
+    skip(&format!("{} is absent", path.display()));
     None
+}
+
+/// Says that the test is left out, and why.
+#[track_caller]
+pub fn skip(why: &str) {
+    tell(&format!("skipped: {}, because {why}\n", test_name()));
 }
 
 fn is_there(path: &Path, is_required: bool) -> bool {

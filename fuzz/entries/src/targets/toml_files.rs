@@ -1,6 +1,6 @@
 //! Models, data sets and excitations.
 
-use files::{Dataset, ExcitationFile, RobotFile};
+use files::{ArmFile, Dataset, ExcitationFile, RobotFile};
 use rig::compensation::Compensations;
 use rig::effects::Catalogue;
 use rig::{Rig, plan};
@@ -10,6 +10,9 @@ pub fn run(bytes: &[u8]) {
     let _ = Dataset::parse(".", bytes.to_vec());
     if let Ok(file) = ExcitationFile::parse("excitation.toml", bytes.to_vec()) {
         let _ = file.motion();
+    }
+    if let Ok(arm) = ArmFile::parse("model.toml", bytes.to_vec()) {
+        let _ = (arm.chain(), arm.chain_of_what_is_known(), arm.remarks());
     }
     let Ok(file) = RobotFile::parse("model.toml", bytes.to_vec()) else { return };
     let _ = (file.robot(), file.pendulum());

@@ -104,7 +104,7 @@ pub(super) fn check_written_time(time_s: &[f64]) -> Result<(), LocatedProblem> {
 }
 
 /// Checks that the time increases strictly.
-pub(super) fn check_time(time_s: &[f64]) -> Result<(), LocatedProblem> {
+pub(crate) fn check_time(time_s: &[f64]) -> Result<(), LocatedProblem> {
     match time_s.windows(2).position(|pair| pair[1] <= pair[0]) {
         None => Ok(()),
         Some(row) => {

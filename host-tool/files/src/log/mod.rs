@@ -1,7 +1,7 @@
 //! A log: what the joints did, sample by sample.
 
 mod board_message;
-mod check;
+pub(crate) mod check;
 mod format;
 mod from_table;
 mod joint_message;

@@ -9,7 +9,7 @@ use toml::{Table, Value};
 use super::tables::as_number;
 use super::{EffectTable, FrictionTable, PendulumTable, RobotFile, RobotTable};
 use crate::error::{FileError, Problem};
-use crate::toml_source::TomlSource;
+use crate::toml_source::{ARM_FORMAT, TomlSource};
 
 /// The tables that are known here; the rest of the file is found by comparison.
 #[derive(Deserialize)]
@@ -31,7 +31,7 @@ impl RobotFile {
     /// # Errors
     /// Names the file and line, what is wrong, and a remedy.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
-        of(TomlSource::read(path.as_ref())?)
+        TomlSource::read(path.as_ref()).map_err(arm_of_any_kind).and_then(of)
     }
 
     /// The same from a file's bytes; the path is for messages.
@@ -39,7 +39,15 @@ impl RobotFile {
     /// # Errors
     /// As of [`RobotFile::read`].
     pub fn parse(path: impl AsRef<Path>, bytes: Vec<u8>) -> Result<Self, FileError> {
-        of(TomlSource::of(path.as_ref(), bytes)?)
+        TomlSource::of(path.as_ref(), bytes).map_err(arm_of_any_kind).and_then(of)
+    }
+}
+
+/// Names what a file of the general format is.
+fn arm_of_any_kind(error: FileError) -> FileError {
+    match error.problem {
+        Problem::UnknownFormat(ARM_FORMAT) => FileError { problem: Problem::ArmOfAnyKind, ..error },
+        problem => FileError { problem, ..error },
     }
 }
 

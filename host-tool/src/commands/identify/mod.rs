@@ -1,17 +1,17 @@
 //! `rrr identify`: the model of an unknown robot from its recorded experiments.
 
+mod arm;
 mod steps;
-
-use std::path::{Path, PathBuf};
+mod whole;
 
 use clap::Args;
 
 pub use steps::Step;
+pub use whole::Whole;
 
 use crate::failure::Failure;
-use crate::output_files::{create_directory, json, write_text};
 use crate::terminal::progress::Steps;
-use files::{Dataset, RobotFile};
+use files::{ArmFile, Dataset, RobotFile};
 use identification::procedure::{self, Identified, model_file};
 use recordings::Campaign;
 use report::identification_page::identification_page;
@@ -28,20 +28,6 @@ pub struct Arguments {
     /// The whole procedure.
     #[command(flatten)]
     pub whole: Option<Whole>,
-}
-
-/// Arguments of the whole procedure.
-#[derive(Debug, Args)]
-pub struct Whole {
-    /// The data set: a directory with dataset.toml and its logs.
-    #[arg(value_name = "DATASET", required = true)]
-    pub dataset: PathBuf,
-    /// The manufacturer's data.
-    #[arg(long, value_name = "ROBOT.toml", required = true)]
-    pub robot: PathBuf,
-    /// Where the model goes; identification.json and identification.html go beside it.
-    #[arg(long, value_name = "MODEL.toml", required = true)]
-    pub out: PathBuf,
 }
 
 /// Runs the command.
@@ -63,6 +49,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 pub fn run_whole(arguments: &Whole) -> Result<(), Failure> {
     let steps = Steps::new();
     steps.at("reading the logs");
+    if ArmFile::is_at(&arguments.robot) {
+        return arm::run(arguments, &steps);
+    }
     let robot_file = RobotFile::read(&arguments.robot)?;
     let campaign = Campaign::read(&Dataset::read(&arguments.dataset)?, robot_file)?;
     if campaign.known.joints.len() == 1 {
@@ -96,21 +85,6 @@ fn of_one_joint(arguments: &Whole, campaign: &Campaign, steps: &Steps) -> Result
     }
     println!("\nModel: {}\nFigures: {}", arguments.out.display(), page.display());
     Ok(())
-}
-
-impl Whole {
-    /// A file beside the model, whose directory is there afterwards.
-    fn beside(&self, name: &str) -> Result<PathBuf, Failure> {
-        let directory = self.out.parent().filter(|parent| !parent.as_os_str().is_empty());
-        let directory = directory.unwrap_or(Path::new("."));
-        create_directory(directory)?;
-        Ok(directory.join(name))
-    }
-
-    fn write_summary(&self, summary: &impl serde::Serialize) -> Result<(), Failure> {
-        let path = self.beside("identification.json")?;
-        write_text(&json(summary, &path)?, &path)
-    }
 }
 
 fn print_table(identified: &Identified) {

@@ -1,0 +1,51 @@
+//! What the identification of an arm found.
+
+use files::ArmFile;
+use serde::Serialize;
+
+use super::base::BaseParameter;
+use super::judge::LogLeft;
+use super::motion::CommandTime;
+
+/// The model, and how good it is.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct IdentifiedArm {
+    /// The robot file with what was found; not part of the summary.
+    #[serde(skip)]
+    pub model: ArmFile,
+    /// When commands act, as the logs with role `train` say.
+    pub command_time: CommandTime,
+    /// What is left on the logs held out; on those fitted to where there are none.
+    pub left: Vec<LogLeft>,
+    /// Whether `left` is of logs held out.
+    pub is_held_out: bool,
+    /// Condition number of the base parameters and friction, columns scaled to one; none where
+    /// the logs alone leave some open.
+    pub condition_number: Option<f64>,
+    /// The combinations of link parameters that count.
+    pub base: Vec<BaseParameter>,
+    /// A constant beside the friction per joint, which the model does not hold.
+    pub constants: Vec<Constant>,
+    /// The band of each log fitted to.
+    pub bands: Vec<LogBand>,
+    /// What the user should know.
+    pub remarks: Vec<String>,
+}
+
+/// A constant that a joint's commands carry, in the unit of the command.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Constant {
+    /// Its value.
+    pub value: f64,
+    /// Its standard error.
+    pub standard_error: f64,
+}
+
+/// The band in which a log was judged.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LogBand {
+    /// File name.
+    pub file: String,
+    /// Cut-off of what was compared [Hz].
+    pub cutoff_hz: f64,
+}

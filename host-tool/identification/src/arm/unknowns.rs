@@ -1,0 +1,158 @@
+//! The unknowns of the search: per link the numbers of log-Cholesky, per joint the logarithm of
+//! its rotor and its friction. Any values are a possible arm.
+
+use files::ArmFile;
+use model::chain::{BODY_PARAMETERS, Body, LINK_PARAMETERS};
+
+use super::layout::{Layout, OWN};
+use super::link_prior::{LinkPrior, reaches};
+use super::own_prior::{Prior, Rotor, friction_priors};
+use super::settings::Settings;
+
+/// Unknowns of a joint: its link, its rotor, Coulomb, viscous, constant.
+pub const OF_JOINT: usize = LINK_PARAMETERS + OWN;
+/// Where a joint's rotor stands among them.
+pub const ROTOR: usize = BODY_PARAMETERS;
+/// Where its Coulomb level stands among them.
+pub const COULOMB: usize = LINK_PARAMETERS;
+
+/// An unknown rotor lies within a factor of a hundred of where it is searched from.
+const ROTOR_WIDTH: f64 = 4.6;
+/// Unknown friction, in largest commands: no information.
+const OWN_WIDTH: f64 = 100.0;
+/// Constants beside, in largest commands: where gravity may explain as much, it does.
+const CONSTANT_WIDTH: f64 = 0.1;
+
+/// One joint.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointUnknowns {
+    /// Its link.
+    pub link: LinkPrior,
+    /// Its rotor.
+    pub rotor: Rotor,
+    /// Coulomb level and viscous coefficient.
+    pub friction: [Prior; 2],
+    /// Coulomb friction is held at zero.
+    pub without_coulomb: bool,
+    /// Largest command of the logs.
+    largest: f64,
+    /// Largest velocity of the logs.
+    fastest: f64,
+}
+
+/// All joints.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unknowns {
+    /// Base to tip.
+    pub joints: Vec<JointUnknowns>,
+}
+
+impl Unknowns {
+    /// Of an arm; largest command and velocity per joint give scales.
+    pub fn of(arm: &ArmFile, scales: &[[f64; 2]], settings: &Settings) -> Self {
+        let joints = arm.joints.iter().zip(reaches(&arm.joints)).zip(scales);
+        let joints = joints.map(|((joint, reach), [largest, fastest])| {
+            let link = LinkPrior::of(joint, &reach, settings);
+            let mass = Body::of_log_cholesky(&link.start).mass_kg;
+            let arm = match joint.kind {
+                model::mechanism::JointKind::Revolute => reach.length_m,
+                model::mechanism::JointKind::Prismatic => 1.0,
+            };
+            JointUnknowns {
+                rotor: Rotor::of(joint, mass * arm * arm, settings),
+                link,
+                friction: friction_priors(joint, settings),
+                without_coulomb: false,
+                largest: largest.max(1e-9),
+                fastest: fastest.max(1e-9),
+            }
+        });
+        Self { joints: joints.collect() }
+    }
+
+    /// Where the search begins.
+    pub fn start(&self) -> Vec<f64> {
+        self.joints.iter().flat_map(JointUnknowns::start).collect()
+    }
+
+    /// Orders of magnitude.
+    pub fn scale(&self) -> Vec<f64> {
+        self.joints.iter().flat_map(JointUnknowns::scale).collect()
+    }
+
+    /// What all of them are charged before the logs are seen.
+    pub fn prior_residuals(&self, all: &[f64]) -> Vec<f64> {
+        let both = self.joints.iter().zip(all.chunks_exact(OF_JOINT));
+        both.flat_map(|(joint, own)| joint.residuals(own)).collect()
+    }
+
+    /// The numbers in which commands are linear, in the order of [`Layout`].
+    pub fn numbers(&self, all: &[f64]) -> Vec<f64> {
+        let layout = Layout { joints: self.joints.len() };
+        let mut numbers = vec![0.0; layout.all()];
+        for (index, (joint, own)) in self.joints.iter().zip(all.chunks_exact(OF_JOINT)).enumerate()
+        {
+            let link = &mut numbers[LINK_PARAMETERS * index..][..LINK_PARAMETERS];
+            link[..BODY_PARAMETERS].copy_from_slice(&body(own).to_array());
+            link[ROTOR] = joint.armature(own);
+            let friction = &mut numbers[layout.own(index)..][..OWN];
+            friction.copy_from_slice(&own[COULOMB..]);
+            friction[0] = if joint.without_coulomb { 0.0 } else { friction[0] };
+        }
+        numbers
+    }
+}
+
+/// The log-Cholesky numbers among a joint's unknowns.
+pub fn link_numbers(own: &[f64]) -> [f64; BODY_PARAMETERS] {
+    core::array::from_fn(|k| own[k])
+}
+
+fn body(own: &[f64]) -> Body<f64> {
+    Body::of_log_cholesky(&link_numbers(own))
+}
+
+impl JointUnknowns {
+    /// The rotor's inertia at a joint's unknowns.
+    pub fn armature(&self, own: &[f64]) -> f64 {
+        match self.rotor {
+            Rotor::Fixed(value) => value,
+            Rotor::Given(..) | Rotor::Unknown(_) => own[ROTOR].exp(),
+        }
+    }
+
+    fn start(&self) -> Vec<f64> {
+        let rotor = match self.rotor {
+            Rotor::Fixed(_) => 0.0,
+            Rotor::Given(value, _) | Rotor::Unknown(value) => value.ln(),
+        };
+        let friction = self.friction.map(|prior| prior.map_or(0.0, |(value, _)| value));
+        self.link.start.into_iter().chain([rotor]).chain(friction).chain([0.0]).collect()
+    }
+
+    fn scale(&self) -> Vec<f64> {
+        let own = [1.0, self.largest, self.largest / self.fastest, self.largest];
+        self.link.width.into_iter().chain(own).collect()
+    }
+
+    fn residuals(&self, own: &[f64]) -> Vec<f64> {
+        let rotor = match self.rotor {
+            // What does not count stays where it is.
+            Rotor::Fixed(_) => own[ROTOR],
+            Rotor::Given(value, doubt) => (own[ROTOR].exp() - value) / doubt,
+            Rotor::Unknown(value) => (own[ROTOR] - value.ln()) / ROTOR_WIDTH,
+        };
+        let widths = [self.largest, self.largest / self.fastest].map(|x| OWN_WIDTH * x);
+        let friction = (0..2).map(|k| match self.friction[k] {
+            _ if k == 0 && self.without_coulomb => own[COULOMB] / self.largest,
+            Some((value, doubt)) => (own[COULOMB + k] - value) / doubt,
+            None => own[COULOMB + k] / widths[k],
+        });
+        let constant = own[COULOMB + 2] / (CONSTANT_WIDTH * self.largest);
+        let mut all = self.link.residuals(&link_numbers(own));
+        all.push(rotor);
+        all.extend(friction);
+        all.push(constant);
+        all
+    }
+}

@@ -1,0 +1,13 @@
+//! What can be known of any arm's rigid body from its torques.
+//!
+//! The torques of a chain depend on fewer numbers than its links have: some have no effect, others
+//! act together. [`BaseParameters`] finds the combinations that count.
+#![forbid(unsafe_code)]
+
+mod base_parameters;
+mod combination;
+mod observation;
+
+pub use base_parameters::BaseParameters;
+pub use combination::Combination;
+pub use observation::{Observation, Settings};

@@ -1,0 +1,77 @@
+//! The rigid body of a model file.
+
+use std::path::Path;
+
+use files::{ArmFile, FileError, RobotFile};
+use model::Pendulum;
+use model::mechanism::{Mechanism, Rrr};
+
+use super::joint::JointColumns;
+
+/// A rigid body, and the columns of its joints.
+pub struct Body {
+    rigid: Rigid,
+    /// The joints, in order.
+    pub joints: Vec<JointColumns>,
+}
+
+enum Rigid {
+    Mechanism(Box<dyn Mechanism<f64>>),
+    Pendulum(Pendulum<f64>),
+}
+
+impl Body {
+    /// The body of a model file of any format; says what is left out of it.
+    pub fn read(path: &Path) -> Result<Self, FileError> {
+        let (body, effects) = if ArmFile::is_at(path) {
+            let file = ArmFile::read(path)?;
+            (Self::of_arm(&file)?, file.effects)
+        } else {
+            let file = RobotFile::read(path)?;
+            (Self::of_robot(&file)?, file.effects)
+        };
+        if !effects.is_empty() {
+            eprintln!(
+                "note: effects of the model are left out: inverse dynamics is rigid body only"
+            );
+        }
+        Ok(body)
+    }
+
+    fn of_arm(file: &ArmFile) -> Result<Self, FileError> {
+        for remark in file.remarks() {
+            eprintln!("warning: {remark}");
+        }
+        let joints = (1..).zip(&file.joints).map(|(number, j)| JointColumns::of(number, j));
+        Ok(Self { joints: joints.collect(), rigid: Rigid::Mechanism(Box::new(file.chain()?)) })
+    }
+
+    fn of_robot(file: &RobotFile) -> Result<Self, FileError> {
+        if file.is_pendulum() {
+            let pendulum = file.pendulum()?;
+            let constant = file.torque_constant(pendulum.joint)?;
+            let joints = vec![JointColumns::with_voltage(pendulum.joint, constant)];
+            return Ok(Self { rigid: Rigid::Pendulum(pendulum), joints });
+        }
+        let rrr = Rrr { base: file.base_parameters()?, geometry: file.geometry()? };
+        if let Err(error) = rrr.base.check(&rrr.geometry) {
+            // The torques are well defined all the same.
+            eprintln!("warning: no rigid robot has these base parameters: {error}");
+        }
+        let constants = (1..).zip(file.torque_constants()?);
+        let joints = constants.map(|(joint, k)| JointColumns::with_voltage(joint, k)).collect();
+        Ok(Self { rigid: Rigid::Mechanism(Box::new(rrr)), joints })
+    }
+
+    /// The torques [Nm; N] of a motion, one entry per joint.
+    pub fn torques(&self, q: &[f64], qd: &[f64], qdd: &[f64]) -> Vec<f64> {
+        match &self.rigid {
+            Rigid::Pendulum(pendulum) => vec![pendulum.inverse_dynamics(q[0], qdd[0])],
+            Rigid::Mechanism(arm) => {
+                let mut torques = vec![0.0; arm.joints()];
+                arm.inverse_dynamics(q, qd, qdd, &mut torques);
+                torques
+            }
+        }
+    }
+}

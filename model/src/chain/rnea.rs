@@ -1,0 +1,28 @@
+//! Inverse dynamics: the recursive Newton-Euler algorithm, RBDA Table 5.1.
+
+use super::serial_chain::{MAX_JOINTS, SerialChain};
+use super::spatial::{Force, Motion, Transform};
+use crate::Real;
+
+impl<T: Real> SerialChain<T> {
+    /// tau_i = S_i . f_i + armature qdd_i, f_i = I_i a_i + v_i x* I_i v_i + f_{i+1},
+    /// n torques from n positions, velocities and accelerations.
+    #[inline]
+    pub(super) fn newton_euler(&self, q: &[T], qd: &[T], qdd: &[T], torque: &mut [T]) {
+        let mut links = [(Transform::nowhere(), Force::zero()); MAX_JOINTS];
+        let (mut velocity, mut acceleration) = (Motion::zero(), self.base_acceleration());
+        for (index, (placed, link)) in self.placed().iter().zip(&mut links).enumerate() {
+            let place = placed.place(q[index]);
+            velocity = placed.velocity(&place.motion_into(&velocity), qd[index]);
+            let carried = place.motion_into(&acceleration);
+            acceleration = placed.acceleration(&carried, &velocity, [qd[index], qdd[index]]);
+            *link = (place, placed.joint.body.force(&velocity, &acceleration));
+        }
+        let mut beyond = Force::zero();
+        for (index, (placed, link)) in self.placed().iter().zip(&links).enumerate().rev() {
+            let force = link.1.plus(&beyond);
+            torque[index] = placed.along(&force) + placed.joint.armature * qdd[index];
+            beyond = link.0.force_out_of(&force);
+        }
+    }
+}
