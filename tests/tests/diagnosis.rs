@@ -107,8 +107,8 @@ fn refitted(campaign: &Campaign) -> Robot<f64> {
     let subject = Subject::of(campaign, &Catalogue::standard(), &Criteria::default()).unwrap();
     let logs = campaign.traces.iter().enumerate();
     let stretches = logs.flat_map(|(log, trace)| Stretch::of(trace, log, &subject)).collect();
-    let (evidence, free) = prepared(&subject, stretches).unwrap();
-    fit_held(&evidence, &subject, free.linear.hypothesis).unwrap().hypothesis.robot
+    let (_, free) = prepared(&subject, stretches).unwrap();
+    fit_held(&free.evidence, &subject, &free.linear).unwrap().hypothesis.robot
 }
 
 /// The amended model, through its file.

@@ -2,8 +2,8 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
+use super::joint_slopes::JointSlopes;
 use super::linearisation::Linearisation;
-use super::slopes::JointSlopes;
 use crate::rows::evidence::{Evidence, Rows};
 
 impl Linearisation {

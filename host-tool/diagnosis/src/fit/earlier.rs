@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrixView;
 
-use super::slopes::JointSlopes;
+use super::joint_slopes::JointSlopes;
 use super::unknowns::{Expected, Unknown};
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 

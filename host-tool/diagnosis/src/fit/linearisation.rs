@@ -6,7 +6,8 @@ use std::sync::Arc;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::earlier::Earlier;
-use super::slopes::{JointSlopes, changed, slopes};
+use super::joint_slopes::JointSlopes;
+use super::slopes::{changed, slopes};
 use super::unknowns::{Expected, Unknown};
 use crate::rows::evidence::{Evidence, RowChange, Rows};
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};

@@ -5,6 +5,7 @@ pub mod earlier;
 pub mod excess;
 pub mod fitted_model;
 pub mod gauss_newton;
+pub mod joint_slopes;
 pub mod linearisation;
 pub mod preparation;
 pub mod residual_stats;

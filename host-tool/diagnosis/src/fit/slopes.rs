@@ -6,6 +6,7 @@ use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 use super::earlier::Earlier;
+use super::joint_slopes::{Column, JointSlopes};
 use super::unknowns::{Expected, Unknown};
 use crate::logs::intervals::at_samples;
 use crate::rows::evidence::{Columns, Evidence, RowChange, Rows};
@@ -14,17 +15,6 @@ use crate::trial::equation::Trial;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use crate::trial::parts::{Parts, motor_side, touched};
 use rig::effects::{Kind, Table};
-
-/// Slopes of one joint's rows.
-#[derive(Clone)]
-pub struct JointSlopes {
-    /// Which joint.
-    pub joint: usize,
-    /// Places of the columns among what is open.
-    pub places: Vec<usize>,
-    /// Rows by columns.
-    pub matrix: DMatrix<f64>,
-}
 
 /// Appends the change of joints' rows in a stretch once a model becomes `hypothesis`, which
 /// differs in one of its effects from that of `parts`.
@@ -49,9 +39,6 @@ pub fn changed(
         change[joint].get_or_insert_default().extend(evidence.weighted(s, joint, &signal));
     }
 }
-
-/// A column of rows of one joint, with its place among what is open.
-type Column = (usize, Vec<f64>);
 
 /// A joint's equation in a stretch, its rows, and their slopes that need no whole model.
 type Piece = (Parts, Vec<f64>, Vec<Column>);
@@ -88,7 +75,7 @@ pub fn slopes(
         }
     }
     let of_joint = |&joint: &usize| {
-        JointSlopes::of(joint, &columns[joint], residual[joint].len()).joined(earlier)
+        joined(JointSlopes::of(joint, &columns[joint], residual[joint].len()), earlier)
     };
     let joints = evidence.joints.iter().map(of_joint).collect();
     (parts, residual, joints)
@@ -103,32 +90,15 @@ fn append(columns: &mut Vec<Column>, of_stretch: Vec<Column>) {
     columns.iter_mut().zip(of_stretch).for_each(|(column, (_, rows))| column.1.extend(rows));
 }
 
-impl JointSlopes {
-    /// The same with every row scaled.
-    pub fn scaled(&self, ratios: &[f64]) -> Self {
-        let mut scaled = self.clone();
-        for mut column in scaled.matrix.column_iter_mut() {
-            column.iter_mut().zip(ratios).for_each(|(slope, ratio)| *slope *= ratio);
-        }
-        scaled
-    }
-
-    /// With the columns that a model near by has.
-    fn joined(self, earlier: &Earlier) -> Self {
-        let Some(of_joint) = earlier.of_joint(self.joint) else { return self };
-        let own = self.places.iter().zip(self.matrix.column_iter());
-        let kept = of_joint.iter().map(|(place, column)| (place, column.column(0)));
-        let both: Vec<_> = own.chain(kept).collect();
-        let places = both.iter().map(|(place, _)| **place).collect();
-        let columns: Vec<_> = both.into_iter().map(|(_, column)| column).collect();
-        Self { places, matrix: DMatrix::from_columns(&columns), ..self }
-    }
-
-    fn of(joint: usize, columns: &[Column], count: usize) -> Self {
-        let flat = columns.iter().flat_map(|(_, rows)| rows.iter().copied());
-        let matrix = DMatrix::from_iterator(count, columns.len(), flat);
-        Self { joint, places: columns.iter().map(|(place, _)| *place).collect(), matrix }
-    }
+/// A joint's slopes with the columns that a model near by has.
+fn joined(slopes: JointSlopes, earlier: &Earlier) -> JointSlopes {
+    let Some(of_joint) = earlier.of_joint(slopes.joint) else { return slopes };
+    let own = slopes.places.iter().zip(slopes.matrix.column_iter());
+    let kept = of_joint.iter().map(|(place, column)| (place, column.column(0)));
+    let both: Vec<_> = own.chain(kept).collect();
+    let places = both.iter().map(|(place, _)| **place).collect();
+    let columns: Vec<_> = both.into_iter().map(|(_, column)| column).collect();
+    JointSlopes { joint: slopes.joint, places, matrix: DMatrix::from_columns(&columns) }
 }
 
 /// What the joints of the rig have in a stretch.
