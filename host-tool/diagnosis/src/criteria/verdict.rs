@@ -42,7 +42,10 @@ criteria! {
         /// play this part, for a link that bounces is never predicted to the last;
         least_by_backlash: f64 = 0.6,
         /// and either is sure of this share at least;
-        least_sure_by_spring: f64 = 0.5,
+        least_sure_by_spring: f64 = 0.6,
+        /// A spring leaves this part of the noise of the confirming logs at least, for it can follow
+        /// noise;
+        least_of_noise: f64 = 0.9,
         /// or, where its share is small, this part of what is left,
         most_of_left: f64 = 0.5,
         /// and this share at least: less is what large causes together leave.

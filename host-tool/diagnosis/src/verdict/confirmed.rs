@@ -13,7 +13,7 @@ use crate::trial::residual_rows::residual_rows;
 /// Models that are compared on the confirming logs, their parameters no further from the model as
 /// given than the doubt about it allows.
 pub struct Confirmation<'a> {
-    subject: &'a Subject,
+    pub(super) subject: &'a Subject,
     /// The model refitted without any cause.
     pub refitted: Held,
     /// The model with all causes.
@@ -123,6 +123,15 @@ impl<'a> Confirmation<'a> {
         let blocks = Blocks::of(&last.evidence, &self.subject.joints, &models, noise_v);
         let explained = |sums: &[f64]| (sums[0] - sums[1]) / (sums[0] - sums[2]).max(1e-300);
         blocks.figure(1, explained).0 >= self.subject.criteria.verdict.explained
+    }
+
+    /// Whether an effect leaves less than noise on the confirming logs: it takes noise for motion.
+    pub fn takes_noise(&self, last: &FittedModel, effect: &EffectInstance) -> bool {
+        let least = self.subject.criteria.verdict.least_of_noise;
+        let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
+        let models = [&self.full.residual_v];
+        let blocks = Blocks::of(&last.evidence, &self.joints_of(effect), &models, noise_v);
+        blocks.figure(1, |sums| (sums[0] / sums[1].max(1e-300)).sqrt()).0 < least
     }
 
     /// What the refitted model leaves, its parameters within their doubt, in units of noise.

@@ -50,7 +50,8 @@ impl<'a> Judgement<'a> {
             let anothers = is_another_robot(subject, &refitted)
                 && confirmation.explained(&last) < subject.criteria.verdict.explained;
             let fails = |index: &usize| {
-                anothers || !is_confirmed(subject, &last, &added[*index], *index, &judged[*index])
+                anothers
+                    || !is_confirmed(&confirmation, &last, &added[*index], *index, &judged[*index])
             };
             let least = |a: &usize, b: &usize| judged[*a].0.share.total_cmp(&judged[*b].0.share);
             let worst = (0..added.len()).filter(fails).min_by(least);
@@ -76,17 +77,20 @@ impl Named {
 
 /// Whether the cause at this place among those added is named.
 fn is_confirmed(
-    subject: &Subject,
+    confirmation: &Confirmation,
     last: &FittedModel,
     added: &Added,
     index: usize,
     (worth, probability): &(Worth, f64),
 ) -> bool {
-    let place = subject.known_effects.len() + index;
+    let subject = confirmation.subject;
     let criteria = &subject.criteria.verdict;
+    let place = subject.known_effects.len() + index;
+    let effect = &last.linear.hypothesis.effects[place];
     !last.stats.is_implausible(&subject.criteria.fit)
         && is_named(*probability, worth, criteria)
-        && is_sound(&last.linear.hypothesis.effects[place], worth, criteria)
+        && is_sound(effect, worth, criteria)
+        && !(effect.is_spring() && confirmation.takes_noise(last, effect))
         && reaches_ceiling(subject, &added.without, last, place)
 }
 
