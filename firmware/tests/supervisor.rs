@@ -5,64 +5,18 @@
 mod common;
 
 use common::block;
+use common::played::{COUNTS_PER_RAD, Found, ZERO, play, quiet};
 use common::supervised::{RUN, armed, disarmed, holding};
 use firmware::reference::{Injection, Motion, Noise, Reference};
 use firmware::supervisor::{
-    BootReport, Fault, FaultRecord, Health, Implausible, Order, OrderError, State, Supervisor,
+    BootReport, Fault, FaultRecord, Health, Order, OrderError, State, Supervisor,
 };
-use firmware::{Controller, DacCode, Gains, Mode, ParameterBlock};
-
-const ZERO: [DacCode; 3] = [DacCode(0); 3];
-/// Counts of an encoder at 1 rad.
-const COUNTS_PER_RAD: f64 = 655_360.0 / std::f64::consts::TAU;
+use firmware::{Controller, Gains, Mode, ParameterBlock};
 
 fn running(block: ParameterBlock) -> Supervisor {
     let mut supervisor = armed(block);
     supervisor.execute(RUN).unwrap();
     supervisor
-}
-
-/// What a fault is found in: the tick (from 1) of those played, and the record.
-struct Found {
-    tick: u32,
-    record: FaultRecord,
-}
-
-/// Plays ticks until a fault; asserts zero in that tick and after it, and not before.
-fn play(
-    supervisor: &mut Supervisor,
-    ticks: impl IntoIterator<Item = ([i32; 3], Health)>,
-) -> Option<Found> {
-    let mut found: Option<Found> = None;
-    for (number, (counts, health)) in (1..).zip(ticks) {
-        let output = supervisor.tick(&counts, health);
-        match (&found, supervisor.fault()) {
-            (None, Some(record)) => {
-                assert_eq!((output.codes, output.state), (ZERO, State::Faulted), "at once");
-                assert_eq!(output.fault, Some((record.fault, record.joint)));
-                assert_eq!(record.tick, output.tick);
-                found = Some(Found { tick: number, record });
-            }
-            (Some(first), now) => {
-                assert_eq!(output.codes, ZERO);
-                assert_eq!(now, Some(first.record), "the first cause stays");
-            }
-            (None, None) => assert_eq!(output.fault, None),
-        }
-    }
-    let found = found?;
-    println!(
-        "{:22} zero in tick {}, in which it was found: {}",
-        found.record.fault.name(),
-        found.tick,
-        found.record
-    );
-    Some(found)
-}
-
-/// So many ticks at these counts, all well.
-fn quiet(counts: impl Fn(i32) -> [i32; 3], ticks: i32) -> Vec<([i32; 3], Health)> {
-    (1..=ticks).map(|k| (counts(k), Health::default())).collect()
 }
 
 /// A tick in which the board itself reports something, after ten good ones.
@@ -353,45 +307,6 @@ fn orders_out_of_turn_change_nothing() {
     supervisor.execute(RUN).unwrap();
     assert_eq!(supervisor.replace(other()), not_now(State::Running));
     assert_eq!(supervisor.execute(RUN), not_now(State::Running));
-}
-
-/// Why a supervisor does not arm after these counts of joint 2.
-fn refusal(block: ParameterBlock, counts: impl Fn(i32) -> i32, ticks: i32) -> Implausible {
-    let mut supervisor = disarmed(block);
-    assert!(play(&mut supervisor, quiet(|k| [0, counts(k), 0], ticks)).is_none());
-    match supervisor.execute(Order::Arm) {
-        Err(OrderError::Implausible { joint: 2, why }) => why,
-        other => panic!("{other:?}"),
-    }
-}
-
-#[test]
-fn an_implausible_estimate_is_not_armed() {
-    let block = || holding(Mode::Pd);
-    let supervisor = &mut disarmed(block());
-    supervisor.tick(&[0; 3], Health::default());
-    let why = Implausible::NotSettled;
-    assert_eq!(supervisor.execute(Order::Arm), Err(OrderError::Implausible { joint: 1, why }));
-    // 0.1 rad/s are 10.4 counts a tick.
-    assert_eq!(refusal(block(), |k| 10 * k, 500), Implausible::Moving);
-    assert_eq!(refusal(block(), |k| if k < 480 { 0 } else { 40_000 }, 500), Implausible::Jumped);
-    // So slow a filter does not follow within a window.
-    let mut slow = block();
-    slow.velocity_bandwidth_rad_per_s[1] = 5.0;
-    let shaking = |k: i32| (3e3 * (0.02 * f64::from(k)).sin()) as i32;
-    assert_eq!(refusal(slow, shaking, 480), Implausible::Disagrees);
-    // At rest again, it is armed.
-    let mut supervisor = disarmed(block());
-    play(&mut supervisor, quiet(|k| [0, 10 * k.min(100), 0], 500));
-    assert_eq!(supervisor.execute(Order::Arm), Ok(()));
-}
-
-#[test]
-fn people_may_move_an_arm_that_is_not_armed() {
-    let count = |k: i32| (0.5e-4 * f64::from(k * k) * COUNTS_PER_RAD) as i32;
-    let ticks = || quiet(|k| [0, count(k.min(400)), 0], 500);
-    assert!(play(&mut disarmed(holding(Mode::Pd)), ticks()).is_none());
-    assert!(play(&mut armed(holding(Mode::Pd)), ticks()).is_some(), "but not an armed one");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! A block that the tests begin from.
 #[allow(dead_code)]
+pub mod played;
 pub mod supervised;
 
 use firmware::compensation::{Compensations, Feedforward, InputInverse};
