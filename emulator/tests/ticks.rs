@@ -10,7 +10,7 @@ use emulator::handler::{Cost, Handler, Run};
 use emulator::image::Image;
 use emulator::registers::rcc::Reset;
 use firmware::reference::{Injection, Noise};
-use firmware::supervisor::CHECK_EVERY_TICKS;
+use firmware::supervisor::CHECK_PART_EVERY_TICKS;
 use firmware::{Mode, ParameterBlock};
 use model::reference_robot::reference_robot;
 use rig::{Plan, Rig, plan};
@@ -90,7 +90,7 @@ fn played(image: &Rc<Image>, block: &ParameterBlock) -> Played {
 /// Neither a register of the converter nor the parameters are checked in it.
 fn is_ordinary(number: u64) -> bool {
     !number.is_multiple_of(WATCH_EVERY_TICKS)
-        && !number.is_multiple_of(u64::from(CHECK_EVERY_TICKS))
+        && !number.is_multiple_of(u64::from(CHECK_PART_EVERY_TICKS))
 }
 
 /// Mean and worst instructions and cycles.

@@ -46,9 +46,9 @@ pub struct Arguments {
     /// Largest joint speed on the approach, the motion to where the experiment begins.
     #[arg(long, value_name = "RAD_PER_S", default_value_t = 0.5, value_parser = speed)]
     pub approach_speed: f32,
-    /// The board stops by itself after so long without a request.
+    /// The board stops by itself after so long without a request; 10 s is its ceiling.
     #[arg(long, value_name = "MS", default_value_t = 1000)]
-    #[arg(value_parser = clap::value_parser!(u16).range(300..))]
+    #[arg(value_parser = clap::value_parser!(u16).range(300..=10_000))]
     pub host_timeout_ms: u16,
     /// Which board.
     #[command(flatten)]
