@@ -102,8 +102,8 @@ fn an_nmi_in_the_middle_of_a_tick_in_the_middle_of_an_interrupt_changes_no_code(
     let (mut board, start) = at_task(&image);
     let mut draw = Draw(3);
     let mut nested = 0;
-    for round in 0..rounds() / 10 {
-        if round % 200 == 199 {
+    for round in 0..rounds() / 4 {
+        if round % 50 == 49 {
             board.send(&[0]);
             let _ = board.query().unwrap();
         }

@@ -10,9 +10,7 @@ use super::messages::ToHost;
 use super::outbox::Outbox;
 use super::telemetry::Telemetry;
 use crate::store::Store;
-use crate::supervisor::{
-    BootReport, CHECK_PART_EVERY_TICKS, Health, ParameterWatch, Supervisor, TickRecord,
-};
+use crate::supervisor::{BootReport, Health, ParameterWatch, Supervisor, TickRecord};
 
 /// Room for what waits to be sent [bytes].
 const OUTBOX_BYTES: usize = 2048;
@@ -79,7 +77,7 @@ impl<S: BlockStore> BoardRuntime<S> {
             self.outbox.push_telemetry(message.write(&mut buffer).unwrap_or_default());
         }
         self.handler.store_fault(&self.supervisor);
-        if record.tick.is_multiple_of(CHECK_PART_EVERY_TICKS) {
+        if ParameterWatch::is_due(record.tick) {
             self.parameters_corrupt = self.parameter_watch.check(&self.supervisor);
         }
         self.supervisor.prepare();

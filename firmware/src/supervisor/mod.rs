@@ -40,7 +40,7 @@ pub use counters::TickCounters;
 pub use fault::{Fault, FaultRecord, Implausible, State};
 pub use health::{BootReport, Health};
 pub use orders::{Order, OrderError};
-pub use parameter_watch::{CHECK_EVERY_TICKS, CHECK_PART_EVERY_TICKS, ParameterWatch};
+pub use parameter_watch::{CHECK_EVERY_TICKS, ParameterWatch};
 pub use state_machine::Supervisor;
 pub use stop_category::{DriveOutputs, StopCategory};
 pub use tick_record::TickRecord;

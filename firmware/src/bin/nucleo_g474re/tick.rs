@@ -16,8 +16,8 @@ use embassy_stm32::{Peri, pac};
 use firmware::ad5754r::Channel;
 use firmware::link::SupervisorAccess;
 use firmware::supervisor::{
-    BootReport, CHECK_PART_EVERY_TICKS, FaultRecord, Health, Order, OrderError, ParameterWatch,
-    State, Supervisor, TickRecord,
+    BootReport, FaultRecord, Health, Order, OrderError, ParameterWatch, State, Supervisor,
+    TickRecord,
 };
 
 use crate::converter::Converter;
@@ -251,7 +251,7 @@ impl Tick {
     /// A part now and then, all of them within a second; after the codes are out, so that it
     /// delays nothing.
     fn check_parameters(&mut self, tick: u32) {
-        if tick.is_multiple_of(CHECK_PART_EVERY_TICKS) {
+        if ParameterWatch::is_due(tick) {
             self.check_parameters_now();
         }
     }
