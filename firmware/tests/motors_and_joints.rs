@@ -132,7 +132,7 @@ fn noise_at_a_joint_that_the_rig_lacks_is_no_fault_and_its_output_stays_zero() {
     let mut supervisor = Supervisor::default();
     supervisor.replace(Controller::new(without_first())).unwrap();
     supervisor.booted(Default::default());
-    let mut tick = |supervisor: &mut Supervisor, k| {
+    let tick = |supervisor: &mut Supervisor, k| {
         let record = supervisor.tick(&[noise(k), 0, 0], Health::default());
         assert_eq!((record.fault, record.codes[0].0), (None, 0), "tick {k}");
         record.state

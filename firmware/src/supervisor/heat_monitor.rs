@@ -62,7 +62,7 @@ impl HeatMonitor {
         let beyond = self.share(bearable) - DERATED_FROM;
         let most = 1.0 - DERATED_FROM;
         let counted = if beyond < most { beyond } else { most };
-        (beyond > 0.0).then(|| bearable.command_limit_v - bearable.slope_v * counted)
+        (beyond > 0.0).then_some(bearable.command_limit_v - bearable.slope_v * counted)
     }
 
     /// Whether the motor has had more than it bears.

@@ -1,6 +1,7 @@
 //! A block that the tests begin from.
 #[allow(dead_code)]
 pub mod played;
+#[allow(dead_code)]
 pub mod supervised;
 
 use firmware::compensation::{Compensations, Feedforward, InputInverse};
