@@ -33,10 +33,28 @@ fn ranges(text: &str) -> Option<[Option<PositionLimits>; 3]> {
 
 fn range_of(part: &str) -> Option<PositionLimits> {
     let (lower, upper) = part.split_once(':')?;
-    let (lower_rad, upper_rad) = (lower.trim().parse().ok()?, upper.trim().parse().ok()?);
+    let (lower_rad, upper_rad) = (decimal(lower.trim())?, decimal(upper.trim())?);
     // Only the ends are compared.
     let range = PositionLimits { lower_rad, upper_rad, braking_rad_per_s2: 1.0 };
     range.check(1).is_ok().then_some(range)
+}
+
+/// A decimal number of a few digits; the core library's own conversion takes 20 KiB of flash.
+fn decimal(text: &str) -> Option<f32> {
+    let digits = text.strip_prefix('-').unwrap_or(text);
+    let (mut value, mut scale, mut is_fraction) = (0.0_f32, 1.0_f32, false);
+    for byte in digits.bytes() {
+        match byte {
+            b'.' if !is_fraction => is_fraction = true,
+            b'0'..=b'9' => {
+                value = 10.0 * value + f32::from(byte - b'0');
+                scale *= if is_fraction { 10.0 } else { 1.0 };
+            }
+            _ => return None,
+        }
+    }
+    let sign = if digits.len() < text.len() { -1.0 } else { 1.0 };
+    digits.bytes().any(|byte| byte.is_ascii_digit()).then_some(sign * value / scale)
 }
 
 /// Whether a text has the signs of three ranges; what the numbers are is seen when they are read.
@@ -63,7 +81,16 @@ mod tests {
         let found = ranges("-3:3, -2.6:0.3,any").expect("three");
         let ends = found.map(|range| range.map(|range| (range.lower_rad, range.upper_rad)));
         assert_eq!(ends, [Some((-3.0, 3.0)), Some((-2.6, 0.3)), None]);
-        for wrong in ["", "-1:1", "any,any", "1:-1,any,any", "x:1,any,any", "any,any,any,any"] {
+        for wrong in [
+            "",
+            "-1:1",
+            "any,any",
+            "1:-1,any,any",
+            "1.2.3:4,any,any",
+            "-:.,any,any",
+            "x:1,any,any",
+            "any,any,any,any",
+        ] {
             assert_eq!(ranges(wrong), None, "{wrong}");
         }
         assert!(is_well_formed(None) && is_well_formed(Some("-3:3,any,any")));
