@@ -49,6 +49,17 @@ impl Subject {
         stretched.mass_matrix(&self.robot.base, &self.robot.geometry)[joint][joint]
     }
 
+    /// The most that a motor accelerates the joint of this number in files [rad/s^2], the arm stretched.
+    pub fn fastest_rad_per_s2(&self, number: u8) -> f64 {
+        let place = self.numbers.iter().position(|&own| own == number);
+        let of_joint = |place: usize| {
+            let joint = self.joints[place];
+            let k_t = self.robot.torque_constant_nm_per_v[joint];
+            k_t * self.known.command_limit_v / self.inertia_kg_m2(joint)
+        };
+        place.map_or(0.0, of_joint)
+    }
+
     /// The rig of a campaign, and the effects that are tried on it.
     ///
     /// # Errors
