@@ -82,8 +82,13 @@ impl Outcome {
             models.push(named_model(&frame, joint, base, &selected[joint], &of));
             causes.extend(of);
         }
+        // What acts on one servo alone is none of its type's.
+        let own = |joint: &usize| causes.iter().any(|c| c.is_named && c.joint == *joint);
+        let alone = |group: Vec<usize>| group.into_iter().filter(|joint| !own(joint)).collect();
         let pooled = groups(&prepared.given)
             .into_iter()
+            .map(alone)
+            .filter(|group: &Vec<usize>| group.len() >= 3)
             .map(|group| load_friction(&frame, &prepared.bases, &group))
             .filter(|pooled| suffices(&pooled.gain, settings))
             .map(|pooled| (of_pool(&frame, &confirming, &pooled), pooled))

@@ -9,6 +9,7 @@ use recordings::ArmCampaign;
 use crate::along::without_rotors;
 use crate::base::{Base, Frame, refit};
 use crate::contact::{Contact, contacts, cut, deviations};
+use crate::effect_table::apply;
 use crate::error::ServoError;
 use crate::fit::errors;
 use crate::goal_clip::{self, GoalClip, goal_clips};
@@ -16,6 +17,7 @@ use crate::joint::ServoJoint;
 use crate::judged::Judged;
 use crate::record::{Record, period};
 use crate::settings::Settings;
+use crate::whole_table::with_effects;
 
 /// What everything after works on.
 #[derive(Clone, Debug)]
@@ -43,7 +45,10 @@ pub struct Prepared {
 /// # Errors
 /// A drive that is not known.
 pub fn joints(arm: &ArmFile) -> Result<Vec<ServoJoint>, ServoError> {
-    arm.joints.iter().enumerate().map(|(k, joint)| ServoJoint::of(k, joint)).collect()
+    let joints = arm.joints.iter().enumerate().map(|(k, joint)| ServoJoint::of(k, joint));
+    let mut servos = joints.collect::<Result<Vec<_>, _>>()?;
+    apply(&arm.effects, &mut servos)?;
+    Ok(servos)
 }
 
 impl Prepared {
@@ -53,7 +58,8 @@ impl Prepared {
     /// Drives or links that are not known, no log to fit to.
     pub fn of(campaign: &ArmCampaign, settings: &Settings) -> Result<Self, ServoError> {
         let arm = &campaign.arm;
-        let (links, given) = (without_rotors(&arm.chain()?), joints(arm)?);
+        let links = with_effects(&without_rotors(&arm.chain()?), &arm.effects)?;
+        let given = joints(arm)?;
         let records: Vec<Record> =
             campaign.recordings.iter().flat_map(|log| Record::of(log, settings)).collect();
         let is_held_out = records.iter().any(|record| record.role == Role::Holdout);

@@ -7,6 +7,7 @@ use crate::candidates::{Candidate, Typical, of_joint};
 use crate::cogging_orders::cogging_orders;
 use crate::cross::{Gain, LeftOut, cross_validate};
 use crate::fit::{Fitted, Problem, Unknown, fit};
+use crate::judged::Judged;
 use crate::settings::Settings;
 
 /// A model of a joint with effects.
@@ -118,7 +119,8 @@ pub fn select(frame: &Frame, joint: usize, base: &Base) -> Selected {
             let gain = Gain::of(&with.left, &model.left);
             Some((effect.clone(), with, gain))
         };
-        let mut found: Vec<_> = open.par_iter().filter_map(with).collect();
+        let promising = promising(frame, joint, base, &model, &open);
+        let mut found: Vec<_> = promising.par_iter().filter_map(with).collect();
         found.sort_by(|a, b| b.2.part.total_cmp(&a.2.part));
         let all: Vec<Tried> = found.iter().map(as_tried).collect();
         if tried.is_empty() {
@@ -145,6 +147,45 @@ pub fn select(frame: &Frame, joint: usize, base: &Base) -> Selected {
         model = next;
     }
     Selected { base: first, model, added, undecided, tried }
+}
+
+/// The logs of which a model leaves most, up to a length in all.
+fn worst<'a>(frame: &Frame<'a>, left: &LeftOut) -> Vec<&'a Judged> {
+    let mut order: Vec<usize> = (0..frame.logs.len()).collect();
+    order.sort_by(|a, b| left.robust[*b].total_cmp(&left.robust[*a]));
+    let mut seconds = 0.0;
+    let within = |log: &&Judged| {
+        let enough = seconds < frame.settings.screened_s;
+        seconds += log.record.time_s.last().unwrap_or(&0.0) - log.record.time_s[0];
+        enough
+    };
+    order.into_iter().map(|k| frame.logs[k]).take_while(within).collect()
+}
+
+/// The effects that gain most on the logs of which the model leaves most.
+fn promising(
+    frame: &Frame,
+    joint: usize,
+    base: &Base,
+    model: &Model,
+    open: &[Candidate],
+) -> Vec<Candidate> {
+    let settings = frame.settings;
+    let logs = worst(frame, &model.left);
+    let short = Frame { logs: &logs, ..*frame };
+    let problem = short.problem(joint, &model.unknowns, base.scale);
+    let fitted = fit(&Problem { iterations: 3, ..problem }, &model.fitted.servo);
+    let left = LeftOut::of_fit(&fitted, &problem);
+    let model = Model { fitted, left, ..model.clone() };
+    let gain = |effect: &Candidate| {
+        let with = model.with(&short, joint, base.scale, effect)?;
+        Some((effect.clone(), Gain::of(&with.left, &model.left).part))
+    };
+    let mut found: Vec<_> = open.par_iter().filter_map(gain).collect();
+    found.sort_by(|a, b| b.1.total_cmp(&a.1));
+    found.truncate(settings.screened);
+    let enough = |found: &(Candidate, f64)| found.1 > 0.5 * settings.least_gain;
+    found.into_iter().filter(enough).map(|found| found.0).collect()
 }
 
 /// The best effect whose gain stands on logs left out, too, and its gain there.

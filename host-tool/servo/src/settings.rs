@@ -54,12 +54,22 @@ pub struct Settings {
     pub rival_part: f64,
     /// Most effects of one joint.
     pub most_effects: usize,
+    /// Length of logs, those that the model misses most, in which effects are screened [s]; a few
+    /// of them are then fitted to all logs.
+    pub screened_s: f64,
+    /// Most effects that go on from there: the best and what may be its rivals.
+    pub screened: usize,
     /// Resampled data sets for intervals.
     pub resamples: usize,
     /// Part of the squares that an effect of the whole arm must take of arms with gravity as given.
     pub least_whole_gain: f64,
     /// Part that it must take of what a scale of gravity for each joint takes.
     pub whole_part_of_scales: f64,
+    /// Up to this many times the encoder's noise a refitted model leaves no gap: positions of the
+    /// other joints, read by the same encoders, enter its torques.
+    pub gap_by_noise: f64,
+    /// Nor up to this [rad]: friction that sticks makes a sixth of a degree a matter of chance.
+    pub small_gap_rad: f64,
     /// Length of logs in which effects of the whole arm are searched for [s].
     pub whole_arm_s: f64,
 }
@@ -89,10 +99,14 @@ impl Default for Settings {
             least_half_shrinkage: 0.03,
             rival_part: 0.9,
             most_effects: 3,
+            screened_s: 700.0,
+            screened: 6,
             resamples: 500,
             least_whole_gain: 0.1,
             whole_part_of_scales: 0.95,
-            whole_arm_s: 400.0,
+            gap_by_noise: 5.0,
+            small_gap_rad: 3e-3,
+            whole_arm_s: 200.0,
         }
     }
 }

@@ -93,7 +93,7 @@ impl Whole {
 }
 
 /// How far from the last link's own centre a load may sit, in parts of that centre's distance.
-const PLACE_DOUBT: f64 = 0.1;
+const PLACE_DOUBT: f64 = 0.03;
 
 fn last_centre(links: &SerialChain<f64>) -> [f64; 3] {
     let Some(last) = links.joints().last() else { return [0.0; 3] };
@@ -143,7 +143,7 @@ pub fn fit_whole(
     bases: &[Base],
     effect: Option<Whole>,
 ) -> WholeFit {
-    const ROUNDS: usize = 5;
+    const ROUNDS: usize = 4;
     let kind = effect.unwrap_or(Whole::Payload);
     let mut values = kind.start(links);
     let (prior, doubts) = (values.clone(), kind.doubts(links));

@@ -7,6 +7,7 @@ use crate::fit::robust;
 use crate::judged::Judged;
 use crate::prepared::Prepared;
 use crate::settings::Settings;
+use crate::spread::spread;
 use crate::whole_arm::{Whole, WholeFit, fit_whole};
 
 /// An effect of the whole arm that was tried.
@@ -40,18 +41,10 @@ pub fn find(prepared: &Prepared, settings: &Settings) -> Vec<WholeCause> {
             judge(prepared, &plain, &scaled, fit, settings)
         })
         .collect();
-    found.sort_by(|a, b| b.gain.part.total_cmp(&a.gain.part));
+    let rank = |cause: &WholeCause| if is_plausible(cause) { cause.gain.part } else { -1.0 };
+    found.sort_by(|a, b| rank(b).total_cmp(&rank(a)));
     prefer_weight(&mut found, prepared, settings);
     found
-}
-
-/// Logs of about so many seconds in all, spread over the list.
-fn spread<'a>(logs: &[&'a Judged], seconds: f64) -> Vec<&'a Judged> {
-    let length = |log: &&Judged| log.record.time_s.last().unwrap_or(&0.0) - log.record.time_s[0];
-    let all: f64 = logs.iter().map(length).sum();
-    let every = (all / seconds).ceil().max(1.0) as usize;
-    let least = every.min(logs.len().div_ceil(6)).max(1);
-    logs.iter().copied().step_by(least).collect()
 }
 
 /// A base that leans is told by gravity along -z.
@@ -95,9 +88,7 @@ fn judge(
     let held_out = prepared.held_out();
     let without = all_joints(prepared, &held_out, plain, None, settings);
     let loaded = all_joints(prepared, &held_out, &fit, Some(&fit), settings);
-    let noise = NOISE_PART * without.iter().map(|unit| unit.squares).sum::<f64>()
-        / without.iter().map(|unit| unit.rows).sum::<usize>().max(1) as f64;
-    let taken = Taken::of(&without, &without, &loaded, noise, settings);
+    let taken = Taken::of(&without, &without, &loaded, 0.0, settings);
     let certain = gain.certainty >= settings.least_certainty && gain.part >= settings.least_whole_gain;
     WholeCause {
         probability: probability(taken.certainty.min(gain.certainty)),
@@ -107,9 +98,6 @@ fn judge(
         taken,
     }
 }
-
-/// Noise is no part of what whole joints leave.
-const NOISE_PART: f64 = 0.0;
 
 /// Squares of all joints together, each in parts of what one of its rows leaves.
 fn all_joints(
@@ -159,12 +147,19 @@ fn prefer_weight(found: &mut [WholeCause], prepared: &Prepared, settings: &Setti
         let weight = best.fit.effect == Whole::Payload
             && other.fit.effect == Whole::TipForce
             && is_vertical(&other.fit.values, prepared);
-        other.gain.part >= near && !weight
+        other.gain.part >= near && !weight && is_plausible(other)
     });
     let first = found[0].is_named && !rival;
     for (k, cause) in found.iter_mut().enumerate() {
         cause.is_named = k == 0 && first;
     }
+}
+
+/// A base does not lean by more than a few deviations of what bases lean by.
+fn is_plausible(cause: &WholeCause) -> bool {
+    const MOST_TILT_RAD: f64 = 0.5;
+    cause.fit.effect != Whole::BaseTilt
+        || cause.fit.values.iter().all(|angle| angle.abs() < MOST_TILT_RAD)
 }
 
 /// Whether a force is within a sixth of its size of gravity's direction.

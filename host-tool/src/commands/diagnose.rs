@@ -62,6 +62,9 @@ fn doubt(text: &str) -> Result<f64, String> {
 /// Files that cannot be used or written, or logs that do not fit the model's robot.
 pub fn run(choice: &Choice) -> Result<(), Failure> {
     match &choice.diagnosis {
+        Some(arguments) if super::diagnose_servos::is_for(arguments) => {
+            super::diagnose_servos::run(arguments)
+        }
         Some(arguments) => diagnose(arguments).map(drop),
         None => {
             print!("{}", Criteria::default().to_toml());
@@ -106,14 +109,18 @@ impl From<DiagnosisError> for Failure {
     }
 }
 
-const REPORT: &str = "report.json";
+/// The report's name for programs.
+pub const REPORT: &str = "report.json";
 /// The report's name in the directory of a diagnosis.
 pub const PAGE: &str = "report.html";
 /// The amended model's.
 pub const MODEL: &str = "model.toml";
 
 /// The amended model must not take the place of the one that is judged.
-fn refuse_to_replace(model: &Path, amended: &Path) -> Result<(), Failure> {
+///
+/// # Errors
+/// It would.
+pub fn refuse_to_replace(model: &Path, amended: &Path) -> Result<(), Failure> {
     let same = match (model.canonicalize(), amended.canonicalize()) {
         (Ok(model), Ok(amended)) => model == amended,
         _ => false,

@@ -14,6 +14,7 @@ pub mod connect;
 pub mod demo;
 pub mod design_excitation;
 pub mod diagnose;
+mod diagnose_servos;
 pub mod download;
 pub mod export_block;
 pub mod flash;
