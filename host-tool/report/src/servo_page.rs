@@ -64,7 +64,8 @@ fn alternatives(report: &Report) -> Vec<String> {
 /// joint that the refit helps most.
 fn shown(outcome: &Outcome, report: &Report) -> Option<(usize, usize)> {
     let gap = &report.gap;
-    let fall = |before: &[f64], after: &[f64], joint: usize| before[joint].powi(2) - after[joint].powi(2);
+    let fall =
+        |before: &[f64], after: &[f64], joint: usize| before[joint].powi(2) - after[joint].powi(2);
     let best = |before: &[f64], after: &[f64]| {
         let joints = 0..before.len();
         joints.max_by(|a, b| fall(before, after, *a).total_cmp(&fall(before, after, *b)))

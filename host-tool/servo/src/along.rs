@@ -128,7 +128,13 @@ impl Scratch {
         let opposite = self.gravity_at(links, joint, std::f64::consts::PI);
         let quarter = self.gravity_at(links, joint, std::f64::consts::FRAC_PI_2);
         let constant = 0.5 * (here + opposite);
-        AlongRow { inertia, gravity: here - constant, slope: quarter - constant, constant, coupling }
+        AlongRow {
+            inertia,
+            gravity: here - constant,
+            slope: quarter - constant,
+            constant,
+            coupling,
+        }
     }
 
     /// Gravity's torque with the joint turned by an angle.

@@ -57,7 +57,8 @@ impl Typical {
         let pairs = tracks().flat_map(|track| track.goal.iter().zip(&track.position));
         let distance = pairs.map(|(g, q)| (g - q).abs()).fold(0.0, f64::max);
         let positions = || tracks().flat_map(|track| track.position.iter().copied());
-        let (low, high) = positions().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), q| (l.min(q), h.max(q)));
+        let (low, high) =
+            positions().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), q| (l.min(q), h.max(q)));
         let loads = logs.iter().flat_map(|log| &log.along[joint]);
         let load = loads.map(|row| (row.gravity + row.constant).abs()).fold(0.0, f64::max);
         Self {
@@ -78,48 +79,88 @@ pub fn of_joint(base: &Base, typical: &Typical, cogging: &[f64]) -> Vec<Candidat
     let servo = &base.fitted.servo;
     let (level, viscous) = (servo.coulomb.max(0.01), servo.viscous.max(0.01));
     let volts = level.max(0.02);
-    let free = |field, bounds, size: f64| Unknown::between(field, bounds, (0.0, 10.0 * size), 0.1 * size);
+    let free =
+        |field, bounds, size: f64| Unknown::between(field, bounds, (0.0, 10.0 * size), 0.1 * size);
     let parts = |field| free(field, [-0.9, 0.9], 0.2);
     let top = typical.volts.min(servo.limit);
     let mut all = vec![
         candidate(
             "saturation",
-            vec![Unknown { low: 1.2 * level, high: servo.limit, ..Unknown::positive(Field::Limit, top, 3.0) }],
+            vec![Unknown {
+                low: 1.2 * level,
+                high: NEAREST_LIMIT * servo.limit,
+                ..Unknown::positive(Field::Limit, top, 3.0)
+            }],
             vec![vec![0.7 * top], vec![0.4 * top]],
         ),
         candidate(
             "load_friction",
-            vec![free(Field::MotorLoadFriction, [0.0, MOST_LOST / servo.torque_constant], 0.2 / servo.torque_constant)],
+            vec![free(
+                Field::MotorLoadFriction,
+                [0.0, MOST_LOST / servo.torque_constant],
+                0.2 / servo.torque_constant,
+            )],
             vec![vec![0.3 / servo.torque_constant]],
         ),
         candidate(
             "stribeck",
             vec![
                 free(Field::Stribeck, [0.0, 4.0 * level], 0.3 * level),
-                Unknown { low: 0.01, high: 1.0, ..Unknown::positive(Field::StribeckVelocity, 0.1, 0.7) },
+                Unknown {
+                    low: 0.01,
+                    high: 1.0,
+                    ..Unknown::positive(Field::StribeckVelocity, 0.1, 0.7)
+                },
             ],
             vec![vec![0.2 * level, 0.1]],
         ),
         candidate("viscous_asymmetry", vec![parts(Field::ViscousAsymmetry)], vec![vec![0.0]]),
         candidate("asymmetric_friction", vec![parts(Field::Asymmetry)], vec![vec![0.0]]),
-        candidate("quadratic_drag", vec![free(Field::Drag, [-2.0 * viscous, 0.0], 0.2 * viscous)], vec![vec![-0.1 * viscous]]),
+        candidate(
+            "quadratic_drag",
+            vec![free(Field::Drag, [-2.0 * viscous, 0.0], 0.2 * viscous)],
+            vec![vec![-0.1 * viscous]],
+        ),
         candidate("actuator_lag", vec![free(Field::Lag, [1e-3, 0.3], 0.02)], vec![vec![0.02]]),
-        candidate("dead_zone", vec![free(Field::DeadZone, [0.0, 5.0 * volts], 0.3 * volts)], vec![vec![0.3 * volts]]),
+        candidate(
+            "dead_zone",
+            vec![free(Field::DeadZone, [0.0, 5.0 * volts], 0.3 * volts)],
+            vec![vec![0.3 * volts]],
+        ),
         candidate("backlash", vec![free(Field::Gap, [0.0, 0.3], 0.01)], vec![vec![0.01]]),
-        candidate("dac_offset", vec![free(Field::Offset, [-10.0 * volts, 10.0 * volts], volts)], vec![vec![0.0]]),
+        candidate(
+            "dac_offset",
+            vec![free(Field::Offset, [-10.0 * volts, 10.0 * volts], volts)],
+            vec![vec![0.0]],
+        ),
         Candidate {
             fixed: vec![(Field::DriftTime, 40.0)],
             ..candidate(
                 "friction_drift",
-                vec![free(Field::Drift, [-0.9, 3.0], 0.2), Unknown { low: 3.0, high: 600.0, ..Unknown::positive(Field::DriftTime, 40.0, 1.0) }],
+                vec![
+                    free(Field::Drift, [-0.9, 3.0], 0.2),
+                    Unknown {
+                        low: 3.0,
+                        high: 600.0,
+                        ..Unknown::positive(Field::DriftTime, 40.0, 1.0)
+                    },
+                ],
                 vec![vec![-0.1, 40.0]],
             )
         },
         delay(base),
     ];
     if typical.gravity_volts > volts {
-        all.push(candidate("encoder_offset", vec![free(Field::EncoderOffset, [-1.0, 1.0], 0.1)], vec![vec![0.0]]));
-        let of_joint = vec![free(Field::JointLoadFriction, [0.0, 0.9 / servo.torque_constant], 0.2 / servo.torque_constant)];
+        all.push(candidate(
+            "encoder_offset",
+            vec![free(Field::EncoderOffset, [-1.0, 1.0], 0.1)],
+            vec![vec![0.0]],
+        ));
+        let of_joint = vec![free(
+            Field::JointLoadFriction,
+            [0.0, 0.9 / servo.torque_constant],
+            0.2 / servo.torque_constant,
+        )];
         all.push(candidate("load_friction", of_joint, vec![vec![0.3 / servo.torque_constant]]));
     }
     if typical.range > SPRING_RANGE_RAD {
@@ -128,6 +169,9 @@ pub fn of_joint(base: &Base, typical: &Typical, cogging: &[f64]) -> Vec<Candidat
     all.extend(cogging.iter().map(|order| self::cogging(*order, volts)));
     all
 }
+
+/// A limit that is nearer to the one that is known is an error of the drive's gains.
+const NEAREST_LIMIT: f64 = 0.85;
 
 /// The part of the motor's torque that friction in a gear may take: four tenths were measured.
 pub const MOST_LOST: f64 = 0.6;
@@ -146,16 +190,28 @@ fn delay(base: &Base) -> Candidate {
 fn cable_spring(typical: &Typical, volts: f64) -> Candidate {
     let size = volts / typical.range;
     let rest = typical.position;
-    let spring = Unknown::between(Field::Spring, [0.0, 20.0 * size], (0.0, 10.0 * size), 0.1 * size);
+    let spring =
+        Unknown::between(Field::Spring, [0.0, 20.0 * size], (0.0, 10.0 * size), 0.1 * size);
     let reach = typical.range;
-    let at = Unknown::between(Field::SpringRest, [rest - reach, rest + reach], (rest, reach), 0.05 * reach);
+    let at = Unknown::between(
+        Field::SpringRest,
+        [rest - reach, rest + reach],
+        (rest, reach),
+        0.05 * reach,
+    );
     candidate("cable_spring", vec![spring, at], vec![vec![0.2 * size, rest]])
 }
 
 /// Cogging of an order per turn of the joint.
 pub fn cogging(order: f64, volts: f64) -> Candidate {
-    let part = |field| Unknown::between(field, [-10.0 * volts, 10.0 * volts], (0.0, 3.0 * volts), 0.1 * volts);
-    let mut found = candidate("cogging", vec![part(Field::CoggingSine), part(Field::CoggingCosine)], vec![vec![0.0, 0.05 * volts]]);
+    let part = |field| {
+        Unknown::between(field, [-10.0 * volts, 10.0 * volts], (0.0, 3.0 * volts), 0.1 * volts)
+    };
+    let mut found = candidate(
+        "cogging",
+        vec![part(Field::CoggingSine), part(Field::CoggingCosine)],
+        vec![vec![0.0, 0.05 * volts]],
+    );
     found.fixed = vec![(Field::CoggingOrder, order)];
     found
 }

@@ -83,7 +83,8 @@ impl Taken {
             let rows: usize = chosen.iter().map(|k| base[*k].rows).sum();
             let above = (sum(base) - noise * rows as f64).max(1e-3 * sum(base)).max(1e-18);
             let (less, more) = (sum(with), sum(without).max(1e-18));
-            ((more - less) / above, 1.0 - (less / more).sqrt())
+            // A refit without one of several effects may leave more than there was without any.
+            (((more - less) / above).min(1.0), 1.0 - (less / more).sqrt())
         };
         let (share, shrinkage) = at(&all);
         let drawn = resampled(base.len(), settings.resamples).map(|chosen| at(&chosen));
@@ -92,7 +93,9 @@ impl Taken {
         let half = |side: usize| {
             // Half of the logs; of the units where there is one log.
             let one = base.iter().all(|unit| unit.log == base[0].log);
-            let of = |k: &usize| if one { (2 * k / base.len().max(1)) == side } else { base[*k].log % 2 == side };
+            let of = |k: &usize| {
+                if one { (2 * k / base.len().max(1)) == side } else { base[*k].log % 2 == side }
+            };
             at(&all.iter().copied().filter(of).collect::<Vec<_>>()).1
         };
         Self {

@@ -26,10 +26,7 @@ const TABLE: [(&str, &[Named]); 18] = [
     ("dead_zone", &[("half_width_V", Field::DeadZone)]),
     ("backlash", &[("gap_rad", Field::Gap)]),
     ("dac_offset", &[("offset_V", Field::Offset)]),
-    (
-        "friction_drift",
-        &[("relative_change", Field::Drift), ("time_constant_s", Field::DriftTime)],
-    ),
+    ("friction_drift", &[("relative_change", Field::Drift), ("time_constant_s", Field::DriftTime)]),
     ("encoder_offset", &[("offset_rad", Field::EncoderOffset)]),
     ("cable_spring", &[("stiffness_V_per_rad", Field::Spring), ("rest_rad", Field::SpringRest)]),
     (

@@ -33,7 +33,8 @@ pub fn refitted(arm: &ArmFile, servos: &[ServoJoint]) -> ArmFile {
         friction.alpha2 = Some(servo.viscous);
         joint.friction = Some(friction);
         for (effect, field) in [("gravity_scale", Field::Gravity), ("reading", Field::ReadAfter)] {
-            file.effects.retain(|table| table.effect != effect || usize::from(table.joint) != k + 1);
+            file.effects
+                .retain(|table| table.effect != effect || usize::from(table.joint) != k + 1);
             let delayed = effect == "reading" && servo.read_after_s < 0.0;
             if field.of(servo) != field.of(&ServoJoint::ideal()) && !delayed {
                 file.effects.push(table(effect, k + 1, servo));

@@ -49,7 +49,8 @@ mod tests {
 
     #[test]
     fn a_parabola_is_found_at_uneven_times_and_at_the_ends() {
-        let time: Vec<f64> = (0..40).map(|k| 0.02 * f64::from(k) + 0.003 * f64::from(k % 3)).collect();
+        let time: Vec<f64> =
+            (0..40).map(|k| 0.02 * f64::from(k) + 0.003 * f64::from(k % 3)).collect();
         let position: Vec<f64> = time.iter().map(|t| 0.3 + 2.0 * t - 1.5 * t * t).collect();
         let (velocity, acceleration) = derivatives(&time, &position, 0.1);
         for (k, t) in time.iter().enumerate() {

@@ -7,12 +7,12 @@ use crate::arm_replay::arm_replay;
 use crate::base::{Base, Frame, refit};
 use crate::error::ServoError;
 use crate::joint::ServoJoint;
+use crate::joint_effects::{JointEffects, PooledCauses};
 use crate::judged::Judged;
-use crate::pooled::{PooledLoad, groups, load_friction};
 use crate::prepared::Prepared;
-use crate::selection::{Model, Selected, select, suffices};
+use crate::selection::{Model, Selected};
 use crate::settings::Settings;
-use crate::verdict::{Confirming, JointCause, named_model, of_joint, of_pool};
+use crate::verdict::JointCause;
 use crate::whole_cause::{WholeCause, find};
 
 /// What a diagnosis found.
@@ -29,7 +29,7 @@ pub struct Outcome {
     /// Effects on joints, named or not.
     pub causes: Vec<JointCause>,
     /// Load friction of servos of one type, where it was found.
-    pub pooled: Vec<(PooledLoad, Vec<JointCause>)>,
+    pub pooled: Vec<PooledCauses>,
     /// The joints with what is named.
     pub models: Vec<Model>,
     /// Positions on the confirming logs: as given, refitted, with effects, by log and joint.
@@ -59,41 +59,15 @@ impl Outcome {
     ) -> Result<Self, ServoError> {
         progress("refitting the joints, looking for contact");
         let mut prepared = Prepared::of(campaign, settings)?;
-        progress("trying a payload, a force, a base that leans");
-        let whole = find(&prepared, settings);
         let refitted = prepared.bases.clone();
+        let mut joints = JointEffects::of(&prepared, &campaign.arm, settings, progress);
+        progress("trying a payload, a force, a base that leans");
+        let whole = find(&prepared, &joints.as_bases(&prepared), settings);
         if let Some(cause) = whole.first().filter(|cause| cause.is_named) {
             take_up(&mut prepared, cause, settings);
+            joints = JointEffects::of(&prepared, &campaign.arm, settings, progress);
         }
-        let train = prepared.train();
-        let frame = Frame { logs: &train, period_s: prepared.period_s, settings };
-        let mut selected = Vec::new();
-        for (joint, base) in prepared.bases.iter().enumerate() {
-            progress(&format!("trying effects on joint {}", joint + 1));
-            selected.push(select(&frame, joint, base));
-        }
-        progress("confirming on logs that chose nothing");
-        let held_out = prepared.held_out();
-        let noise = noise(&campaign.arm);
-        let confirming = Confirming { logs: &held_out, noise: &noise };
-        let (mut causes, mut models) = (Vec::new(), Vec::new());
-        for (joint, base) in prepared.bases.iter().enumerate() {
-            let of = of_joint(&frame, &confirming, joint, base, &selected[joint]);
-            models.push(named_model(&frame, joint, base, &selected[joint], &of));
-            causes.extend(of);
-        }
-        // What acts on one servo alone is none of its type's.
-        let own = |joint: &usize| causes.iter().any(|c| c.is_named && c.joint == *joint);
-        let alone = |group: Vec<usize>| group.into_iter().filter(|joint| !own(joint)).collect();
-        let pooled = groups(&prepared.given)
-            .into_iter()
-            .map(alone)
-            .filter(|group: &Vec<usize>| group.len() >= 3)
-            .map(|group| load_friction(&frame, &prepared.bases, &group))
-            .filter(|pooled| suffices(&pooled.gain, settings))
-            .map(|pooled| (of_pool(&frame, &confirming, &pooled), pooled))
-            .map(|(causes, pooled)| (pooled, causes))
-            .collect();
+        let JointEffects { selected, causes, pooled, models } = joints;
         let servos = [
             prepared.given.clone(),
             refitted.iter().map(|base| base.fitted.servo).collect(),
@@ -116,12 +90,6 @@ fn take_up(prepared: &mut Prepared, cause: &WholeCause, settings: &Settings) {
     let frame = Frame { logs: &train, period_s: prepared.period_s, settings };
     let bases: Vec<Base> = refit(&frame, &prepared.given, &cause.fit.servos, false);
     prepared.bases = bases;
-}
-
-/// A row's square by the encoder's step alone, joint by joint [rad^2].
-pub fn noise(arm: &ArmFile) -> Vec<f64> {
-    let of = |joint: &files::ArmJoint| joint.count_step().unwrap_or(0.0).powi(2) / 12.0;
-    arm.joints.iter().map(of).collect()
 }
 
 fn motions(

@@ -49,9 +49,14 @@ pub fn pool(
     more: &[Unknown],
     starts: &[ServoJoint],
 ) -> Pool {
-    let coulomb = *bases[joints[0]].unknowns.iter().find(|u| u.field == Field::Coulomb).expect("a base fits it");
+    let coulomb = *bases[joints[0]]
+        .unknowns
+        .iter()
+        .find(|u| u.field == Field::Coulomb)
+        .expect("a base fits it");
     let shared: Vec<Unknown> = [coulomb].iter().chain(more).copied().collect();
-    let lists: Vec<Vec<Unknown>> = joints.iter().map(|joint| list(&bases[*joint], &shared)).collect();
+    let lists: Vec<Vec<Unknown>> =
+        joints.iter().map(|joint| list(&bases[*joint], &shared)).collect();
     let mut servos: Vec<ServoJoint> = joints.iter().map(|joint| starts[*joint]).collect();
     share_mean(&mut servos, &shared);
     let problems: Vec<Problem> = joints
@@ -61,7 +66,12 @@ pub fn pool(
         .collect();
     let ones: Vec<f64> = joints.iter().map(|joint| bases[*joint].fitted.square_of_one).collect();
     let cost = |servos: &[ServoJoint]| -> f64 {
-        problems.par_iter().zip(servos).zip(&ones).map(|((p, s), one)| p.cost(s, p.robust(s), *one)).sum()
+        problems
+            .par_iter()
+            .zip(servos)
+            .zip(&ones)
+            .map(|((p, s), one)| p.cost(s, p.robust(s), *one))
+            .sum()
     };
     let mut before = cost(&servos);
     for _ in 0..ITERATIONS {
@@ -117,7 +127,8 @@ fn stepped(
         let factor = full.view((0, 0), (own, own)).clone_owned().cholesky()?;
         let across = full.view((0, own), (own, shared)).clone_owned();
         let rest = side.rows(0, own).clone_owned();
-        matrix += full.view((own, own), (shared, shared)) - across.transpose() * factor.solve(&across);
+        matrix +=
+            full.view((own, own), (shared, shared)) - across.transpose() * factor.solve(&across);
         right += side.rows(own, shared) - across.transpose() * factor.solve(&rest);
         parts.push((factor, across, rest));
     }
@@ -135,7 +146,8 @@ fn stepped(
 /// What is left of each log, all joints together.
 fn left_together(problems: &[Problem], servos: &[ServoJoint], ones: &[f64]) -> LeftOut {
     let logs = problems[0].logs.len();
-    let mut sum = LeftOut { robust: vec![0.0; logs], squares: vec![0.0; logs], rows: vec![0; logs] };
+    let mut sum =
+        LeftOut { robust: vec![0.0; logs], squares: vec![0.0; logs], rows: vec![0; logs] };
     for ((problem, servo), one) in problems.iter().zip(servos).zip(ones) {
         let fitted = Fitted { servo: *servo, normals: Vec::new(), square_of_one: *one };
         let left = LeftOut::of_fit(&fitted, problem);

@@ -71,8 +71,7 @@ impl Prepared {
         let judged = |record: Record| Judged::of(&links, record, settings);
         let logs: Vec<Judged> = pieces.into_par_iter().map(judged).collect();
         let (bases, contacts, clips) = (Vec::new(), Vec::new(), Vec::new());
-        let mut found =
-            Self { links, given, logs, period_s, bases, contacts, clips, is_held_out };
+        let mut found = Self { links, given, logs, period_s, bases, contacts, clips, is_held_out };
         found.refit(settings);
         Ok(found)
     }

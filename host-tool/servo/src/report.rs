@@ -4,7 +4,8 @@ use files::Role;
 
 use crate::confirm::{Taken, probability};
 use crate::effect_table::{parameter_name, parameters};
-use crate::outcome::{Outcome, noise};
+use crate::joint_effects::noise;
+use crate::outcome::Outcome;
 use crate::report_intervals::intervals;
 use crate::report_types::*;
 use crate::verdict::JointCause;
@@ -104,7 +105,13 @@ fn with_share(effect: &str, joint: usize, taken: &Taken, probability: f64) -> Ca
 /// What was selected and not confirmed, and what does the same as something else.
 fn alternatives(outcome: &Outcome, named: &[Cause]) -> Vec<Alternative> {
     let joint = outcome.causes.iter().filter(|cause| !cause.is_named).map(|cause| {
-        alternative(cause.effect, cause.joint + 1, cause.probability.min(0.49), cause.taken.share, UNCONFIRMED)
+        alternative(
+            cause.effect,
+            cause.joint + 1,
+            cause.probability.min(0.49),
+            cause.taken.share,
+            UNCONFIRMED,
+        )
     });
     let undecided = outcome.selected.iter().enumerate().flat_map(|(joint, selected)| {
         let part = 0.5 / selected.undecided.len().max(1) as f64;
@@ -117,9 +124,11 @@ fn alternatives(outcome: &Outcome, named: &[Cause]) -> Vec<Alternative> {
     let is_open = |cause: &&WholeCause| {
         !cause.is_named && cause.gain.part >= least && named.iter().all(|cause| cause.joint != 0)
     };
-    let whole = outcome.whole.iter().filter(is_open).map(|cause| {
-        alternative(cause.fit.effect.name(), 0, 0.3, cause.taken.share, WEIGHT)
-    });
+    let whole = outcome
+        .whole
+        .iter()
+        .filter(is_open)
+        .map(|cause| alternative(cause.fit.effect.name(), 0, 0.3, cause.taken.share, WEIGHT));
     joint.chain(undecided).chain(whole).collect()
 }
 
@@ -127,13 +136,7 @@ const UNCONFIRMED: &str = "the logs that confirm do not show it in both halves";
 const UNDECIDED: &str = "another effect does the same";
 const WEIGHT: &str = "gravity's scales, joint by joint, or another effect of the arm do the same";
 
-fn alternative(
-    effect: &str,
-    joint: usize,
-    probability: f64,
-    share: f64,
-    why: &str,
-) -> Alternative {
+fn alternative(effect: &str, joint: usize, probability: f64, share: f64, why: &str) -> Alternative {
     Alternative {
         effect: effect.to_owned(),
         joint,
@@ -186,7 +189,8 @@ pub fn in_words(report: &Report) -> String {
     for cause in &report.causes {
         text += &format!("  {}\n", cause_words(cause));
     }
-    let mrad = |rad: &[f64]| -> String { rad.iter().map(|rad| format!(" {:6.1}", 1e3 * rad)).collect() };
+    let mrad =
+        |rad: &[f64]| -> String { rad.iter().map(|rad| format!(" {:6.1}", 1e3 * rad)).collect() };
     text += "\nPosition on the confirming logs, simulated from the goals, rms by joint [mrad]:\n";
     text += &format!("  as given     {}\n", mrad(&report.gap.as_given_rad));
     text += &format!("  refitted     {}\n", mrad(&report.gap.refitted_rad));
@@ -204,7 +208,8 @@ pub fn cause_words(cause: &Cause) -> String {
         Value::Vector(values) => format!("{name} = {values:.4?}"),
     };
     let numbers: Vec<String> = cause.parameters.iter().map(number).collect();
-    let place = if cause.joint == 0 { "the arm".to_owned() } else { format!("joint {}", cause.joint) };
+    let place =
+        if cause.joint == 0 { "the arm".to_owned() } else { format!("joint {}", cause.joint) };
     format!(
         "{} of {place}: {}; share {:.0} %, shrinkage {:.2} [{:.2}, {:.2}], probability {:.2}",
         cause.effect,

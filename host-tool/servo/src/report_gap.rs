@@ -1,6 +1,7 @@
 //! The size of the gap on the confirming logs, and what remains of it.
 
-use crate::outcome::{Outcome, noise};
+use crate::joint_effects::noise;
+use crate::outcome::Outcome;
 use crate::report_types::{Gap, Remainder};
 
 /// Rms by joint of a stage: 0 as given, 1 refitted, 2 with effects [rad].
@@ -56,7 +57,9 @@ pub fn remainder(outcome: &Outcome, gap: &Gap) -> Vec<Remainder> {
             rms_rad,
             share: rms_rad * rms_rad / all.max(f64::MIN_POSITIVE),
             detail: format!("{:.1} mrad of position, simulated from the goals", 1e3 * rms_rad),
-            nearest: best.filter(|tried| tried.gain.part > 0.0).map(|tried| tried.effect.to_owned()),
+            nearest: best
+                .filter(|tried| tried.gain.part > 0.0)
+                .map(|tried| tried.effect.to_owned()),
         }
     };
     let mut found: Vec<Remainder> = (0..outcome.models.len()).map(of).collect();

@@ -40,11 +40,13 @@ fn axis(outcome: &Outcome, joint: usize) -> (&'static str, f64) {
         let track = &log.record.joints[joint];
         for row in (0..log.record.len()).filter(|row| log.counts[joint][*row]) {
             let error = track.position[row] - motion.stages[1][joint][row];
-            let ways = [track.position[row], track.velocity[row], track.goal[row] - track.position[row]];
+            let ways =
+                [track.position[row], track.velocity[row], track.goal[row] - track.position[row]];
             points.iter_mut().zip(ways).for_each(|(points, x)| points.push((x, error)));
         }
     }
-    let found = ["position", "velocity", "command"].into_iter().zip(points.iter().map(|p| explained(p)));
+    let found =
+        ["position", "velocity", "command"].into_iter().zip(points.iter().map(|p| explained(p)));
     found.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(("offset", 0.0))
 }
 

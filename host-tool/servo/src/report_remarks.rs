@@ -9,7 +9,8 @@ pub fn remarks(outcome: &Outcome) -> Vec<String> {
     let prepared = &outcome.prepared;
     let mut found = of_prepared(prepared);
     for (pooled, causes) in &outcome.pooled {
-        let numbers: Vec<String> = pooled.with.joints.iter().map(|joint| (joint + 1).to_string()).collect();
+        let numbers: Vec<String> =
+            pooled.with.joints.iter().map(|joint| (joint + 1).to_string()).collect();
         let named: Vec<String> = causes
             .iter()
             .filter(|cause| cause.is_named)
@@ -82,7 +83,10 @@ pub fn untestable(outcome: &Outcome) -> Vec<Untestable> {
         .map(|joint| Untestable {
             effect: "saturation".to_owned(),
             joint: joint + 1,
-            why: format!("joint {} hardly moves in the train logs: nothing of it can be told", joint + 1),
+            why: format!(
+                "joint {} hardly moves in the train logs: nothing of it can be told",
+                joint + 1
+            ),
         })
         .collect()
 }

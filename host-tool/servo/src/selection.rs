@@ -59,7 +59,13 @@ impl Model {
     }
 
     /// With an effect more, from the best of its starts; none where it has no start.
-    pub fn with(&self, frame: &Frame, joint: usize, scale: f64, effect: &Candidate) -> Option<Self> {
+    pub fn with(
+        &self,
+        frame: &Frame,
+        joint: usize,
+        scale: f64,
+        effect: &Candidate,
+    ) -> Option<Self> {
         let mut unknowns = self.unknowns.clone();
         let is_kept = |known: &Unknown| effect.fields().all(|new| !new.overlaps(known.field));
         unknowns.retain(is_kept);
@@ -72,6 +78,13 @@ impl Model {
         let left = LeftOut::of_fit(&fitted, &problem);
         let effects = self.effects.iter().chain([effect]).cloned().collect();
         Some(Self { effects, unknowns, fitted, left })
+    }
+
+    /// Fitted until nothing changes.
+    fn polish(&mut self, frame: &Frame, joint: usize, scale: f64) {
+        let problem = Problem { iterations: 30, ..frame.problem(joint, &self.unknowns, scale) };
+        self.fitted = fit(&problem, &self.fitted.servo);
+        self.left = LeftOut::of_fit(&self.fitted, &problem);
     }
 
     /// Without one of its effects, all else fitted again.
@@ -129,7 +142,8 @@ pub fn select(frame: &Frame, joint: usize, base: &Base) -> Selected {
         let Some((best, gain)) = confirmed(frame, joint, base.scale, &model, &found) else {
             break;
         };
-        let (effect, next, _) = found.swap_remove(best);
+        let (effect, mut next, _) = found.swap_remove(best);
+        next.polish(frame, joint, base.scale);
         let near = frame.settings.rival_part * gain.part;
         let is_rival = |other: &&Tried| other.effect != effect.effect && other.gain.part >= near;
         let rivals: Vec<Tried> = all.iter().filter(is_rival).cloned().collect();
@@ -141,7 +155,9 @@ pub fn select(frame: &Frame, joint: usize, base: &Base) -> Selected {
         added.push(gain);
         // What did nothing over the base does nothing beside an effect, either.
         open.retain(|other| {
-            let gains = |t: &Tried| t.effect == other.effect && t.gain.part > 0.25 * frame.settings.least_gain;
+            let gains = |t: &Tried| {
+                t.effect == other.effect && t.gain.part > 0.25 * frame.settings.least_gain
+            };
             other.effect != effect.effect && all.iter().any(gains)
         });
         model = next;

@@ -66,10 +66,7 @@ impl ServoJoint {
     /// The voltage where neither limit nor dead zone is reached, behind the lag.
     #[inline]
     fn drive(&self, state: &State, goal: f64, h: f64) -> Line {
-        let line = Line(
-            self.stiffness * (goal - state.q),
-            0.5 * h * self.stiffness + self.damping,
-        );
+        let line = Line(self.stiffness * (goal - state.q), 0.5 * h * self.stiffness + self.damping);
         self.lagged(line, state, h)
     }
 

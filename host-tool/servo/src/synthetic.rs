@@ -88,10 +88,13 @@ pub fn pendulum(seed: u64, mass_kg: f64, length_m: f64) -> ArmFile {
     upright("pendulum", vec![joint])
 }
 
+/// A joint's name, its origin [m], its axis, its link's mass [kg] and centre [m].
+type Place = (&'static str, [f64; 3], [f64; 3], f64, [f64; 3]);
+
 /// An arm of six servos: turn, shoulder, elbow, wrist about three axes, 0.35 m long.
 pub fn six_axes(seed: u64) -> ArmFile {
     let mut random = Pcg64Mcg::new(u128::from(seed));
-    let places: [(&str, [f64; 3], [f64; 3], f64, [f64; 3]); 6] = [
+    let places: [Place; 6] = [
         ("turn", [0.0, 0.0, 0.05], [0.0, 0.0, 1.0], 0.15, [0.0, 0.0, 0.03]),
         ("shoulder", [0.0, 0.0, 0.05], [0.0, 1.0, 0.0], 0.12, [0.06, 0.0, 0.0]),
         ("elbow", [0.12, 0.0, 0.0], [0.0, 1.0, 0.0], 0.11, [0.06, 0.0, 0.0]),

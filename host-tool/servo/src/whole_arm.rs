@@ -80,7 +80,9 @@ impl Whole {
     /// The chain with the effect, a force aside.
     pub fn links(self, links: &SerialChain<f64>, values: &[f64]) -> SerialChain<f64> {
         match self {
-            Self::Payload => links.with_payload(&Body::point(values[0], [values[1], values[2], values[3]])),
+            Self::Payload => {
+                links.with_payload(&Body::point(values[0], [values[1], values[2], values[3]]))
+            }
             Self::TipForce => *links,
             Self::BaseTilt => {
                 let (sa, ca) = values[0].sin_cos();
@@ -232,8 +234,7 @@ fn step_of(
     for (joint, base) in bases.iter().enumerate() {
         let unknowns = rigid(base);
         let problem = Frame { logs, ..*frame }.problem(joint, &unknowns, base.scale);
-        let (full, side) =
-            normal(&problem, &servos[joint], &moved, doubts, base);
+        let (full, side) = normal(&problem, &servos[joint], &moved, doubts, base);
         let own = unknowns.len();
         let factor = full.view((0, 0), (own, own)).clone_owned().cholesky()?;
         let across = full.view((0, own), (own, p)).clone_owned();

@@ -1,6 +1,6 @@
 //! Whether an effect of the whole arm is a cause.
 
-use crate::base::Frame;
+use crate::base::{Base, Frame};
 use crate::confirm::{Taken, Unit, probability, units};
 use crate::cross::{Gain, LeftOut};
 use crate::fit::robust;
@@ -25,19 +25,19 @@ pub struct WholeCause {
     pub is_named: bool,
 }
 
-/// Tries all of them, best first.
-pub fn find(prepared: &Prepared, settings: &Settings) -> Vec<WholeCause> {
+/// Tries all of them over the joints as they are in `bases`, best first.
+pub fn find(prepared: &Prepared, bases: &[Base], settings: &Settings) -> Vec<WholeCause> {
     let all = prepared.train();
     let short = spread(&all, settings.whole_arm_s);
     let frame = Frame { logs: &short, period_s: prepared.period_s, settings };
     let links = &prepared.links;
-    let plain = fit_whole(&frame, links, &prepared.bases, None);
-    let scaled = scaled(prepared, &short, settings);
+    let plain = fit_whole(&frame, links, bases, None);
+    let scaled = scaled(bases, &short, settings);
     let mut found: Vec<WholeCause> = Whole::ALL
         .into_iter()
         .filter(|effect| *effect != Whole::BaseTilt || is_upright(prepared))
         .map(|effect| {
-            let fit = fit_whole(&frame, links, &prepared.bases, Some(effect));
+            let fit = fit_whole(&frame, links, bases, Some(effect));
             judge(prepared, &plain, &scaled, fit, settings)
         })
         .collect();
@@ -54,11 +54,11 @@ fn is_upright(prepared: &Prepared) -> bool {
 }
 
 /// What the joints leave with gravity's scale free.
-fn scaled(prepared: &Prepared, logs: &[&Judged], settings: &Settings) -> Vec<f64> {
-    let joints: Vec<usize> = (0..prepared.bases.len()).collect();
+fn scaled(bases: &[Base], logs: &[&Judged], settings: &Settings) -> Vec<f64> {
+    let joints: Vec<usize> = (0..bases.len()).collect();
     let of = |log: &&Judged| {
         let left = joints.iter().map(|joint| {
-            let base = &prepared.bases[*joint];
+            let base = &bases[*joint];
             let step = settings.search_step_s;
             let errors = crate::fit::errors(&base.fitted.servo, log, *joint, step);
             robust(&errors, log, *joint, base.scale) / base.fitted.square_of_one
@@ -75,11 +75,8 @@ fn judge(
     fit: WholeFit,
     settings: &Settings,
 ) -> WholeCause {
-    let left = |robust: &[f64]| LeftOut {
-        robust: robust.to_vec(),
-        squares: Vec::new(),
-        rows: Vec::new(),
-    };
+    let left =
+        |robust: &[f64]| LeftOut { robust: robust.to_vec(), squares: Vec::new(), rows: Vec::new() };
     let gain = Gain::of(&left(&fit.left), &left(&plain.left));
     let sum = |left: &[f64]| left.iter().sum::<f64>();
     let (bare, free, with) = (sum(&plain.left), sum(scaled), sum(&fit.left));
@@ -89,7 +86,8 @@ fn judge(
     let without = all_joints(prepared, &held_out, plain, None, settings);
     let loaded = all_joints(prepared, &held_out, &fit, Some(&fit), settings);
     let taken = Taken::of(&without, &without, &loaded, 0.0, settings);
-    let certain = gain.certainty >= settings.least_certainty && gain.part >= settings.least_whole_gain;
+    let certain =
+        gain.certainty >= settings.least_certainty && gain.part >= settings.least_whole_gain;
     WholeCause {
         probability: probability(taken.certainty.min(gain.certainty)),
         is_named: as_good && certain && taken.is_confirmed(settings),

@@ -62,9 +62,6 @@ fn doubt(text: &str) -> Result<f64, String> {
 /// Files that cannot be used or written, or logs that do not fit the model's robot.
 pub fn run(choice: &Choice) -> Result<(), Failure> {
     match &choice.diagnosis {
-        Some(arguments) if super::diagnose_servos::is_for(arguments) => {
-            super::diagnose_servos::run(arguments)
-        }
         Some(arguments) => diagnose(arguments).map(drop),
         None => {
             print!("{}", Criteria::default().to_toml());

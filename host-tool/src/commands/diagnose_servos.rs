@@ -5,15 +5,17 @@ use recordings::ArmCampaign;
 use report::servo_page::servo_page;
 use servo::{Outcome, ServoError, Settings, is_servo_arm, model_file, report as words};
 
-use super::diagnose::{Arguments, MODEL, PAGE, REPORT, refuse_to_replace};
+use super::diagnose::{Arguments, Choice, MODEL, PAGE, REPORT, refuse_to_replace};
 use crate::failure::Failure;
 use crate::output_files::{create_directory, json, write_text};
 use crate::terminal::progress::Steps;
 
-/// Whether the model is one of an arm of position servos.
-pub fn is_for(arguments: &Arguments) -> bool {
-    ArmFile::is_at(&arguments.model)
-        && ArmFile::read(&arguments.model).is_ok_and(|arm| is_servo_arm(&arm))
+/// The arguments of a diagnosis whose model is one of an arm of position servos.
+pub fn wanted(choice: &Choice) -> Option<&Arguments> {
+    let arguments = choice.diagnosis.as_ref()?;
+    let is_arm = ArmFile::is_at(&arguments.model);
+    let arm = is_arm.then(|| ArmFile::read(&arguments.model).ok()).flatten()?;
+    is_servo_arm(&arm).then_some(arguments)
 }
 
 impl From<ServoError> for Failure {

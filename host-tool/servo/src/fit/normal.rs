@@ -27,7 +27,8 @@ pub fn block_squares(errors: &[f64], judged: &Judged, joint: usize) -> Vec<(f64,
     let blocks = judged.blocks.iter();
     let of = |rows: &std::ops::Range<usize>| {
         let kept = rows.clone().filter(|row| judged.counts[joint][*row]);
-        let (sum, n) = kept.fold((0.0, 0), |(sum, n), row| (sum + errors[row] * errors[row], n + 1));
+        let (sum, n) =
+            kept.fold((0.0, 0), |(sum, n), row| (sum + errors[row] * errors[row], n + 1));
         (sum / f64::from(n.max(1)), n as usize)
     };
     blocks.map(of).collect()

@@ -75,9 +75,8 @@ impl Problem<'_> {
     }
 
     fn square_of_one(&self, normals: &[Normal]) -> f64 {
-        let (sum, rows) = normals.iter().fold((0.0, 0), |(s, n), log| {
-            (s + log.robust, n + log.rows)
-        });
+        let (sum, rows) =
+            normals.iter().fold((0.0, 0), |(s, n), log| (s + log.robust, n + log.rows));
         self.rows_in_one * (sum / rows.max(1) as f64).max(self.floor_rad.powi(2))
     }
 
