@@ -39,14 +39,18 @@ pub use logs::subject::SubjectError;
 pub use report::sentence::sentence;
 pub use result::*;
 
-use fit::preparation;
+use fit::{doubt, preparation};
 use logs::encoder_step;
+use logs::stretch::Stretch;
 use logs::subject::Subject;
 use logs::usable::Usable;
+use model_faults::FoundFault;
 use recordings::{Campaign, StepError};
 use report::assembly::Assembly;
 use rig::effects::Catalogue;
+use rows::evidence::Evidence;
 use search::selection;
+use search::selection::Selection;
 use tables::remaining::with_remaining_tables;
 use verdict::confirmed::Held;
 use verdict::judgement::Judgement;
@@ -90,13 +94,20 @@ pub fn diagnose(
 ) -> Result<Diagnosis, DiagnosisError> {
     let mut subject = Subject::of(campaign, catalogue, criteria)?;
     encoder_step::find(&mut subject.known, &campaign.traces, &criteria.logs);
-    let usable = Usable::of(campaign, &subject)?;
-    progress("refitting the model");
-    let (evidence, refitted) = preparation::prepared(&subject, usable.stretches)?;
-    let selection = selection::select(&subject, refitted, progress);
-    progress("trying whether the model itself is at fault");
-    let fault = model_faults::find(&subject, &evidence, &selection.refitted, &selection.last);
-    let selection = if fault.is_some() { selection.without_effects() } else { selection };
+    let Usable { stretches, mut remarks } = Usable::of(campaign, &subject)?;
+    let mut searched = Searched::of(&subject, stretches.clone(), progress)?;
+    let wider = searched.fault.is_none().then(|| doubt::wider(&subject, &searched.selection.last));
+    if let Some(relative) = wider.flatten() {
+        remarks.push(format!(
+            "the parameters of the model are further off than {:.1} %: the doubt about them was taken \
+             as {:.0} %, as by --model-doubt {relative:.2}; identify the model anew, and more can be said",
+            100.0 * subject.criteria.prior.relative,
+            100.0 * relative
+        ));
+        subject.criteria.prior.relative = relative;
+        searched = Searched::of(&subject, stretches, progress)?;
+    }
+    let Searched { evidence, selection, fault } = searched;
     progress("confirming on logs that chose nothing");
     let noise_v = preparation::noise_left_v(&subject, &evidence, &selection.last);
     let judgement = Judgement::of(&subject, selection, &noise_v);
@@ -111,5 +122,28 @@ pub fn diagnose(
         noise_v,
         fault,
     };
-    Ok(assembly.diagnosis(&campaign.robot_file, usable.remarks))
+    Ok(assembly.diagnosis(&campaign.robot_file, remarks))
+}
+
+/// What a search finds by one doubt about the model.
+struct Searched {
+    evidence: Evidence,
+    selection: Selection,
+    fault: Option<FoundFault>,
+}
+
+impl Searched {
+    fn of(
+        subject: &Subject,
+        stretches: Vec<Stretch>,
+        progress: &dyn Fn(&str),
+    ) -> Result<Self, StepError> {
+        progress("refitting the model");
+        let (evidence, refitted) = preparation::prepared(subject, stretches)?;
+        let selection = selection::select(subject, refitted, progress);
+        progress("trying whether the model itself is at fault");
+        let fault = model_faults::find(subject, &evidence, &selection.refitted, &selection.last);
+        let selection = if fault.is_some() { selection.without_effects() } else { selection };
+        Ok(Self { evidence, selection, fault })
+    }
 }
