@@ -19,6 +19,7 @@ pub mod arm;
 pub mod board;
 pub mod friction_law;
 mod leapfrog;
+pub mod plant;
 pub mod recording;
 pub mod robot;
 pub mod sensor;
@@ -26,6 +27,7 @@ mod settings;
 pub mod simulated_board;
 
 pub use friction_law::FrictionLaw;
+pub use plant::SimulatedPlant;
 pub use recording::{Recording, record, record_robot, record_sampled, start_of};
 pub use robot::SimulatedRobot;
 pub use settings::Settings;

@@ -1,6 +1,6 @@
 //! Fits of a model to the train logs: Gauss-Newton steps with a prior.
 
-use super::linearisation::{Linearisation, objective};
+use super::linearisation::{Linearisation, objective, train_rows};
 use super::unknowns::{Expected, Unknown, expected, kept_physical, range};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::{Evidence, Rows};
@@ -108,7 +108,7 @@ fn improved(
     if best.gain_of(&step) < subject.criteria.fit.least_step_gain {
         return None;
     }
-    let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
+    let train = train_rows(evidence);
     [1.0, 0.5, 0.2, 0.05].into_iter().find_map(|part| {
         let mut hypothesis = best.moved(&step, part);
         kept_physical(&mut hypothesis, subject);

@@ -7,7 +7,7 @@ use crate::logs::checks::{cannot_be_judged, others_move};
 use files::Role;
 use recordings::campaign::JointTrace;
 use recordings::plausibility::examine;
-use recordings::{Campaign, StepError, Trace};
+use recordings::{StepError, Trace};
 
 /// The stretches that can be used, and remarks on the logs.
 #[derive(Debug)]
@@ -19,14 +19,14 @@ pub struct Usable {
 }
 
 impl Usable {
-    /// The logs of a campaign that hold all joints of the rig and can be what they say.
+    /// The logs that hold all joints of the rig and can be what they say.
     ///
     /// # Errors
     /// There is none, or none that says enough.
-    pub fn of(campaign: &Campaign, subject: &Subject) -> Result<Self, StepError> {
+    pub fn of(traces: &[Trace], subject: &Subject) -> Result<Self, StepError> {
         let mut usable = Self { stretches: Vec::new(), remarks: Vec::new() };
         let mut refusal = None;
-        for (index, trace) in campaign.traces.iter().enumerate() {
+        for (index, trace) in traces.iter().enumerate() {
             match usable.stretches_of(trace, index, subject) {
                 Ok(stretches) => usable.stretches.extend(stretches),
                 Err(error) => {
@@ -36,7 +36,7 @@ impl Usable {
             }
         }
         if usable.stretches.is_empty() {
-            return Err(refusal.unwrap_or_else(|| no_log(campaign)));
+            return Err(refusal.unwrap_or_else(|| no_log(traces)));
         }
         usable.hold_some_out(&subject.criteria.logs)?;
         Ok(usable)
@@ -63,7 +63,9 @@ impl Usable {
         }
         trace.joints.retain(|joint| subject.numbers.contains(&joint.number));
         for joint in &mut trace.joints {
-            self.remarks.extend(unwrap(&trace.file, joint, &subject.criteria.logs));
+            if !subject.slides(joint.number) {
+                self.remarks.extend(unwrap(&trace.file, joint, &subject.criteria.logs));
+            }
         }
         let remarks = examine(&trace, &subject.known)?;
         if let Some(why) = cannot_be_judged(&trace, subject) {
@@ -112,8 +114,8 @@ impl Usable {
     }
 }
 
-fn no_log(campaign: &Campaign) -> StepError {
-    let what = match campaign.traces.len() {
+fn no_log(traces: &[Trace]) -> StepError {
+    let what = match traces.len() {
         0 => "the data set lists no log",
         _ => "no log can be used",
     };

@@ -28,7 +28,7 @@ pub fn candidates(
         let promised = of_joint.map(|start| start.gain).fold(0.0, f64::max);
         (effort.least_of_best_gain * promised).max(effort.least_promise)
     };
-    let least: Vec<f64> = (0..=3).map(least).collect();
+    let least: Vec<f64> = (0..=subject.plant.joints() as u8).map(least).collect();
     let mut found: Vec<Candidate> = starts
         .into_par_iter()
         .filter_map(|starts| searched(linear, evidence, starts, &least))
@@ -176,7 +176,7 @@ fn searched(
         })
 }
 
-/// What is typical of a joint (1 to 3, or 0 for the whole robot) in these logs.
+/// What is typical of a joint (from 1, or 0 for the whole robot) in these logs.
 pub(crate) fn typical(
     linear: &Linearisation,
     evidence: &Evidence,
@@ -186,7 +186,7 @@ pub(crate) fn typical(
     /// The load changes slowly: every so many samples tell its rms.
     const SAMPLES: usize = 20;
     let joint = usize::from(joint.max(1)) - 1;
-    let robot = &linear.hypothesis.robot;
+    let plant = &linear.hypothesis.plant;
     let all = |signal: fn(&crate::logs::stretch::Stretch, usize) -> &[f64]| {
         evidence.stretches.iter().flat_map(move |stretch| signal(stretch, joint)).copied()
     };
@@ -202,7 +202,7 @@ pub(crate) fn typical(
         .collect();
     Typical {
         command_v: largest(&mut all(|s, j| &s.command_v[j])),
-        friction_v: robot.friction[joint].alpha0_v,
+        friction_v: plant.friction[joint].alpha0_v,
         load_nm: rms(&load).max(1e-6),
         speed_rad_per_s: largest(&mut all(|s, j| &s.motion.qd_rad_per_s[j])),
         position_rad: angles.iter().sum::<f64>() / angles.len().max(1) as f64,

@@ -96,7 +96,7 @@ pub fn with_best_table(subject: &Subject, before: &FittedModel, joint: usize) ->
 /// for each of its knots, which chance takes.
 fn promise(before: &FittedModel, table: &Table, joint: usize) -> Option<f64> {
     let evidence = &before.evidence;
-    let mut columns: Vec<RowChange> = vec![RowChange::default(); table.knots.len()];
+    let mut columns: Vec<RowChange> = vec![evidence.no_change(); table.knots.len()];
     for (s, stretch) in evidence.stretches[..evidence.train_stretches()].iter().enumerate() {
         let trial = Trial::of(stretch, &before.linear.hypothesis, &evidence.criteria.fit);
         for (column, hat) in columns.iter_mut().zip(table_hats(&trial, table, joint)) {

@@ -6,13 +6,15 @@
 
 use std::borrow::Cow;
 
+use model::chain::MAX_JOINTS;
 use model::friction::FrictionScale;
 use model::friction_parameters::COUNT as FRICTION_COUNT;
-use model::{Dual, Friction, FrictionState, Posture, Real, Robot};
+use model::{Dual, Friction, FrictionState, Real};
 
 use super::hypothesis::Hypothesis;
 use super::reading;
-use crate::logs::stretch::{Kinematics, Stretch};
+use crate::logs::stretch::{Joints, Kinematics, Stretch};
+use rig::Plant;
 use rig::effects::{Effect, JointState, Table, TableAxis, Transmission};
 use signal::derivative;
 
@@ -24,8 +26,8 @@ pub struct ActiveEffects<'a> {
     stretch: &'a Stretch,
     hypothesis: &'a Hypothesis,
     effects: Vec<Box<dyn Effect>>,
-    /// The robot with what effects change in it, motors of elastic joints included.
-    pub robot: Robot<f64>,
+    /// The plant with what effects change in it, motors of elastic joints included.
+    pub plant: Plant,
     /// Motion of the motors: borrowed from the stretch where the encoders read true.
     pub motor: Cow<'a, Kinematics>,
 }
@@ -34,58 +36,74 @@ impl<'a> ActiveEffects<'a> {
     /// Those of a hypothesis, none of which has acted yet.
     pub fn of(stretch: &'a Stretch, hypothesis: &'a Hypothesis) -> Self {
         let effects = hypothesis.built_effects();
-        let mut robot = hypothesis.robot;
-        effects.iter().for_each(|effect| effect.change_robot(&mut robot));
+        let mut plant = hypothesis.plant.clone();
+        effects.iter().for_each(|effect| effect.change_robot(&mut plant));
         let motor = reading::corrected(&stretch.motion, &effects);
-        Self { stretch, hypothesis, effects, robot, motor }
+        Self { stretch, hypothesis, effects, plant, motor }
     }
 
-    /// Joints (0 to 2) with a spring between motor and link.
+    /// Joints (from 0) with a spring between motor and link.
     pub fn springs(&self) -> Vec<(usize, Transmission)> {
         self.effects.iter().filter_map(|effect| effect.transmission()).collect()
     }
 
     /// What drives each joint in the interval after each sample: the command as it reaches the
     /// motor, with the voltages and torques that effects add [V].
-    pub fn drive_v(&self) -> [Vec<f64>; 3] {
+    pub fn drive_v(&self) -> Vec<Vec<f64>> {
         // Lags and delays remember: each pass over a stretch begins with effects that do not.
         let mut effects = self.hypothesis.built_effects();
         effects.iter_mut().for_each(|effect| effect.set_step(self.stretch.period_s));
-        let k_t = self.robot.torque_constant_nm_per_v;
-        let mut drive_v = [0, 1, 2].map(|_| Vec::with_capacity(self.stretch.len()));
+        let k_t = &self.plant.torque_constant_nm_per_v;
+        let count = k_t.len();
+        let mut drive_v = vec![Vec::with_capacity(self.stretch.len()); count];
         for k in 0..self.stretch.len() {
-            let joint_state = self.joint_state(k);
-            let mut command_v = [0, 1, 2].map(|i| self.stretch.command_v[i][k]);
-            let mut torque_nm = [0.0; 3];
-            effects.iter_mut().for_each(|e| e.change_command(&joint_state, &mut command_v));
+            let middle = self.middle(k);
+            let joint_state = middle.as_state(count);
+            let mut command_v = self.command_v(k);
+            let command_v = &mut command_v[..count];
+            let mut torque_nm = Joints::default();
+            let torque_nm = &mut torque_nm[..count];
+            effects.iter_mut().for_each(|e| e.change_command(&joint_state, command_v));
             for effect in &effects {
-                effect.add_voltage(&joint_state, &mut command_v);
-                effect.add_torque(&joint_state, &self.robot, &mut torque_nm);
+                effect.add_voltage(&joint_state, command_v);
+                effect.add_torque(&joint_state, &self.plant, torque_nm);
             }
-            (0..3).for_each(|i| drive_v[i].push(command_v[i] + torque_nm[i] / k_t[i]));
+            (0..count).for_each(|i| drive_v[i].push(command_v[i] + torque_nm[i] / k_t[i]));
         }
         drive_v
     }
 
     /// How much of the commands reaches each motor, rms by rms.
-    pub fn command_gain(&self) -> [f64; 3] {
+    pub fn command_gain(&self) -> Vec<f64> {
         let mut effects = self.hypothesis.built_effects();
         effects.iter_mut().for_each(|effect| effect.set_step(self.stretch.period_s));
-        let (mut sent, mut reached) = ([0.0; 3], [0.0; 3]);
+        let count = self.plant.joints();
+        let (mut sent, mut reached) = (vec![0.0; count], vec![0.0; count]);
         for k in 0..self.stretch.len() {
-            let mut command_v = [0, 1, 2].map(|i| self.stretch.command_v[i][k]);
-            (0..3).for_each(|i| sent[i] += command_v[i] * command_v[i]);
-            let joint_state = self.joint_state(k);
-            effects.iter_mut().for_each(|e| e.change_command(&joint_state, &mut command_v));
-            (0..3).for_each(|i| reached[i] += command_v[i] * command_v[i]);
+            let mut command_v = self.command_v(k);
+            let command_v = &mut command_v[..count];
+            (0..count).for_each(|i| sent[i] += command_v[i] * command_v[i]);
+            let middle = self.middle(k);
+            let joint_state = middle.as_state(count);
+            effects.iter_mut().for_each(|e| e.change_command(&joint_state, command_v));
+            (0..count).for_each(|i| reached[i] += command_v[i] * command_v[i]);
         }
-        [0, 1, 2].map(|i| if sent[i] > 0.0 { (reached[i] / sent[i]).sqrt() } else { 1.0 })
+        let gain = |i: usize| if sent[i] > 0.0 { f64::sqrt(reached[i] / sent[i]) } else { 1.0 };
+        (0..count).map(gain).collect()
     }
 
-    /// Friction of a joint of `robot` in the interval after each sample [V].
-    pub fn friction_v(&self, joint: usize, robot: &Robot<f64>) -> Vec<f64> {
+    /// The commands over the interval after a sample [V].
+    fn command_v(&self, k: usize) -> Joints {
+        let mut command_v = Joints::default();
+        let both = command_v.iter_mut().zip(&self.stretch.command_v);
+        both.for_each(|(value, signal)| *value = signal[k]);
+        command_v
+    }
+
+    /// Friction of a joint of `plant` in the interval after each sample [V].
+    pub fn friction_v(&self, joint: usize, plant: &Plant) -> Vec<f64> {
         let lead_s = self.hypothesis.friction_lead_s[joint];
-        self.friction_with(joint, &robot.friction[joint], lead_s, |friction_v| friction_v)
+        self.friction_with(joint, &plant.friction[joint], lead_s, |friction_v| friction_v)
     }
 
     /// Slopes of a joint's friction in the interval after each sample: along each of its
@@ -96,7 +114,7 @@ impl<'a> ActiveEffects<'a> {
             place += 1;
             Dual::along(value, place - 1)
         };
-        let friction = Friction::from_array(self.robot.friction[joint].to_array().map(&mut along));
+        let friction = Friction::from_array(self.plant.friction[joint].to_array().map(&mut along));
         let lead_s = along(self.hypothesis.friction_lead_s[joint]);
         self.friction_with(joint, &friction, lead_s, |friction_v| friction_v.slope)
     }
@@ -139,14 +157,14 @@ impl<'a> ActiveEffects<'a> {
     }
 
     /// How far the bristles of each joint are bent at every sample.
-    pub fn bristles(&self) -> Vec<[FrictionState<f64>; 3]> {
-        let mut bristles = [FrictionState::default(); 3];
+    pub fn bristles(&self) -> Vec<Vec<FrictionState<f64>>> {
+        let mut bristles = vec![FrictionState::default(); self.plant.joints()];
         let mut at = |k: usize| {
-            let before = bristles;
+            let before = bristles.clone();
             let scale = self.friction_scale(k);
             for (joint, state) in bristles.iter_mut().enumerate() {
                 let v = self.motor.qd_rad_per_s[joint][k];
-                let friction = &self.robot.friction[joint];
+                let friction = &self.plant.friction[joint];
                 state.step_scaled(friction, scale[joint], v, self.stretch.period_s);
             }
             before
@@ -158,40 +176,42 @@ impl<'a> ActiveEffects<'a> {
     pub fn abscissa(&self, joint: usize, axis: TableAxis) -> Vec<f64> {
         let table = Table { joint: joint as u8 + 1, axis, knots: vec![], values_v: vec![] };
         let at = |k: usize| {
-            let mut state = self.joint_state(k);
+            let mut middle = self.middle(k);
             if axis == TableAxis::Load {
-                state.load_nm = load_nm(&self.robot, &state.q_rad, &state.qd_rad_per_s);
+                middle.load_nm = load_nm(&self.plant, &middle.q_rad, &middle.qd_rad_per_s);
             }
+            let state = middle.as_state(self.plant.joints());
             table.abscissa(&state, self.stretch.command_v[joint][k])
         };
         (0..self.stretch.len()).map(at).collect()
     }
 
     /// By how much effects scale each joint's friction in an interval.
-    fn friction_scale(&self, k: usize) -> [FrictionScale<f64>; 3] {
-        let mut scale = [FrictionScale::unchanged(); 3];
-        let joint_state = self.joint_state(k);
-        self.effects.iter().for_each(|e| e.change_friction(&joint_state, &mut scale));
+    fn friction_scale(&self, k: usize) -> [FrictionScale<f64>; MAX_JOINTS] {
+        let mut scale = [FrictionScale::unchanged(); MAX_JOINTS];
+        let (middle, count) = (self.middle(k), self.plant.joints());
+        let joint_state = middle.as_state(count);
+        self.effects.iter().for_each(|e| e.change_friction(&joint_state, &mut scale[..count]));
         scale
     }
 
     /// The middle of an interval, as effects see it.
-    fn joint_state(&self, k: usize) -> JointState {
+    fn middle(&self, k: usize) -> Middle {
         let next = (k + 1).min(self.stretch.len() - 1);
-        let middle =
-            |signal: &[Vec<f64>; 3]| [0, 1, 2].map(|i| 0.5 * (signal[i][k] + signal[i][next]));
+        let middle = |signals: &[Vec<f64>]| {
+            let mut values = Joints::default();
+            let both = values.iter_mut().zip(signals);
+            both.for_each(|(value, signal)| *value = 0.5 * (signal[k] + signal[next]));
+            values
+        };
         let q_rad = middle(&self.motor.q_rad);
         let qd_rad_per_s = middle(&self.motor.qd_rad_per_s);
         let load_nm = match self.effects.iter().any(|effect| effect.feels_load()) {
-            true => load_nm(&self.robot, &q_rad, &qd_rad_per_s),
-            false => [0.0; 3],
+            true => load_nm(&self.plant, &q_rad, &qd_rad_per_s),
+            false => Joints::default(),
         };
-        JointState {
-            time_s: self.stretch.start_s + (k as f64 + 0.5) * self.stretch.period_s,
-            q_rad,
-            qd_rad_per_s,
-            load_nm,
-        }
+        let time_s = self.stretch.start_s + (k as f64 + 0.5) * self.stretch.period_s;
+        Middle { time_s, q_rad, qd_rad_per_s, load_nm }
     }
 
     /// Load c + h on a joint at the samples [Nm].
@@ -202,17 +222,36 @@ impl<'a> ActiveEffects<'a> {
     /// The same at every so many samples [Nm].
     pub fn load_at_every_nm(&self, joint: usize, samples: usize) -> Vec<f64> {
         let at = |k: usize| {
-            let (q, qd, _) = self.motor.state(k);
-            load_nm(&self.robot, &q, &qd)[joint]
+            let [q, qd, _] = self.motor.state(k);
+            load_nm(&self.plant, &q, &qd)[joint]
         };
         (0..self.stretch.len()).step_by(samples).map(at).collect()
     }
 }
 
+/// The middle of an interval.
+struct Middle {
+    time_s: f64,
+    q_rad: Joints,
+    qd_rad_per_s: Joints,
+    load_nm: Joints,
+}
+
+impl Middle {
+    /// As effects see so many joints.
+    fn as_state(&self, joints: usize) -> JointState<'_> {
+        JointState {
+            time_s: self.time_s,
+            q_rad: &self.q_rad[..joints],
+            qd_rad_per_s: &self.qd_rad_per_s[..joints],
+            load_nm: &self.load_nm[..joints],
+        }
+    }
+}
+
 /// Coriolis and gravity torque on each joint, c + h of eq. (5) [Nm].
-fn load_nm(robot: &Robot<f64>, q_rad: &[f64; 3], qd_rad_per_s: &[f64; 3]) -> [f64; 3] {
-    let posture = Posture::new(q_rad[1], q_rad[2]);
-    let coriolis = posture.coriolis(&robot.base, &robot.geometry, qd_rad_per_s);
-    let gravity = posture.gravity(&robot.base, &robot.geometry);
-    [0, 1, 2].map(|i| coriolis[i] + gravity[i])
+fn load_nm(plant: &Plant, q_rad: &Joints, qd_rad_per_s: &Joints) -> Joints {
+    let mut load_nm = Joints::default();
+    plant.body.load(q_rad, qd_rad_per_s, &mut load_nm);
+    load_nm
 }
