@@ -131,14 +131,7 @@ impl From<DiagnosisError> for Failure {
             DiagnosisError::Subject(error @ SubjectError::Effect(_)) => {
                 Self::new(error.to_string(), "correct the table, or take it out")
             }
-            DiagnosisError::Subject(error @ SubjectError::PositionServo { .. }) => Self::new(
-                error.to_string(),
-                "diagnose drives that take voltages, currents or torques; servos are not judged yet",
-            ),
-            DiagnosisError::Subject(error @ SubjectError::NoTorqueConstant { .. }) => Self::new(
-                error.to_string(),
-                "give torque_constant_Nm_per_V or its like in [joint.drive], from the data sheet",
-            ),
+            DiagnosisError::Subject(SubjectError::Plant(error)) => error.into(),
         }
     }
 }

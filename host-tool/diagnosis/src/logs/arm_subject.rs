@@ -1,12 +1,11 @@
 //! An arm of any kind as the subject of a diagnosis.
 
-use files::arm_file::DriveKind;
 use files::{ArmFile, ArmJoint};
 use recordings::Trace;
 use recordings::campaign::Known;
 use rig::Plant;
 use rig::effects::Catalogue;
-use rig::plant::{Body, Gear, JointUnits};
+use rig::plant::{Body, Gear, JointUnits, PlantError, torque_constants};
 use signal::{derivative, rms};
 
 use super::arm_friction::{Shown, friction};
@@ -28,7 +27,8 @@ impl Subject {
         criteria: &Criteria,
     ) -> Result<Self, SubjectError> {
         let constants = torque_constants(arm)?;
-        let (body, spread) = linked(arm, arm.chain()?, criteria.prior.relative);
+        let (body, spread) =
+            linked(arm, arm.chain().map_err(PlantError::from)?, criteria.prior.relative);
         let base_prior = spread.deviations().into_iter().enumerate().collect();
         let base_names = body.directions().names.clone();
         let numbers: Vec<u8> = (1..=arm.joints.len() as u8).collect();
@@ -67,21 +67,6 @@ impl Subject {
         subject.take_effects(&arm.effects)?;
         Ok(subject)
     }
-}
-
-/// Torque by command of every joint.
-fn torque_constants(arm: &ArmFile) -> Result<Vec<f64>, SubjectError> {
-    let of_joint = |(joint, described): (usize, &ArmJoint)| {
-        let drive = described.drive.clone().unwrap_or_default();
-        match drive.kind {
-            DriveKind::PositionServo => Err(SubjectError::PositionServo { joint }),
-            DriveKind::Torque => Ok(1.0),
-            DriveKind::Voltage | DriveKind::Current => {
-                drive.torque_constant.ok_or(SubjectError::NoTorqueConstant { joint })
-            }
-        }
-    };
-    (1..).zip(&arm.joints).map(of_joint).collect()
 }
 
 /// What is known of all joints alike: limits and steps are each joint's own.

@@ -9,6 +9,7 @@ use model::Posture;
 use model::chain::MAX_JOINTS;
 
 use std::ops::Range;
+use std::sync::OnceLock;
 
 use super::even_clock::EvenClock;
 use super::subject::Subject;
@@ -70,6 +71,41 @@ impl Kinematics {
     }
 }
 
+/// Angles and velocities of all joints in the middle of every interval, joint after joint, interval
+/// after interval.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Middles {
+    joints: usize,
+    q_rad: Vec<f64>,
+    qd_rad_per_s: Vec<f64>,
+}
+
+impl Middles {
+    /// Those of a motion.
+    pub fn of(motion: &Kinematics) -> Self {
+        let joints = motion.joints();
+        let between = |signals: &[Vec<f64>]| {
+            let count = signals[0].len();
+            let mut all = vec![0.0; joints * count];
+            for (joint, signal) in signals.iter().enumerate() {
+                for k in 0..count {
+                    let next = (k + 1).min(count - 1);
+                    all[joints * k + joint] = 0.5 * (signal[k] + signal[next]);
+                }
+            }
+            all
+        };
+        Self { joints, q_rad: between(&motion.q_rad), qd_rad_per_s: between(&motion.qd_rad_per_s) }
+    }
+
+    /// Angles and velocities in the interval after a sample.
+    #[inline]
+    pub fn at(&self, k: usize) -> (&[f64], &[f64]) {
+        let range = self.joints * k..self.joints * (k + 1);
+        (&self.q_rad[range.clone()], &self.qd_rad_per_s[range])
+    }
+}
+
 /// An unbroken stretch of a log.
 #[derive(Clone, Debug)]
 pub struct Stretch {
@@ -87,6 +123,8 @@ pub struct Stretch {
     pub command_v: Vec<Vec<f64>>,
     /// Sines and cosines of the measured motion, where the closed form takes them.
     pub postures: Vec<Posture<f64>>,
+    /// Angles and velocities in the middle of the intervals, once asked for.
+    pub middles: OnceLock<Middles>,
     /// Whether the commands drive the joints at high frequencies.
     pub broadband: bool,
     /// First sample of each joint from which the bend of its bristles is known.
@@ -136,6 +174,7 @@ impl Stretch {
             motion: Kinematics::of_joints(subject.plant.joints()),
             command_v: vec![Vec::new(); subject.plant.joints()],
             postures: Vec::new(),
+            middles: OnceLock::new(),
             broadband: false,
             settled: vec![0; subject.plant.joints()],
         };
@@ -188,6 +227,7 @@ impl Stretch {
             },
             command_v: of(&self.command_v),
             postures: self.postures.get(range.clone()).unwrap_or_default().to_vec(),
+            middles: OnceLock::new(),
             settled: self.settled.iter().map(from_begin).collect(),
             ..*self
         }

@@ -1,7 +1,7 @@
 //! The rig under diagnosis: a plant, its logs' joints, and what is known of both.
 
 use rig::Plant;
-use rig::plant::JointUnits;
+use rig::plant::{JointUnits, PlantError};
 use std::collections::BTreeMap;
 
 use crate::criteria::Criteria;
@@ -148,18 +148,9 @@ pub enum SubjectError {
     /// An `[[effect]]` of the model is none.
     #[error("the model's [[effect]]: {0}")]
     Effect(#[from] EffectError),
-    /// A drive whose command says nothing of torque.
-    #[error("joint {joint} is driven by a position servo: its command is a goal, no voltage")]
-    PositionServo {
-        /// The joint.
-        joint: usize,
-    },
-    /// What a drive makes of its command is not known.
-    #[error("the drive of joint {joint} has no torque constant")]
-    NoTorqueConstant {
-        /// The joint.
-        joint: usize,
-    },
+    /// The model of an arm describes none.
+    #[error(transparent)]
+    Plant(#[from] PlantError),
 }
 
 impl From<FileError> for SubjectError {

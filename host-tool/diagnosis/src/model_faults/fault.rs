@@ -1,5 +1,7 @@
 //! What may be wrong with a model's description of its robot.
 
+use std::sync::OnceLock;
+
 use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
 use model::mechanism::Rrr;
@@ -118,6 +120,7 @@ impl ModelFault {
             }
             Self::Lengths(_) => {}
         }
+        stretch.middles = OnceLock::new();
         if !stretch.postures.is_empty() {
             stretch.postures = stretch.motion.postures();
         }

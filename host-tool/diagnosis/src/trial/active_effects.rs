@@ -5,6 +5,7 @@
 //! undone. Commands are recorded without noise, so nothing is inverted that would amplify it.
 
 use std::borrow::Cow;
+use std::cell::OnceCell;
 
 use model::chain::MAX_JOINTS;
 use model::friction::FrictionScale;
@@ -13,7 +14,7 @@ use model::{Dual, Friction, FrictionState, Real};
 
 use super::hypothesis::Hypothesis;
 use super::reading;
-use crate::logs::stretch::{Joints, Kinematics, Stretch};
+use crate::logs::stretch::{Joints, Kinematics, Middles, Stretch};
 use rig::Plant;
 use rig::effects::{Effect, JointState, Table, TableAxis, Transmission};
 use signal::derivative;
@@ -30,6 +31,10 @@ pub struct ActiveEffects<'a> {
     pub plant: Plant,
     /// Motion of the motors: borrowed from the stretch where the encoders read true.
     pub motor: Cow<'a, Kinematics>,
+    /// Its middles, where that is not the stretch's.
+    middles: OnceCell<Middles>,
+    /// Whether any effect asks for the load.
+    feels_load: bool,
 }
 
 impl<'a> ActiveEffects<'a> {
@@ -39,7 +44,9 @@ impl<'a> ActiveEffects<'a> {
         let mut plant = hypothesis.plant.clone();
         effects.iter().for_each(|effect| effect.change_robot(&mut plant));
         let motor = reading::corrected(&stretch.motion, &effects);
-        Self { stretch, hypothesis, effects, plant, motor }
+        let feels_load = effects.iter().any(|effect| effect.feels_load());
+        let middles = OnceCell::new();
+        Self { stretch, hypothesis, effects, plant, motor, middles, feels_load }
     }
 
     /// Joints (from 0) with a spring between motor and link.
@@ -57,8 +64,8 @@ impl<'a> ActiveEffects<'a> {
         let count = k_t.len();
         let mut drive_v = vec![Vec::with_capacity(self.stretch.len()); count];
         for k in 0..self.stretch.len() {
-            let middle = self.middle(k);
-            let joint_state = middle.as_state(count);
+            let mut load_nm = Joints::default();
+            let joint_state = self.joint_state(k, &mut load_nm);
             let mut command_v = self.command_v(k);
             let command_v = &mut command_v[..count];
             let mut torque_nm = Joints::default();
@@ -83,8 +90,8 @@ impl<'a> ActiveEffects<'a> {
             let mut command_v = self.command_v(k);
             let command_v = &mut command_v[..count];
             (0..count).for_each(|i| sent[i] += command_v[i] * command_v[i]);
-            let middle = self.middle(k);
-            let joint_state = middle.as_state(count);
+            let mut load_nm = Joints::default();
+            let joint_state = self.joint_state(k, &mut load_nm);
             effects.iter_mut().for_each(|e| e.change_command(&joint_state, command_v));
             (0..count).for_each(|i| reached[i] += command_v[i] * command_v[i]);
         }
@@ -134,11 +141,13 @@ impl<'a> ActiveEffects<'a> {
         let last = v.len() - 1;
         let scaled = self.hypothesis.effects.iter().any(|e| e.definition.touches.friction);
         let mut bristles = FrictionState { deflection_rad: T::zero() };
+        let mut scales = [FrictionScale::unchanged(); MAX_JOINTS];
+        let scales = &mut scales[..self.plant.joints()];
         let mut interval = |k: usize| {
-            let scale = match scaled {
-                true => self.friction_scale(k)[joint].cast(),
-                false => FrictionScale::unchanged(),
-            };
+            if scaled {
+                self.scale_friction(k, scales);
+            }
+            let scale = scales[joint].cast();
             let (here, next) = (v[k], v[(k + 1).min(last)]);
             let quarter_on = (next - here) * quarter;
             let early = bristles.step_scaled(friction, scale, here + quarter_on, half_s);
@@ -159,9 +168,10 @@ impl<'a> ActiveEffects<'a> {
     /// How far the bristles of each joint are bent at every sample.
     pub fn bristles(&self) -> Vec<Vec<FrictionState<f64>>> {
         let mut bristles = vec![FrictionState::default(); self.plant.joints()];
+        let mut scale = vec![FrictionScale::unchanged(); self.plant.joints()];
         let mut at = |k: usize| {
             let before = bristles.clone();
-            let scale = self.friction_scale(k);
+            self.scale_friction(k, &mut scale);
             for (joint, state) in bristles.iter_mut().enumerate() {
                 let v = self.motor.qd_rad_per_s[joint][k];
                 let friction = &self.plant.friction[joint];
@@ -176,42 +186,48 @@ impl<'a> ActiveEffects<'a> {
     pub fn abscissa(&self, joint: usize, axis: TableAxis) -> Vec<f64> {
         let table = Table { joint: joint as u8 + 1, axis, knots: vec![], values_v: vec![] };
         let at = |k: usize| {
-            let mut middle = self.middle(k);
+            let mut own_nm = Joints::default();
+            let mut state = self.joint_state(k, &mut own_nm);
+            let mut asked_nm = Joints::default();
             if axis == TableAxis::Load {
-                middle.load_nm = load_nm(&self.plant, &middle.q_rad, &middle.qd_rad_per_s);
+                self.plant.body.load(state.q_rad, state.qd_rad_per_s, &mut asked_nm);
+                state.load_nm = &asked_nm;
             }
-            let state = middle.as_state(self.plant.joints());
             table.abscissa(&state, self.stretch.command_v[joint][k])
         };
         (0..self.stretch.len()).map(at).collect()
     }
 
     /// By how much effects scale each joint's friction in an interval.
-    fn friction_scale(&self, k: usize) -> [FrictionScale<f64>; MAX_JOINTS] {
-        let mut scale = [FrictionScale::unchanged(); MAX_JOINTS];
-        let (middle, count) = (self.middle(k), self.plant.joints());
-        let joint_state = middle.as_state(count);
-        self.effects.iter().for_each(|e| e.change_friction(&joint_state, &mut scale[..count]));
-        scale
+    fn scale_friction(&self, k: usize, scale: &mut [FrictionScale<f64>]) {
+        scale.fill(FrictionScale::unchanged());
+        let mut load_nm = Joints::default();
+        let joint_state = self.joint_state(k, &mut load_nm);
+        self.effects.iter().for_each(|e| e.change_friction(&joint_state, scale));
     }
 
-    /// The middle of an interval, as effects see it.
-    fn middle(&self, k: usize) -> Middle {
-        let next = (k + 1).min(self.stretch.len() - 1);
-        let middle = |signals: &[Vec<f64>]| {
-            let mut values = Joints::default();
-            let both = values.iter_mut().zip(signals);
-            both.for_each(|(value, signal)| *value = 0.5 * (signal[k] + signal[next]));
-            values
-        };
-        let q_rad = middle(&self.motor.q_rad);
-        let qd_rad_per_s = middle(&self.motor.qd_rad_per_s);
-        let load_nm = match self.effects.iter().any(|effect| effect.feels_load()) {
-            true => load_nm(&self.plant, &q_rad, &qd_rad_per_s),
-            false => Joints::default(),
-        };
-        let time_s = self.stretch.start_s + (k as f64 + 0.5) * self.stretch.period_s;
-        Middle { time_s, q_rad, qd_rad_per_s, load_nm }
+    /// The middle of an interval, as effects see it; the load goes into the room given.
+    #[inline]
+    fn joint_state<'b>(&'b self, k: usize, load_nm: &'b mut Joints) -> JointState<'b> {
+        let (q_rad, qd_rad_per_s) = self.middles().at(k);
+        if self.feels_load {
+            self.plant.body.load(q_rad, qd_rad_per_s, load_nm);
+        }
+        JointState {
+            time_s: self.stretch.start_s + (k as f64 + 0.5) * self.stretch.period_s,
+            q_rad,
+            qd_rad_per_s,
+            load_nm: &load_nm[..q_rad.len()],
+        }
+    }
+
+    /// Middles of the motors' motion: those of the stretch where the encoders read true.
+    fn middles(&self) -> &Middles {
+        let make = || Middles::of(&self.motor);
+        match &self.motor {
+            Cow::Borrowed(_) => self.stretch.middles.get_or_init(make),
+            Cow::Owned(_) => self.middles.get_or_init(make),
+        }
     }
 
     /// Load c + h on a joint at the samples [Nm].
@@ -226,26 +242,6 @@ impl<'a> ActiveEffects<'a> {
             load_nm(&self.plant, &q, &qd)[joint]
         };
         (0..self.stretch.len()).step_by(samples).map(at).collect()
-    }
-}
-
-/// The middle of an interval.
-struct Middle {
-    time_s: f64,
-    q_rad: Joints,
-    qd_rad_per_s: Joints,
-    load_nm: Joints,
-}
-
-impl Middle {
-    /// As effects see so many joints.
-    fn as_state(&self, joints: usize) -> JointState<'_> {
-        JointState {
-            time_s: self.time_s,
-            q_rad: &self.q_rad[..joints],
-            qd_rad_per_s: &self.qd_rad_per_s[..joints],
-            load_nm: &self.load_nm[..joints],
-        }
     }
 }
 

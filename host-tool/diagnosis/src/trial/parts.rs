@@ -127,7 +127,19 @@ mod tests {
         let postures = motion.postures();
         let (log, role, settled) = (0, Role::Train, vec![0; 3]);
         let (start_s, period_s, broadband) = (0.0, PERIOD_S, false);
-        Stretch { log, role, start_s, period_s, motion, postures, command_v, broadband, settled }
+        let middles = Default::default();
+        Stretch {
+            log,
+            role,
+            start_s,
+            period_s,
+            motion,
+            postures,
+            middles,
+            command_v,
+            broadband,
+            settled,
+        }
     }
 
     fn hypothesis(effects: &[&EffectInstance]) -> Hypothesis {

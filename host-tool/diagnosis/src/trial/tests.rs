@@ -47,7 +47,19 @@ fn driven(effect: Option<&EffectInstance>) -> Stretch {
     let (role, settled) = (Role::Train, vec![0; 3]);
     let (log, start_s, period_s, broadband) = (0, 0.0, PERIOD_S, true);
     let postures = motion.postures();
-    Stretch { log, role, start_s, period_s, motion, postures, command_v, broadband, settled }
+    let middles = Default::default();
+    Stretch {
+        log,
+        role,
+        start_s,
+        period_s,
+        motion,
+        postures,
+        middles,
+        command_v,
+        broadband,
+        settled,
+    }
 }
 
 fn motion(angles: Vec<Vec<f64>>) -> Kinematics {
