@@ -23,8 +23,8 @@ pub struct ArmMotion {
     pub fastest_hz: f64,
     /// Part of every joint's range that they cross.
     pub part_of_range: f64,
-    /// Noise of the amplifiers, in parts of the torque that holds the arm or accelerates it by
-    /// 1 rad/s^2.
+    /// Noise of the amplifiers, in parts of the torque of usual motion: what holds the joint, and
+    /// what moves it with a velocity and an acceleration of one.
     pub noise_part: f64,
     /// Driven noise of the commands, in the same parts; it ends at a fifth of the rate.
     pub driven_part: f64,
@@ -45,7 +45,7 @@ pub struct ArmPlan {
     pub motion: ArmMotion,
 }
 
-/// Noise of amplifiers that are good ones, in parts of what holds the arm.
+/// Noise of amplifiers that are good ones, in parts of the torque of usual motion.
 const NOISE_PART: f64 = 1e-3;
 
 /// The logs in which the diagnosis looks for a gap: fast and slow motion, motion under driven noise,
@@ -109,7 +109,7 @@ struct Recorder<'a> {
     plant: &'a Plant,
     motion: &'a ArmMotion,
     reference: Reference,
-    /// Torque that holds a joint or accelerates it by 1 rad/s^2.
+    /// Torque of a joint in usual motion.
     scales: Vec<f64>,
     robot: SimulatedPlant,
     random: Pcg64Mcg,
@@ -190,11 +190,15 @@ fn counted(joint: &ArmJoint, q: f64) -> f64 {
     joint.count_step().map_or(q, |step| (q / step).round() * step)
 }
 
-/// Torque that holds each joint, with that of an acceleration of 1 rad/s^2 or 1 m/s^2.
+/// Torque that holds each joint, with that of a velocity and an acceleration of one.
 fn scales(plant: &Plant, q: &[f64]) -> Vec<f64> {
     let mut hold = vec![0.0; q.len()];
     plant.body.mechanism().gravity(q, &mut hold);
-    (0..q.len()).map(|joint| hold[joint].abs() + plant.body.inertia(joint, q)).collect()
+    let of_joint = |joint: usize| {
+        let friction = plant.torque_constant_nm_per_v[joint] * plant.friction[joint].sliding(1.0);
+        hold[joint].abs() + plant.body.inertia(joint, q) + friction
+    };
+    (0..q.len()).map(of_joint).collect()
 }
 
 /// Five sines per joint.

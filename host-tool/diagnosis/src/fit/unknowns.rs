@@ -113,7 +113,7 @@ fn friction_deviation(
     };
     let usual = prior.relative * values[parameter].abs() + least;
     match (parameter, subject.friction_deviations[joint][parameter]) {
-        (COULOMB | VISCOUS, Some(told)) => told.max(1e-6 * values[COULOMB]),
+        (COULOMB | VISCOUS | DAMPING, Some(told)) => told.max(1e-6 * values[COULOMB]),
         _ => usual,
     }
 }

@@ -15,6 +15,9 @@ pub struct Shown {
 
 /// Bristles that no file gives bend by this part of a second of motion.
 const BENT_S: f64 = 1e-3;
+/// Damping of bristles that no file gives is within this time of their stiffness [s]: wide, it stands
+/// for inertia and lags, and a search ends where it does.
+const DAMPED_S: f64 = 1e-4;
 /// Unknown Stribeck velocity, in parts of the joint's own.
 const SLOW: f64 = 0.01;
 /// Unknown friction in parts of the command.
@@ -44,5 +47,7 @@ pub fn friction(joint: &ArmJoint, shown: Shown) -> (Friction<f64>, [Option<f64>;
     let mut deviations: [Option<f64>; COUNT] = std::array::from_fn(error);
     deviations[0] = deviations[0].or(given.alpha0.is_none().then_some(unknown));
     deviations[3] = deviations[3].or(given.alpha2.is_none().then_some(unknown / speed));
+    let undamped = given.sigma1.is_none().then_some(DAMPED_S * friction.sigma0_v_per_rad);
+    deviations[5] = deviations[5].or(undamped);
     (friction, deviations)
 }
