@@ -31,6 +31,13 @@ pub struct Diagnosis {
     pub units: BTreeMap<u8, JointUnits>,
 }
 
+impl Diagnosis {
+    /// The units of a joint by its number; volts and radians for the whole robot.
+    pub fn units_of(&self, joint: u8) -> JointUnits {
+        self.units.get(&joint).copied().unwrap_or_default()
+    }
+}
+
 /// `report.json`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {

@@ -140,7 +140,7 @@ pub fn open_in(evidence: &Evidence, subject: &Subject, hypothesis: &Hypothesis) 
     }
     let tables = hypothesis.tables.iter().enumerate().skip(subject.known_tables.len());
     for (index, table) in tables {
-        let deviation = subject.criteria.prior.table_v;
+        let deviation = subject.table_deviations_v[usize::from(table.joint.max(1)) - 1];
         open.extend((0..table.knots.len()).map(|knot| Expected {
             unknown: Unknown::Table { index, knot },
             mean: 0.0,

@@ -14,6 +14,9 @@ use super::encoder_step;
 use super::subject::{Subject, SubjectError};
 use crate::criteria::Criteria;
 
+/// Root mean square of the commands that [`crate::criteria::PriorCriteria::table_v`] is meant for.
+const USUAL_RMS_V: f64 = 2.0;
+
 impl Subject {
     /// An arm and the effects that are tried on it; the logs tell what the model does not.
     ///
@@ -32,8 +35,8 @@ impl Subject {
         let base_prior = spread.deviations().into_iter().enumerate().collect();
         let base_names = body.directions().names.clone();
         let numbers: Vec<u8> = (1..=arm.joints.len() as u8).collect();
-        let shown = numbers.iter().map(|number| shown(traces, *number));
-        let frictions = arm.joints.iter().zip(shown).map(|(joint, shown)| friction(joint, shown));
+        let shown: Vec<Shown> = numbers.iter().map(|number| shown(traces, *number)).collect();
+        let frictions = arm.joints.iter().zip(&shown).map(|(joint, shown)| friction(joint, *shown));
         let (friction, friction_deviations) = frictions.unzip();
         let gears = arm.joints.iter().map(Gear::of).collect();
         let body = Body::Chain(Box::new(body));
@@ -52,6 +55,10 @@ impl Subject {
                 .joints
                 .iter()
                 .map(|joint| limit(joint).unwrap_or(f64::INFINITY))
+                .collect(),
+            table_deviations_v: shown
+                .iter()
+                .map(|shown| criteria.prior.table_v * shown.command / USUAL_RMS_V)
                 .collect(),
             units: arm.joints.iter().map(JointUnits::of).collect(),
             base_prior,

@@ -53,6 +53,7 @@ impl Subject {
             encoder_step_rad: vec![known.encoder_step_rad; 3],
             command_limits_v: vec![known.command_limit_v; 3],
             known,
+            table_deviations_v: vec![criteria.prior.table_v; 3],
             units: vec![JointUnits::VOLTS; 3],
             base_prior: base_deviations(&robot, one_joint, criteria),
             link_spread: LinkSpread::default(),

@@ -34,6 +34,8 @@ pub struct Subject {
     pub encoder_step_rad: Vec<f64>,
     /// Largest command of every joint of the plant.
     pub command_limits_v: Vec<f64>,
+    /// Standard deviation of a table's values on every joint of the plant.
+    pub table_deviations_v: Vec<f64>,
     /// Units of every joint of the plant.
     pub units: Vec<JointUnits>,
     /// Standard deviations of base parameters that the rig's motion can change, with their places.

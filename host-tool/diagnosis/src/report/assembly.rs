@@ -14,7 +14,7 @@ use crate::logs::subject::Subject;
 use crate::model_faults::FoundFault;
 use crate::model_file::ModelFile;
 use crate::result::{
-    DataParts, Diagnosis, Gap, Level, LogResiduals, ModelFaultFound, Report, Verdict,
+    DataParts, Diagnosis, Gap, GapShare, Level, LogResiduals, ModelFaultFound, Report, Verdict,
 };
 use crate::rows::evidence::{Evidence, Rows};
 use crate::trial::residual_rows::residual_rows;
@@ -67,7 +67,7 @@ impl Assembly<'_> {
                 &judgement.confirmation.refitted.linear,
             ),
             remainder: remainder(subject, judgement, &logs),
-            gap_shares: gap_by_axis(&logs, &criteria.axes),
+            gap_shares: self.gap_shares(&logs),
             gap: self.gap(&given_v),
             data: self.data(),
             untestable,
@@ -85,6 +85,18 @@ impl Assembly<'_> {
             criteria: criteria.clone(),
             units: subject.units_by_number(),
         }
+    }
+
+    /// Where the gap lies, in the joints' units.
+    fn gap_shares(&self, logs: &[LogResiduals]) -> Vec<GapShare> {
+        let units = self.subject.units_by_number();
+        let mut shares = gap_by_axis(logs, &self.subject.criteria.axes);
+        for share in &mut shares {
+            share.detail = units
+                .get(&share.joint)
+                .map_or_else(|| share.detail.clone(), |units| units.in_words(&share.detail));
+        }
+        shares
     }
 
     /// What must be said where the model is not that of the robot in the logs.

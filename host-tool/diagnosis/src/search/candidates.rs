@@ -51,11 +51,18 @@ pub(crate) fn places(subject: &Subject) -> Vec<(&'static Definition, u8)> {
     let joints: Vec<u8> = subject.joints.iter().map(|&joint| joint as u8 + 1).collect();
     let of = |definition: &'static Definition| -> Vec<(&'static Definition, u8)> {
         match definition.whole_robot {
+            true if is_an_offset(definition, subject) => Vec::new(),
             true => vec![(definition, 0)],
             false => joints.iter().map(|&joint| (definition, joint)).collect(),
         }
     };
     subject.catalogue.iter().flat_map(of).collect()
+}
+
+/// Whether an effect on the whole robot is what a joint of its own has: on an arm of one joint a force
+/// at the tip or a lean is an offset, or a wave over the turn.
+fn is_an_offset(definition: &Definition, subject: &Subject) -> bool {
+    definition.touches.drive && subject.joints.len() == 1 && subject.plant.as_chain().is_some()
 }
 
 /// Those that a model with effects leaves: a second spring on a joint would only be the first
