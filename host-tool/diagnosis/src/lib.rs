@@ -41,13 +41,17 @@ pub use model_file::ModelFile;
 pub use report::sentence::sentence;
 pub use result::*;
 
-use fit::preparation;
+use fit::{doubt, preparation};
+use logs::stretch::Stretch;
 use logs::subject::Subject;
 use logs::usable::Usable;
+use model_faults::FoundFault;
 use recordings::{ArmCampaign, Campaign, StepError, Trace};
 use report::assembly::Assembly;
 use rig::effects::Catalogue;
+use rows::evidence::Evidence;
 use search::selection;
+use search::selection::Selection;
 use tables::remaining::with_remaining_tables;
 use verdict::confirmed::Held;
 use verdict::judgement::Judgement;
@@ -91,7 +95,7 @@ pub fn diagnose(
 ) -> Result<Diagnosis, DiagnosisError> {
     let subject = Subject::of(campaign, catalogue, criteria)?;
     let file = ModelFile::Robot(Box::new(campaign.robot_file.clone()));
-    diagnosed(&subject, &campaign.traces, &file, progress)
+    diagnosed(subject, &campaign.traces, &file, progress)
 }
 
 /// The same of an arm of any kind.
@@ -107,22 +111,30 @@ pub fn diagnose_arm(
     let arm = &campaign.arm;
     let traces: Vec<Trace> = campaign.recordings.iter().map(|log| log.trace(arm)).collect();
     let subject = Subject::of_arm(arm, &traces, catalogue, criteria)?;
-    diagnosed(&subject, &traces, &ModelFile::Arm(Box::new(arm.clone())), progress)
+    diagnosed(subject, &traces, &ModelFile::Arm(Box::new(arm.clone())), progress)
 }
 
 fn diagnosed(
-    subject: &Subject,
+    mut subject: Subject,
     traces: &[Trace],
     file: &ModelFile,
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnosisError> {
-    let usable = Usable::of(traces, subject)?;
-    progress("refitting the model");
-    let (evidence, refitted) = preparation::prepared(subject, usable.stretches)?;
-    let selection = selection::select(subject, refitted, progress);
-    progress("trying whether the model itself is at fault");
-    let fault = model_faults::find(subject, &evidence, &selection.refitted, &selection.last);
-    let selection = if fault.is_some() { selection.without_effects() } else { selection };
+    let Usable { stretches, mut remarks } = Usable::of(traces, &subject)?;
+    let mut searched = Searched::of(&subject, stretches.clone(), progress)?;
+    let wider = searched.fault.is_none().then(|| doubt::wider(&subject, &searched.selection.last));
+    if let Some(relative) = wider.flatten() {
+        remarks.push(format!(
+            "the parameters of the model are further off than {:.1} %: the doubt about them was taken \
+             as {:.0} %, as by --model-doubt {relative:.2}; identify the model anew, and more can be said",
+            100.0 * subject.criteria.prior.relative,
+            100.0 * relative
+        ));
+        subject.doubt(relative);
+        searched = Searched::of(&subject, stretches, progress)?;
+    }
+    let Searched { evidence, selection, fault } = searched;
+    let subject = &subject;
     progress("confirming on logs that chose nothing");
     let noise_v = preparation::noise_left_v(subject, &evidence, &selection.last);
     let judgement = Judgement::of(subject, selection, &noise_v);
@@ -137,5 +149,28 @@ fn diagnosed(
         noise_v,
         fault,
     };
-    Ok(assembly.diagnosis(file, usable.remarks))
+    Ok(assembly.diagnosis(file, remarks))
+}
+
+/// What a search finds by one doubt about the model.
+struct Searched {
+    evidence: Evidence,
+    selection: Selection,
+    fault: Option<FoundFault>,
+}
+
+impl Searched {
+    fn of(
+        subject: &Subject,
+        stretches: Vec<Stretch>,
+        progress: &dyn Fn(&str),
+    ) -> Result<Self, StepError> {
+        progress("refitting the model");
+        let (evidence, refitted) = preparation::prepared(subject, stretches)?;
+        let selection = selection::select(subject, refitted, progress);
+        progress("trying whether the model itself is at fault");
+        let fault = model_faults::find(subject, &evidence, &selection.refitted, &selection.last);
+        let selection = if fault.is_some() { selection.without_effects() } else { selection };
+        Ok(Self { evidence, selection, fault })
+    }
 }

@@ -27,6 +27,7 @@ pub mod plausibility;
 pub mod smoothed;
 pub mod tracking;
 mod unbroken;
+pub mod wrong_positions;
 
 pub use arm::{ArmCampaign, ArmRecording};
 pub use campaign::{Campaign, JointTrace, Known, Trace};

@@ -78,7 +78,9 @@ pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
     refuse_to_replace(&arguments.model, &arguments.out.join(MODEL))?;
     let criteria = arguments.criteria.as_deref().map(Criteria::read).transpose()?;
     let mut criteria = criteria.unwrap_or_default();
-    criteria.prior.relative = arguments.model_doubt.unwrap_or(criteria.prior.relative);
+    if let Some(doubt) = arguments.model_doubt {
+        (criteria.prior.relative, criteria.prior.widest) = (doubt, doubt);
+    }
     let dataset = Dataset::read(&arguments.dataset)?;
     let steps = Steps::new();
     steps.at("reading the logs");

@@ -19,6 +19,8 @@ use rig::effects::{Catalogue, DrawContext, Random};
 
 /// Draws of a robot, its reality and motions that the arm must follow.
 const WORLD_TRIES: u32 = 30;
+/// Draws of a whole case.
+const CASE_TRIES: u32 = 10;
 /// How often causes that shake the arm off are made smaller.
 const SHRINK_TRIES: u32 = 12;
 
@@ -42,11 +44,27 @@ pub fn draw_diverse(
     let robots = RobotGenerator::new();
     let numbers: Vec<u32> = (settings.first..settings.first + settings.cases).collect();
     let draw_one = |number: u32| {
-        let case = Draw::of(settings, &robots, number)?.case();
+        let case = draw_case(settings, &robots, number);
         progress();
         case
     };
     numbers.into_par_iter().map(draw_one).collect()
+}
+
+/// Draws a case; another world and other causes where the arm cannot follow with any size of these.
+fn draw_case(
+    settings: &DiverseSettings,
+    robots: &RobotGenerator,
+    number: u32,
+) -> Result<DiverseCase, TrialError> {
+    let drawn = |attempt: u32| Draw::of(settings, robots, number, attempt)?.case();
+    for attempt in 0..CASE_TRIES {
+        match drawn(attempt) {
+            Err(TrialError::NothingDetectable { .. }) => {}
+            done => return done,
+        }
+    }
+    Err(nothing(number, CASE_TRIES, "a whole case"))
 }
 
 /// A case in the making.
@@ -65,10 +83,11 @@ impl<'a> Draw<'a> {
         settings: &'a DiverseSettings,
         robots: &RobotGenerator,
         number: u32,
+        attempt: u32,
     ) -> Result<Self, TrialError> {
         let ranges = &settings.ranges;
         // Not the numbers of the plain trial's case.
-        let mut rng = Rng::new(settings.seed, number ^ 0x8000_0000);
+        let mut rng = Rng::new(settings.seed, number ^ 0x8000_0000 ^ attempt << 24);
         let kind = draw_kind(ranges, &mut rng);
         for _ in 0..WORLD_TRIES {
             let effects = draw_effects(ranges, kind, &mut rng);

@@ -8,6 +8,15 @@ criteria! {
     PriorCriteria {
         /// Deviation of a parameter in parts of it: identification leaves two to three per cent.
         relative: f64 = 0.025,
+        /// The most that this may become where logs show a model that is further off.
+        widest: f64 = 0.3,
+        /// That is where a typical parameter is off by so many deviations
+        least_typical: f64 = 2.0,
+        /// and no cause brings it back; the doubt becomes so many times what is seen, for the narrower
+        /// one held the parameters back.
+        margin: f64 = 1.5,
+        /// Parameters that logs tell to this part of the doubt count.
+        told_by_logs: f64 = 0.3,
         /// Added for base parameters, in parts of the largest of their kind.
         of_largest: f64 = 0.004,
         /// Added for friction parameters, in parts of themselves.

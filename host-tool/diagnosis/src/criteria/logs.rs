@@ -23,6 +23,8 @@ criteria! {
         /// Samples further apart than so many periods lack one between them. Under driven noise
         /// that ends a stretch: what was put out then is not known.
         missing_sample_periods: f64 = 1.6,
+        /// Unless filling it adds less than this part of Coulomb friction to the rows.
+        most_bridged_part: f64 = 0.05,
         /// Gaps of fewer periods are filled, longer ones end a stretch.
         longest_gap_periods: f64 = 10.0,
         /// Shortest stretch that is used [s].

@@ -1,6 +1,7 @@
 //! A hypothesis linearised, fitted, and judged against the noise.
 
 pub mod cross_validation;
+pub mod doubt;
 pub mod earlier;
 pub mod excess;
 pub mod fitted_model;

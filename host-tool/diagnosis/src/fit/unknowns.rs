@@ -160,40 +160,44 @@ impl Unknown {
     }
 }
 
-/// Where one step of a fit may take a parameter: where friction is friction, and for what shapes it
-/// about standstill, whose slopes hold but near by, no further than by this factor.
-pub fn range(unknown: Unknown, hypothesis: &Hypothesis, subject: &Subject) -> [f64; 2] {
+/// Where a parameter of friction is one of friction.
+fn physical(unknown: Unknown, hypothesis: &Hypothesis, subject: &Subject) -> [f64; 2] {
     let Unknown::Friction { joint, parameter } = unknown else {
         return [f64::NEG_INFINITY, f64::INFINITY];
     };
-    let now = unknown.get(hypothesis);
     let bounds = &subject.criteria.prior;
     let given = subject.plant.friction[joint].to_array()[parameter];
-    let near = |least: f64| [f64::max(least, now / STEP_FACTOR), now * STEP_FACTOR];
-    match parameter {
-        COULOMB => [bounds.least_coulomb * given, f64::INFINITY],
-        STRIBECK_LEVEL => {
-            let coulomb = hypothesis.plant.friction[joint].alpha0_v;
-            [-bounds.most_stribeck_drop * coulomb, f64::INFINITY]
+    let least = match parameter {
+        COULOMB => bounds.least_coulomb * given,
+        STRIBECK_LEVEL => -bounds.most_stribeck_drop * hypothesis.plant.friction[joint].alpha0_v,
+        STRIBECK_VELOCITY => bounds.least_stribeck_velocity * given,
+        STIFFNESS => bounds.least_bristle_stiffness * given,
+        _ => 0.0,
+    };
+    [least, f64::INFINITY]
+}
+
+/// Where one step of a fit may take a parameter: where it is physical, and for what shapes friction
+/// about standstill, whose slopes hold but near by, no further than by a factor.
+pub fn range(unknown: Unknown, hypothesis: &Hypothesis, subject: &Subject) -> [f64; 2] {
+    let [least, most] = physical(unknown, hypothesis, subject);
+    match unknown {
+        Unknown::Friction { parameter: STRIBECK_VELOCITY | STIFFNESS, .. } => {
+            let now = unknown.get(hypothesis);
+            [least.max(now / STEP_FACTOR), now * STEP_FACTOR]
         }
-        STRIBECK_VELOCITY => near(bounds.least_stribeck_velocity * given),
-        STIFFNESS => near(bounds.least_bristle_stiffness * given),
-        _ => [0.0, f64::INFINITY],
+        _ => [least, most],
     }
 }
 
 /// Friction parameters kept where friction is friction.
 pub fn kept_physical(hypothesis: &mut Hypothesis, subject: &Subject) {
-    let bounds = &subject.criteria.prior;
-    for (friction, given) in hypothesis.plant.friction.iter_mut().zip(&subject.plant.friction) {
-        let f = friction;
-        f.alpha0_v = f.alpha0_v.max(bounds.least_coulomb * given.alpha0_v);
-        f.alpha1_v = f.alpha1_v.max(-bounds.most_stribeck_drop * f.alpha0_v);
-        f.alpha2_v_s_per_rad = f.alpha2_v_s_per_rad.max(0.0);
-        f.sigma1_v_s_per_rad = f.sigma1_v_s_per_rad.max(0.0);
-        let least_v = bounds.least_stribeck_velocity * given.stribeck_velocity_rad_per_s;
-        f.stribeck_velocity_rad_per_s = f.stribeck_velocity_rad_per_s.max(least_v);
-        let least_v_per_rad = bounds.least_bristle_stiffness * given.sigma0_v_per_rad;
-        f.sigma0_v_per_rad = f.sigma0_v_per_rad.max(least_v_per_rad);
+    for joint in 0..subject.plant.friction.len() {
+        // Coulomb friction comes first, for it bounds the Stribeck level.
+        for parameter in 0..FRICTION_COUNT {
+            let unknown = Unknown::Friction { joint, parameter };
+            let [least, most] = physical(unknown, hypothesis, subject);
+            unknown.set(hypothesis, unknown.get(hypothesis).max(least).min(most));
+        }
     }
 }

@@ -41,6 +41,8 @@ struct Move {
     /// Mass, centre of mass (3), inertia about it (6), rotor.
     value: usize,
     deviation: f64,
+    /// Whether the file tells that deviation.
+    is_told: bool,
     /// Base parameters by so much with one deviation.
     by: Vec<f64>,
 }
@@ -53,7 +55,8 @@ impl LinkSpread {
             for (value, deviation, change) in changes(joint, reach, inertia(chain, link), doubt) {
                 let mut all = vec![0.0; chain.parameter_count()];
                 all[LINK_PARAMETERS * link..][..LINK_PARAMETERS].copy_from_slice(&change);
-                moves.push(Move { link, value, deviation, by: base.values(&all) });
+                let (is_told, by) = (is_told(joint, value), base.values(&all));
+                moves.push(Move { link, value, deviation, is_told, by });
             }
         }
         Self { moves }
@@ -70,6 +73,14 @@ impl LinkSpread {
         variances.into_iter().map(|variance| variance.max(1e-12 * largest).sqrt()).collect()
     }
 
+    /// Multiplies the deviations that the file does not tell.
+    pub fn widen(&mut self, factor: f64) {
+        for of_value in self.moves.iter_mut().filter(|of_value| !of_value.is_told) {
+            of_value.deviation *= factor;
+            of_value.by.iter_mut().for_each(|by| *by *= factor);
+        }
+    }
+
     /// The likeliest change of link values that changes the base parameters so: link, value, change.
     pub fn likeliest(&self, base_change: &[f64]) -> Vec<(usize, usize, f64)> {
         let count = base_change.len();
@@ -82,6 +93,17 @@ impl LinkSpread {
         let both = self.moves.iter().zip(pull.iter());
         both.map(|(of, pull)| (of.link, of.value, of.deviation * pull)).collect()
     }
+}
+
+/// Whether a file tells the standard error of a link's value.
+fn is_told(joint: &ArmJoint, value: usize) -> bool {
+    let name = match value {
+        0 => "mass_kg".to_owned(),
+        1..=3 => "com_m".to_owned(),
+        BODY_PARAMETERS => joint.armature_name(),
+        _ => "inertia_kg_m2".to_owned(),
+    };
+    joint.standard_error(&name).is_some()
 }
 
 /// Inertia that a joint feels where all stand at zero.

@@ -146,10 +146,26 @@ impl Stretch {
                 .collect::<Vec<Self>>()
         };
         let stretches = whole(criteria.longest_gap_periods);
-        match stretches.iter().any(|stretch| stretch.broadband) {
+        let lost = lost_part(&trace.time_s, trace.period_s);
+        let is_known = |stretch: &Self| stretch.can_be_bridged(lost, subject);
+        match stretches.iter().any(|stretch| stretch.broadband && !is_known(stretch)) {
             true => whole(criteria.missing_sample_periods),
             false => stretches,
         }
+    }
+
+    /// Whether filling lost samples adds little to the rows of any joint, next to its friction: what is
+    /// fast in its command is missed in so many samples, and rows see a part of that.
+    fn can_be_bridged(&self, lost_part: f64, subject: &Subject) -> bool {
+        let (criteria, rows) = (&subject.criteria.logs, &subject.criteria.rows);
+        let seen_hz = rows.cutoff_part * rows.broadband_rows_per_s;
+        let missed = (lost_part * (2.0 * seen_hz * self.period_s).min(1.0)).sqrt();
+        subject.joints.iter().all(|&joint| {
+            let above_hz = criteria.broadband_above_hz;
+            let fast_v = rms_above(&self.command_v[joint], self.period_s, above_hz);
+            let level_v = subject.plant.friction[joint].alpha0_v;
+            fast_v * missed <= criteria.most_bridged_part * level_v
+        })
     }
 
     /// Root mean square of a command (joint 0 to 2) above this part of the sampling rate [V].
@@ -304,6 +320,12 @@ fn is_broadband(command_v: &[f64], period_s: f64, criteria: &LogCriteria) -> boo
     period_s * above_hz <= criteria.fast_part
         && rms_above(command_v, period_s, above_hz)
             > criteria.broadband_part * signal::rms(command_v)
+}
+
+/// Part of the samples of an even clock that a log lacks.
+fn lost_part(time_s: &[f64], period_s: f64) -> f64 {
+    let whole = (time_s[time_s.len() - 1] - time_s[0]) / period_s;
+    (1.0 - (time_s.len() - 1) as f64 / whole).max(0.0)
 }
 
 /// Root mean square of what a signal has above a frequency.

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use crate::criteria::Criteria;
 use crate::logs::arm_prior::LinkSpread;
+use crate::logs::base_prior::of_closed_form;
 use files::FileError;
 use model::friction_parameters::{COUNT as FRICTION_COUNT, NAMES};
 use recordings::campaign::Known;
@@ -78,6 +79,23 @@ impl Subject {
         model::HANGING_RAD.get(joint).copied().unwrap_or(0.0)
     }
 
+    /// Takes the parameters of the model for doubtful by this part of themselves.
+    pub fn doubt(&mut self, relative: f64) {
+        let before = std::mem::replace(&mut self.criteria.prior.relative, relative);
+        match self.plant.body.as_rrr() {
+            Some(rrr) => {
+                let deviations = of_closed_form(&rrr.base, &self.criteria.prior);
+                for (place, deviation) in &mut self.base_prior {
+                    *deviation = deviations[*place];
+                }
+            }
+            None => {
+                self.link_spread.widen(relative / before);
+                self.base_prior = self.link_spread.deviations().into_iter().enumerate().collect();
+            }
+        }
+    }
+
     /// Base parameters that the rig's motion can change, with their standard deviations.
     pub fn base_deviations(&self) -> Vec<(usize, f64)> {
         self.base_prior.clone()
@@ -96,6 +114,11 @@ impl Subject {
     /// Largest command of a joint by its number in files.
     pub fn command_limit_v(&self, number: u8) -> f64 {
         self.place_of(number).map_or(f64::INFINITY, |place| self.command_limits_v[place])
+    }
+
+    /// Encoder step of a joint by its number in files [rad; m].
+    pub fn encoder_step_rad(&self, number: u8) -> f64 {
+        self.place_of(number).map_or(0.0, |place| self.encoder_step_rad[place])
     }
 
     /// Whether a joint slides, by its number in files.

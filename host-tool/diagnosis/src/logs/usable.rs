@@ -7,7 +7,7 @@ use crate::logs::checks::{cannot_be_judged, others_move};
 use files::Role;
 use recordings::campaign::JointTrace;
 use recordings::plausibility::examine;
-use recordings::{StepError, Trace};
+use recordings::{StepError, Trace, wrong_positions};
 
 /// The stretches that can be used, and remarks on the logs.
 #[derive(Debug)]
@@ -67,6 +67,7 @@ impl Usable {
                 self.remarks.extend(unwrap(&trace.file, joint, &subject.criteria.logs));
             }
         }
+        self.remarks.extend(put_right(&mut trace, subject));
         let remarks = examine(&trace, &subject.known)?;
         if let Some(why) = cannot_be_judged(&trace, subject) {
             return Err(unusable(why));
@@ -120,6 +121,24 @@ fn no_log(traces: &[Trace]) -> StepError {
         _ => "no log can be used",
     };
     StepError::Numerical { step: "diagnosis", what: format!("{what}; list one in dataset.toml") }
+}
+
+/// Puts right positions that are wrong for one sample, and says so.
+fn put_right(trace: &mut Trace, subject: &Subject) -> Vec<String> {
+    let Trace { file, time_s, joints, .. } = trace;
+    let of_joint = |joint: &mut JointTrace| {
+        let step_rad = subject.encoder_step_rad(joint.number);
+        let places =
+            wrong_positions::correct(time_s, &mut joint.q_rad, step_rad, &Default::default());
+        let first_s = time_s[*places.first()?];
+        Some(format!(
+            "{file}: {} of the positions of joint {} are wrong, the first at {first_s:.3} s; they were \
+             put where their neighbours say",
+            places.len(),
+            joint.number
+        ))
+    };
+    joints.iter_mut().filter_map(of_joint).collect()
 }
 
 /// What is said where gaps cost a good part of a log.

@@ -112,13 +112,33 @@ fn refitted(
 ) -> Vec<Finalist> {
     let known = subject.known_effects.len();
     let refit = |candidate: Candidate| {
-        let mut start = now.hypothesis.clone();
-        if let Some(place) = start.spring_replaced_by(&candidate.effect, known) {
-            start.effects.remove(place);
-        }
-        finalist(subject, before, now, start.with(candidate.effect))
+        let from = |linear: &Linearisation| {
+            let mut start = linear.hypothesis.clone();
+            if let Some(place) = start.spring_replaced_by(&candidate.effect, known) {
+                start.effects.remove(place);
+            }
+            finalist(subject, before, linear, start.with(candidate.effect.clone()))
+        };
+        better(from(now), || from(&before.linear), subject)
     };
     batch.into_par_iter().filter_map(refit).collect()
+}
+
+/// A finalist refitted from the parameters as given, and where it does not gain enough so, the better of
+/// that and the one refitted from the model before it: few steps from afar may lose on other joints
+/// what an effect gains on its own.
+fn better(
+    first: Option<Finalist>,
+    second: impl FnOnce() -> Option<Finalist>,
+    subject: &Subject,
+) -> Option<Finalist> {
+    let gain =
+        |finalist: &Option<Finalist>| finalist.as_ref().map_or(f64::NEG_INFINITY, |f| f.gain);
+    if gain(&first) > subject.criteria.selection.least_log_likelihood {
+        return first;
+    }
+    let second = second();
+    if gain(&second) > gain(&first) { second } else { first }
 }
 
 /// A model whose last effect is new, refitted; none where that is not physical.
