@@ -1,5 +1,6 @@
 //! From a campaign to a refitted model on rows that are white.
 
+use super::bristles::with_likely_bristles;
 use super::fitted_model::FittedModel;
 use super::gauss_newton::fit;
 use crate::logs::stretch::Stretch;
@@ -22,6 +23,7 @@ pub fn prepared(
     let steps = &subject.criteria.fit;
     let given = as_given(subject);
     let evidence = with_noise(subject, stretches, &given)?;
+    let given = with_likely_bristles(&evidence, subject, given);
     let rough = fit(&evidence, subject, given, steps.first_steps).ok_or_else(undetermined)?;
     let evidence = with_noise(subject, evidence.stretches.to_vec(), &rough.hypothesis)?;
     let refitted = FittedModel::fitted(&evidence, subject, rough.hypothesis, steps.refit_steps);
