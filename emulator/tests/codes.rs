@@ -5,7 +5,7 @@ mod common;
 
 use std::rc::Rc;
 
-use common::{board_with_arm, commit, home_and_run, image, rig_that_compensates, told};
+use common::{attend, board_with_arm, commit, home_and_run, image, rig_that_compensates, told};
 use emulator::handler::Handler;
 use emulator::image::Image;
 use emulator::operator::Operator;
@@ -34,7 +34,9 @@ fn played(image: &Rc<Image>, block: &ParameterBlock, seconds: u64) -> Operator {
     board.telemetry.clear();
     home_and_run(&mut board, start);
     board.machine.board().trace.handler = Handler::default();
-    board.run_ms(1000 * seconds).unwrap();
+    attend(&mut board, seconds);
+    // What a question took, or less, so that there are as many ticks.
+    board.run_ms(2 * seconds).unwrap();
     assert_eq!(board.strange, 0);
     board
 }

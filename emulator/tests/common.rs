@@ -84,6 +84,15 @@ pub fn home_and_run(operator: &mut Operator, position_rad: [f64; 3]) {
     done(operator, Command::Run { host_timeout_ms: None });
 }
 
+/// Seconds of a run whose host gives a sign of life in each.
+pub fn attend(operator: &mut Operator, seconds: u64) {
+    for _ in 0..seconds {
+        operator.run_ms(990).unwrap();
+        done(operator, Command::Query);
+        operator.run_ms(8).unwrap();
+    }
+}
+
 /// Effects of every kind that the board compensates for, so that the tick does all that it can.
 const EFFECTS: [&str; 12] = [
     "cogging:1:amplitude_V=0.08,harmonic=12,phase_rad=0.4",

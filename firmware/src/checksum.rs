@@ -10,4 +10,4 @@ pub const CRC_32: Crc<u32> = Crc::<u32>::new(&CRC_32_ISO_HDLC);
 ///
 /// Not the one that ends a parameter block: over bytes that end with their own checksum, the
 /// same one gives the same number whatever they are.
-pub const CRC_32C: Crc<u32, Table<1>> = Crc::<u32, Table<1>>::new(&CRC_32_ISCSI);
+pub static CRC_32C: Crc<u32, Table<1>> = Crc::<u32, Table<1>>::new(&CRC_32_ISCSI);

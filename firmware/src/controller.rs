@@ -21,7 +21,7 @@
 
 use model::{FrictionState, Posture};
 
-use crate::block::{Gains, ParameterBlock};
+use crate::block::{Fingerprints, Gains, PARTS, ParameterBlock};
 use crate::feedforward::{Clock, JointFeedforward, last_tick};
 use crate::joint::{Joint, JointSample};
 use crate::start_fade::StartFade;
@@ -74,9 +74,11 @@ pub struct Controller {
     friction_before: [FrictionState<f32>; 3],
     /// What the feedback leaves out at first, so that a run begins without a step.
     start_fade: StartFade,
+    /// Largest command of each joint: the block's, or less while its motor is warm [V].
+    limit_v: [f32; 3],
     block: ParameterBlock,
-    /// Fingerprint of the block when it was taken.
-    fingerprint: u32,
+    /// Checksums of the block's parts when it was taken.
+    fingerprints: Fingerprints,
 }
 
 impl Controller {
@@ -91,7 +93,8 @@ impl Controller {
             is_prepared: false,
             friction_before: Default::default(),
             start_fade: StartFade::default(),
-            fingerprint: block.fingerprint(),
+            limit_v: [block.command_limit_v; 3],
+            fingerprints: block.fingerprints(),
             block,
         }
     }
@@ -102,13 +105,33 @@ impl Controller {
     }
 
     /// Whether the block, and what was derived from it once, are unchanged since it was taken:
-    /// a check for corrupted memory. Some 5,000 instructions and more, `docs/board.md`.
+    /// a check for corrupted memory.
     pub fn is_intact(&self) -> bool {
+        (0..PARTS).all(|part| self.part_is_intact(part)) && self.derived_is_intact()
+    }
+
+    /// The same for one part of the block, from 0: as much as a tick has time for.
+    pub(crate) fn part_is_intact(&self, part: usize) -> bool {
+        self.fingerprints.get(part).is_none_or(|kept| *kept == self.block.part_fingerprint(part))
+    }
+
+    /// Whether what was derived from the block once is unchanged.
+    pub(crate) fn derived_is_intact(&self) -> bool {
         let rate_per_s = self.clock.rate_per_s;
-        self.block.fingerprint() == self.fingerprint
-            && rate_per_s == 1.0 / self.block.sample_period_s
+        rate_per_s == 1.0 / self.block.sample_period_s
             && self.clock.end_tick <= last_tick(&self.block, rate_per_s)
+            && self.limit_v.iter().all(|limit_v| *limit_v <= self.block.command_limit_v)
             && (0..3).all(|i| self.joints[i].is_of(&self.block, i))
+    }
+
+    /// Limits the commands of joint `index` (0 to 2) from the next tick on, below the block's limit;
+    /// `None`: to that.
+    #[inline]
+    pub(crate) fn limit_command(&mut self, index: usize, limit_v: Option<f32>) {
+        let most_v = self.block.command_limit_v;
+        if let Some(slot) = self.limit_v.get_mut(index) {
+            *slot = limit_v.filter(|limit_v| *limit_v < most_v).unwrap_or(most_v);
+        }
     }
 
     /// Resets the estimators: from the next tick on the counts have another zero.
@@ -238,11 +261,11 @@ impl Controller {
         if !self.is_prepared {
             self.prepare_late();
         }
-        let Self { joints, feedforward, block, .. } = self;
-        let limit_v = block.command_limit_v;
-        let known = feedforward.iter().zip(&block.gains).zip(&block.mode);
+        let Self { joints, feedforward, block, limit_v, .. } = self;
+        let known = feedforward.iter().zip(&block.gains).zip(&block.mode).zip(limit_v);
         let joints = joints.iter_mut().zip(samples).zip(counts).zip(known);
-        for (i, (((joint, sample), count), ((known, gains), mode))) in joints.enumerate() {
+        for (i, (((joint, sample), count), (((known, gains), mode), limit_v))) in joints.enumerate()
+        {
             joint.measure(*count, sample);
             let wanted_v = match mode {
                 Mode::FrictionOnly => {
@@ -250,7 +273,7 @@ impl Controller {
                 }
                 _ => known.command_v(*mode, gains.feedback(known, sample)),
             };
-            sample.command(wanted_v, limit_v);
+            sample.command(wanted_v, *limit_v);
             sample.reference = known.angle;
             show(i, sample);
         }

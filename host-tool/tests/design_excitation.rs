@@ -273,3 +273,40 @@ fn bad_files_and_numbers_are_named() {
     refused(joint(1, "10.0") + &joint(2, "10.0"), "length 3");
     refused(joint(1, "10.0") + &joint(2, "nan") + &joint(3, "10.0"), "not a finite number");
 }
+
+/// `rrr design-excitation` on a model whose ranges are these.
+fn designed_within(limits_rad: [[f64; 2]; 3]) -> (tempfile::TempDir, assert_cmd::assert::Assert) {
+    let directory = directory();
+    let mut file = RobotFile::from_robot(&reference_robot());
+    file.robot.limits_rad = Some(limits_rad.to_vec());
+    file.write(directory.path().join("model.toml")).unwrap();
+    let mut command = Command::cargo_bin("rrr").unwrap();
+    let line = "design-excitation --model model.toml --out motion.toml --starts 1 --seconds 5";
+    let assert = command.current_dir(directory.path()).args(line.split(' ')).assert();
+    (directory, assert)
+}
+
+#[test]
+fn a_design_stays_in_the_ranges_of_the_model_file_as_the_board_sees_them() {
+    let limits_rad = [[-1.0, 1.5], [-2.6, -0.6], [-1.2, 1.2]];
+    let (directory, assert) = designed_within(limits_rad);
+    assert.success();
+    let motion = ExcitationFile::read(directory.path().join("motion.toml")).unwrap().motion();
+    let rig = Rig { limits_rad: limits_rad.map(Some), ..Rig::new(reference_robot()) };
+    let block = excitation(1, 30.0).with_motion(motion.clone()).block(&rig);
+    assert_eq!(rig::range::leaving(&block), None);
+    let reach = |i: usize| {
+        let Motion::Fourier(series) = &motion[i] else { panic!("a series") };
+        let terms = series.sine_rad.iter().chain(&series.cosine_rad);
+        terms.map(|amplitude| amplitude.abs()).sum::<f32>()
+    };
+    assert!((0..3).all(|i| reach(i) > 0.2), "it still moves");
+}
+
+#[test]
+fn a_range_in_which_the_arm_cannot_hang_is_refused() {
+    let (_directory, assert) = designed_within([[-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0]]);
+    let output = assert.failure();
+    let text = String::from_utf8_lossy(&output.get_output().stderr).into_owned();
+    assert!(text.contains("joint 2 hangs outside its range"), "{text}");
+}

@@ -285,3 +285,21 @@ fn collected_models_are_robots() {
         RobotFile::read(path).unwrap();
     }
 }
+
+#[test]
+fn what_motors_bear_is_two_figures_a_motor_or_none() {
+    let with = |lines: &str| parse(&ROBOT.replacen("[robot]", &format!("[robot]\n{lines}"), 1));
+    let both = "motor_continuous_V = [3, 3, 2]\nmotor_time_constant_s = [60, 60, 30]";
+    let file = with(both).unwrap();
+    assert_eq!(file.robot.motor_continuous_v, Some(vec![3.0, 3.0, 2.0]));
+    assert_eq!(file.robot.motor_time_constant_s, Some(vec![60.0, 60.0, 30.0]));
+    for wrong in [
+        "motor_continuous_V = [3, 3, 2]",
+        "motor_time_constant_s = [60, 60, 30]",
+        "motor_continuous_V = [3, 3]\nmotor_time_constant_s = [60, 60, 30]",
+        "motor_continuous_V = [3, 3, 0]\nmotor_time_constant_s = [60, 60, 30]",
+    ] {
+        let message = with(wrong).unwrap_err().to_string();
+        assert!(message.contains("motor_"), "{wrong}: {message}");
+    }
+}

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::process::Command;
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 
 use crate::board::Board;
 use crate::command::{cargo, run as run_command, say};
@@ -19,15 +19,19 @@ const PACKAGES: [&str; 3] = ["cmake", "make", "libclang-dev"];
 const IMAGE_VARIABLE: &str = "RRR_NUCLEO_FIRMWARE";
 const TOOL_VARIABLE: &str = "RRR_TOOL";
 const SOAK_VARIABLE: &str = "RRR_SOAK";
+const HOURS_VARIABLE: &str = "RRR_SOAK_HOURS";
 const TICKS_VARIABLE: &str = "RRR_TICKS";
 
-/// With `--soak` the tests at their full length, with `--ticks` what the tick takes, else the image at a port with these arguments.
+/// With `--soak` the tests at their full length, with `--soak --hours` sessions for so long, with `--ticks` what the tick takes, else the image at a port with these arguments.
 pub fn run(arguments: &[&str]) -> Result<()> {
     let toolchain = FirmwareToolchain::find_or_make()?;
     let image = firmware::build(&toolchain, Board::Nucleo)?;
     if let ["--soak"] = arguments {
         run_command(cargo("build").args(["--quiet", "--release", "--package", "host-tool"]))?;
         return run_tests(&image, true);
+    }
+    if let ["--soak", "--hours", hours] = arguments {
+        return run_sessions(&image, hours);
     }
     if let ["--ticks"] = arguments {
         return tell_ticks(&image);
@@ -41,6 +45,17 @@ pub fn run(arguments: &[&str]) -> Result<()> {
 /// The short tests; the host tool has been built.
 pub fn test(image: &Image) -> Result<()> {
     run_tests(image, false)
+}
+
+/// Sessions that end in every way, for so many hours of the board.
+fn run_sessions(image: &Image, hours: &str) -> Result<()> {
+    if !hours.parse::<f64>().is_ok_and(|hours| hours > 0.0) {
+        bail!("--hours takes a number above 0, not `{hours}`");
+    }
+    packages::ensure(&PACKAGES)?;
+    let mut test = emulator("test");
+    test.env(IMAGE_VARIABLE, image.path()).env(HOURS_VARIABLE, hours);
+    run_command(test.args(["--test", "soak", "--", "--nocapture"]))
 }
 
 /// Prints what the tick takes in each reference and mode.

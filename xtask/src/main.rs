@@ -43,6 +43,7 @@ The project's chores: cargo xtask <task>
   function-costs            what elementary functions cost on the board's core, counted in QEMU
   emulate [--tcp 5555]      the NUCLEO's image on an emulated board, its line at a TCP port
   emulate --soak            its tests at their full length (docs/emulator.md)
+  emulate --soak --hours 1  sessions at it that end in every way, for so long
   emulate --ticks           what the tick takes in each reference and mode (docs/board.md)
   soak [--hours 24]         a simulated day of the whole board at a noisy line
   demo                      the host tool against the firmware on the emulated board

@@ -7,6 +7,7 @@ use super::parameters::{Gains, ParameterBlock};
 use crate::compensation::ExternalLoad;
 use crate::dac::FULL_SCALE_V;
 use crate::encoder::COUNTS_PER_TURN;
+use crate::mode::Mode;
 use crate::reference::{FadeIn, Injection, Motion};
 
 impl ParameterBlock {
@@ -32,7 +33,23 @@ impl ParameterBlock {
             compensations.check(joint)?;
         }
         self.external_load.iter().try_for_each(ExternalLoad::check)?;
+        self.check_unused()?;
         self.safety.check()
+    }
+
+    /// A joint that the rig does not have gets no voltage and has no range.
+    fn check_unused(&self) -> Result<(), ParameterError> {
+        let used = self.in_use.iter().filter(|used| **used).count();
+        named("joints in use", used as f32).require(used > 0, "be one at least")?;
+        for (joint, index) in (1..).zip(0..3).filter(|(_, index)| !self.in_use[*index]) {
+            let is_off = self.mode[index] == Mode::OpenLoop
+                && self.reference.injection[index] == Injection::None
+                && self.safety.position[index].is_none();
+            named("joint not in use", f32::from(joint))
+                .of_joint(joint)
+                .require(is_off, "be in open loop, without voltage and range")?;
+        }
+        Ok(())
     }
 
     fn check_board(&self) -> Result<(), ParameterError> {

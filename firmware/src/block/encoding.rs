@@ -8,8 +8,9 @@ use crate::checksum::{CRC_32, CRC_32C};
 /// Version of the layout of [`ParameterBlock`]; a block of another version is refused.
 ///
 /// Version 1 had no compensations, version 2 no safety limits, version 3 no tables,
-/// version 4 neither the tolerance of a start nor limits of position.
-pub const VERSION: u16 = 5;
+/// version 4 neither the tolerance of a start nor limits of position, version 5 neither joints in use
+/// nor what motors bear.
+pub const VERSION: u16 = 6;
 /// No encoded block is longer [bytes]; with a record's header it fits a page of 2 KiB.
 pub const MAX_BYTES: usize = 1984;
 

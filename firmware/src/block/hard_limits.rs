@@ -3,8 +3,10 @@
 use model::ParameterError;
 use model::parameter::named;
 
+use super::motor_heating::MotorHeating;
 use super::parameters::ParameterBlock;
 use super::position_limits::PositionLimits;
+use super::rig_ranges;
 use crate::dac::FULL_SCALE_V;
 
 /// The limits that no parameter block may exceed on a board, whoever sends it.
@@ -36,8 +38,12 @@ pub struct HardLimits {
     pub stalled_s: f32,
     /// Longest `hold_s` that a block may set [s].
     pub hold_s: f32,
+    /// Longest silence of a host in a run, whatever it asks for [s].
+    pub host_silence_s: f32,
     /// The range of each joint of the rig, within which a block's must lie; `None`: any.
     pub position: [Option<PositionLimits>; 3],
+    /// What each motor of the rig bears, above which no block may go; `None`: unknown.
+    pub heating: [Option<MotorHeating>; 3],
     /// Largest proportional gain [V/rad].
     pub proportional_gain_v_per_rad: f32,
     /// Largest derivative gain [V s/rad].
@@ -62,7 +68,10 @@ impl Default for HardLimits {
             stalled_margin_v: 5.0,
             stalled_s: 2.0,
             hold_s: 300.0,
+            // A host asks ten times a second; a person reaches the emergency stop.
+            host_silence_s: 10.0,
             position: [None; 3],
+            heating: [None; 3],
             proportional_gain_v_per_rad: 10_000.0,
             derivative_gain_v_s_per_rad: 500.0,
         }
@@ -70,6 +79,12 @@ impl Default for HardLimits {
 }
 
 impl HardLimits {
+    /// The limits of the rig that this image was built for: [`Self::default`], and the ranges that
+    /// `RRR_RIG_RANGES_RAD` named at the build.
+    pub fn of_rig() -> Self {
+        Self { position: rig_ranges::of_this_build(), ..Self::default() }
+    }
+
     /// Checks a block, which has passed its own check, against the board.
     pub fn check(&self, block: &ParameterBlock) -> Result<(), ParameterError> {
         let period_s = block.sample_period_s;
@@ -103,11 +118,17 @@ impl HardLimits {
         below("speed_limit_rad_per_s", speed, self.speed_rad_per_s)?;
         below("tracking_error_limit_rad", error, self.tracking_error_rad)?;
         below("start_error_limit_rad", safety.start_error_rad[joint], self.start_error_rad)?;
-        if let Some(widest) = &self.position[joint] {
+        if let Some(widest) = self.position[joint].as_ref().filter(|_| block.in_use[joint]) {
             let range = safety.position[joint];
             named("position limits_rad", range.map_or(f32::INFINITY, |range| range.upper_rad))
                 .of_joint(joint as u8 + 1)
                 .require(range.is_some_and(|range| range.is_within(widest)), WITHIN)?;
+        }
+        if let Some(most) = &self.heating[joint] {
+            let motor = safety.heating[joint];
+            named("motor continuous_V", motor.map_or(f32::INFINITY, |motor| motor.continuous_v))
+                .of_joint(joint as u8 + 1)
+                .require(motor.is_some_and(|motor| motor.bears_less_than(most)), BELOW)?;
         }
         let acceleration = safety.acceleration_rad_per_s2[joint];
         below("acceleration_limit_rad_per_s2", acceleration, self.acceleration_rad_per_s2)?;

@@ -6,12 +6,17 @@
 mod check;
 mod encoding;
 mod hard_limits;
+mod motor_heating;
 mod parameters;
+mod parts;
 mod position_limits;
+mod rig_ranges;
 mod safety_limits;
 
 pub use encoding::{BlockError, MAX_BYTES, VERSION};
 pub use hard_limits::HardLimits;
+pub use motor_heating::MotorHeating;
 pub use parameters::{Gains, ParameterBlock};
+pub use parts::{Fingerprints, PARTS};
 pub use position_limits::PositionLimits;
 pub use safety_limits::SafetyLimits;

@@ -42,6 +42,9 @@ pub struct ParameterBlock {
     pub velocity_bandwidth_rad_per_s: [f32; 3],
     /// Largest command [V], at most what the converter can put out.
     pub command_limit_v: f32,
+    /// Which joints the rig has; the others are in open loop without a voltage, and nothing that
+    /// their encoders say matters.
+    pub in_use: [bool; 3],
     /// Control mode of each joint.
     pub mode: [Mode; 3],
     /// Reference motion and injected voltages.

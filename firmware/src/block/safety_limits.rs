@@ -4,6 +4,7 @@ use model::ParameterError;
 use model::parameter::named;
 use serde::{Deserialize, Serialize};
 
+use super::motor_heating::MotorHeating;
 use super::position_limits::PositionLimits;
 
 /// The limits of a parameter block; exceeding one is a fault.
@@ -35,6 +36,8 @@ pub struct SafetyLimits {
     pub hold_s: f32,
     /// Range of each joint; `None` where it may turn without end.
     pub position: [Option<PositionLimits>; 3],
+    /// What each motor bears; `None` where nobody has told.
+    pub heating: [Option<MotorHeating>; 3],
 }
 
 impl Default for SafetyLimits {
@@ -57,6 +60,7 @@ impl Default for SafetyLimits {
             // A host ends a run within a second; a person has time to support the arm.
             hold_s: 30.0,
             position: [None; 3],
+            heating: [None; 3],
         }
     }
 }
@@ -71,6 +75,7 @@ impl SafetyLimits {
             of("tracking_error_limit_rad", self.tracking_error_rad[joint])?;
             of("acceleration_limit_rad_per_s2", self.acceleration_rad_per_s2[joint])?;
             self.position[joint].iter().try_for_each(|range| range.check(number))?;
+            self.heating[joint].iter().try_for_each(|motor| motor.check(number))?;
             of("start_error_limit_rad", self.start_error_rad[joint])?;
         }
         named("saturation_limit_s", self.saturation_s).positive()?;

@@ -10,7 +10,7 @@ use super::messages::ToHost;
 use super::outbox::Outbox;
 use super::telemetry::Telemetry;
 use crate::store::Store;
-use crate::supervisor::{BootReport, CHECK_EVERY_TICKS, Health, Supervisor, TickRecord};
+use crate::supervisor::{BootReport, Health, ParameterWatch, Supervisor, TickRecord};
 
 /// Room for what waits to be sent [bytes].
 const OUTBOX_BYTES: usize = 2048;
@@ -24,6 +24,7 @@ pub struct BoardRuntime<S> {
     pub handler: Handler<S>,
     outbox: Outbox<OUTBOX_BYTES>,
     answers_lost: u32,
+    parameter_watch: ParameterWatch,
     parameters_corrupt: bool,
 }
 
@@ -52,6 +53,7 @@ impl<S: BlockStore> BoardRuntime<S> {
             handler,
             outbox: Outbox::new(),
             answers_lost: 0,
+            parameter_watch: ParameterWatch::default(),
             parameters_corrupt: false,
         }
     }
@@ -75,8 +77,8 @@ impl<S: BlockStore> BoardRuntime<S> {
             self.outbox.push_telemetry(message.write(&mut buffer).unwrap_or_default());
         }
         self.handler.store_fault(&self.supervisor);
-        if record.tick.is_multiple_of(CHECK_EVERY_TICKS) {
-            self.parameters_corrupt = !self.supervisor.parameters_are_intact();
+        if ParameterWatch::is_due(record.tick) {
+            self.parameters_corrupt = self.parameter_watch.check(&self.supervisor);
         }
         self.supervisor.prepare();
     }

@@ -61,7 +61,7 @@ impl BootState {
     ) -> Handler<S> {
         let config = HandlerConfig {
             board,
-            limits: HardLimits::default(),
+            limits: HardLimits::of_rig(),
             nonce_seed,
             key: self.key,
             fault: self.fault,

@@ -132,9 +132,12 @@ impl<S: BlockStore> Conversation<S> {
         Ok(Reply::Piece { length, checksum, bytes: piece })
     }
 
+    /// The order to run: whatever the host asks for, it is never silent for longer than the rig allows.
     fn run(&self, host_timeout_ms: Option<u16>) -> Order {
-        let ticks = |ms: u16| (f32::from(ms) * 1e-3 / self.limits.sample_period_s + 0.5) as u32;
-        Order::Run { host_timeout_ticks: host_timeout_ms.map(ticks) }
+        let ticks = |seconds: f32| (seconds / self.limits.sample_period_s + 0.5) as u32;
+        let longest = ticks(self.limits.host_silence_s);
+        let asked = host_timeout_ms.map_or(longest, |ms| ticks(f32::from(ms) * 1e-3));
+        Order::Run { host_timeout_ticks: Some(asked.min(longest)) }
     }
 
     /// The stored fault is cleared last: a power cut in between leaves the fault latched.

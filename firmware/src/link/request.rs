@@ -65,9 +65,8 @@ pub enum Command<'a> {
     Arm,
     /// From Armed to Running: the reference begins at the next tick. Key.
     Run {
-        /// The run ends in the fault `LinkLost` if the host is silent for longer [ms].
-        ///
-        /// `None` lets the board play the reference and hold its end without a host.
+        /// The run ends in the fault `LinkLost` if the host is silent for longer [ms], or for longer than
+        /// the board's hard limit, which holds for `None` too.
         host_timeout_ms: Option<u16>,
     },
     /// From Running to Armed: 0 V from the next tick on.

@@ -18,6 +18,7 @@ pub fn safe_defaults() -> ParameterBlock {
         gains: [Gains { proportional_v_per_rad: 0.0, derivative_v_s_per_rad: 0.0 }; 3],
         velocity_bandwidth_rad_per_s: [300.0; 3],
         command_limit_v: 0.1,
+        in_use: [true; 3],
         mode: [Mode::OpenLoop; 3],
         reference: Reference {
             motion: [const { Motion::Hold { angle_rad: 0.0 } }; 3],

@@ -75,7 +75,7 @@ fn decode(body: &[u8], length: usize) -> Result<ParameterBlock, BlockError> {
 /// The block in these bytes, if a board may use it, however it came into the store.
 fn usable(encoded: &[u8]) -> Result<ParameterBlock, BlockError> {
     let block = ParameterBlock::decode(encoded)?;
-    HardLimits::default().check(&block)?;
+    HardLimits::of_rig().check(&block)?;
     Ok(block)
 }
 

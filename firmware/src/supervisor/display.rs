@@ -30,7 +30,7 @@ impl Display for State {
 
 impl Fault {
     /// Every fault.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 18] = [
         Self::EncoderJump,
         Self::EncoderStuck,
         Self::TrackingError,
@@ -48,6 +48,7 @@ impl Fault {
         Self::PositionLimit,
         Self::HoldTooLong,
         Self::Crash,
+        Self::MotorTooHot,
     ];
 
     /// The name that messages use.
@@ -70,6 +71,7 @@ impl Fault {
             Self::PositionLimit => "position limit",
             Self::HoldTooLong => "hold too long",
             Self::Crash => "crash",
+            Self::MotorTooHot => "motor too hot",
         }
     }
 
@@ -90,6 +92,7 @@ impl Fault {
                 "V beyond gravity at a joint that stands still (amplifier off, brake, obstacle or \
                  encoder)"
             }
+            Self::MotorTooHot => "V all the time, as warm as it is",
             Self::HoldTooLong => "s of holding after the reference",
             Self::PositionLimit => "rad, where it would come to rest",
             Self::LinkLost => "s without a word from the host",

@@ -60,6 +60,8 @@ pub enum Fault {
     /// The processor met an instruction or an access that it cannot carry out, or a panic. The bits
     /// of value and limit are the program counter and the fault status (CFSR).
     Crash,
+    /// A motor has had more current than it bears for ever, for so long that it is hot [V].
+    MotorTooHot,
 }
 
 /// The first cause, with the figures that made it one.

@@ -1,8 +1,10 @@
 //! The controller with a monitor on each of its joints.
 
 use super::fault::Fault;
+use super::heat_monitor::HeatMonitor;
 use super::joint_monitor::{JointMonitor, has_reference};
 use super::orders::OrderError;
+use crate::block::PARTS;
 use crate::joint::JointSample;
 use crate::{Angle, Controller, DacCode, Mode};
 
@@ -12,6 +14,11 @@ pub(super) struct MonitoredController {
     pub controller: Controller,
     pub joints: [JointMonitor; 3],
     pub mode: [Mode; 3],
+    /// The joints that the rig has; what the others' encoders say matters to nobody.
+    pub in_use: [bool; 3],
+    pub heat: [HeatMonitor; 3],
+    /// A motor has had more than it bears.
+    is_hot: bool,
     pub last: [JointSample; 3],
 }
 
@@ -21,9 +28,20 @@ impl MonitoredController {
         Self {
             joints: [0, 1, 2].map(|index| JointMonitor::new(block, index)),
             mode: block.mode,
+            in_use: block.in_use,
+            heat: [0, 1, 2].map(|index| HeatMonitor::new(block, index)),
+            is_hot: false,
             last: Default::default(),
             controller,
         }
+    }
+
+    /// The motors are as warm as they were with the block before.
+    pub fn warmed_as(mut self, before: &Self) -> Self {
+        for (heat, before) in self.heat.iter_mut().zip(&before.heat) {
+            *heat = heat.warmed_as(before);
+        }
+        self
     }
 
     /// Resets estimators and monitors: the counts have another zero from now on.
@@ -33,17 +51,33 @@ impl MonitoredController {
         self.joints = [0, 1, 2].map(|index| JointMonitor::new(block, index));
     }
 
-    /// Whether the block, and what was derived from it once, are unchanged.
-    pub fn is_intact(&self) -> bool {
+    /// Whether a part of the parameters is unchanged: one of the block's, then what was derived
+    /// from it once, then the limits of each joint.
+    pub fn part_is_intact(&self, part: usize) -> bool {
         let block = self.controller.block();
-        let has_limits = |index: usize| self.joints[index].has_limits_of(block, index);
-        self.controller.is_intact() && self.mode == block.mode && (0..3).all(has_limits)
+        match part.checked_sub(PARTS) {
+            None => self.controller.part_is_intact(part),
+            Some(0) => {
+                let same = (self.mode, self.in_use) == (block.mode, block.in_use);
+                self.controller.derived_is_intact() && same
+            }
+            Some(number) => self.joint_is_intact(number - 1),
+        }
+    }
+
+    fn joint_is_intact(&self, index: usize) -> bool {
+        let block = self.controller.block();
+        let (Some(joint), Some(heat)) = (self.joints.get(index), self.heat.get(index)) else {
+            return true;
+        };
+        joint.has_limits_of(block, index) && heat.fresh() == HeatMonitor::new(block, index)
     }
 
     /// Whether every joint is at rest and its estimates can be right.
     pub fn is_plausible(&self) -> Result<(), OrderError> {
-        for (joint, index) in (1..).zip(0..3) {
-            if let Some(why) = self.joints[index].implausible(&self.last[index]) {
+        let joints = self.joints.iter().zip(&self.last).zip(self.in_use);
+        for (joint, ((monitor, sample), used)) in (1..).zip(joints) {
+            if let Some(why) = monitor.implausible(sample).filter(|_| used) {
                 return Err(OrderError::Implausible { joint, why });
             }
         }
@@ -56,10 +90,10 @@ impl MonitoredController {
         if !self.controller.is_running() {
             return self.act_at_rest(counts, running);
         }
-        let Self { controller, joints, last, .. } = self;
-        let mut is_suspicious = false;
+        let Self { controller, joints, last, in_use, is_hot, .. } = self;
+        let mut is_suspicious = *is_hot;
         controller.act(counts, last, |index, sample| {
-            is_suspicious |= joints[index].is_suspicious(sample, running);
+            is_suspicious |= joints[index].is_suspicious(sample, running) & in_use[index];
         });
         is_suspicious
     }
@@ -67,16 +101,25 @@ impl MonitoredController {
     #[inline(never)]
     fn act_at_rest(&mut self, counts: &[i32; 3], running: bool) -> bool {
         self.controller.only_measure(counts, &mut self.last);
-        let joints = self.joints.iter_mut().zip(&self.last);
-        joints.fold(false, |is, (joint, sample)| is | joint.is_suspicious(sample, running))
+        let joints = self.joints.iter_mut().zip(&self.last).zip(self.in_use);
+        joints.fold(false, |is, ((joint, sample), used)| {
+            is | (joint.is_suspicious(sample, running) & used)
+        })
     }
 
     /// What is wrong with joint `index` (0 to 2) in this tick.
     #[cold]
     pub fn fault(&mut self, index: usize, running: bool, brakes: bool) -> Option<Fault> {
+        if !self.in_use[index] {
+            return None;
+        }
         let sample = self.last[index];
         let joint = &mut self.joints[index];
         let fault = joint.fault(&sample, running);
+        if fault == Some(Fault::Saturation) && self.heat[index].is_limiting() {
+            // It is the motor that lacks the voltage; the arm is held while it is braked.
+            return Some(Fault::MotorTooHot);
+        }
         if fault.is_some() || !running {
             return fault;
         }
@@ -84,7 +127,10 @@ impl MonitoredController {
             return Some(Fault::Stalled);
         }
         let leaves = !brakes && self.joints[index].range().is_left_by(&sample);
-        leaves.then_some(Fault::PositionLimit)
+        if leaves {
+            return Some(Fault::PositionLimit);
+        }
+        self.heat[index].is_too_hot().then_some(Fault::MotorTooHot)
     }
 
     /// The rest of a tick, on which no code depends.
@@ -92,6 +138,18 @@ impl MonitoredController {
     pub fn complete(&mut self) {
         for (joint, sample) in self.joints.iter_mut().zip(&self.last) {
             joint.complete(sample);
+        }
+        self.warm();
+    }
+
+    /// Counts what the motors were given, and limits what a warm one gets next.
+    #[inline]
+    fn warm(&mut self) {
+        self.is_hot = false;
+        for (index, (heat, sample)) in self.heat.iter_mut().zip(&self.last).enumerate() {
+            let limit_v = heat.limit_after(sample.command_v());
+            self.is_hot |= heat.is_too_hot();
+            self.controller.limit_command(index, limit_v);
         }
     }
 

@@ -10,9 +10,6 @@ use super::orders::{Order, OrderError};
 use super::stop_category::{ControlledStop, DriveOutputs, StopCategory};
 use crate::{Angle, Controller, ParameterBlock};
 
-/// Ticks between two calls of [`Supervisor::parameters_are_intact`] by a board.
-pub const CHECK_EVERY_TICKS: u32 = 1000;
-
 /// The controller under supervision.
 #[derive(Clone, Debug, Default)]
 pub struct Supervisor {
@@ -64,10 +61,9 @@ impl Supervisor {
         self.monitored.as_ref().map(|monitored| monitored.controller.block())
     }
 
-    /// Whether the parameters in use are unchanged since they were checked. For
-    /// [`Health::parameters_corrupt`], every [`CHECK_EVERY_TICKS`], after the codes are out.
-    pub fn parameters_are_intact(&self) -> bool {
-        self.monitored.as_ref().is_none_or(MonitoredController::is_intact)
+    /// Whether a part of the parameters in use is unchanged since they were checked.
+    pub(super) fn part_is_intact(&self, part: usize) -> bool {
+        self.monitored.as_ref().is_none_or(|monitored| monitored.part_is_intact(part))
     }
 
     /// Changes the parameters in use as corrupted memory would; for tests.
@@ -106,7 +102,11 @@ impl Supervisor {
         if self.block().is_some_and(|block| counts_differ(block, controller.block())) {
             self.home.invalidate_all();
         }
-        self.monitored = Some(MonitoredController::new(controller));
+        let fresh = MonitoredController::new(controller);
+        self.monitored = Some(match &self.monitored {
+            Some(before) => fresh.warmed_as(before),
+            None => fresh,
+        });
         Ok(())
     }
 

@@ -17,7 +17,9 @@ impl Fault {
     pub fn stop_category(self) -> StopCategory {
         match self {
             // Everything that controls the arm works: an arm that hangs must not drop.
-            Self::LinkLost | Self::PositionLimit | Self::HoldTooLong => StopCategory::Controlled,
+            Self::LinkLost | Self::PositionLimit | Self::HoldTooLong | Self::MotorTooHot => {
+                StopCategory::Controlled
+            }
             Self::EncoderJump
             | Self::EncoderStuck
             | Self::TrackingError

@@ -171,6 +171,10 @@ impl Supervisor {
                 let (value, limit) = monitored.unbalanced_v(index);
                 LimitViolation { fault, value, limit }
             }
+            Fault::MotorTooHot => {
+                let (value, limit) = monitored.heat[index].volts();
+                LimitViolation { fault, value, limit }
+            }
             _ => monitored.joints[index].violation(fault, &monitored.last[index]),
         };
         self.enter_fault(index as u8 + 1, violation);

@@ -1,6 +1,7 @@
 //! A block that the tests begin from.
 #[allow(dead_code)]
 pub mod played;
+#[allow(dead_code)]
 pub mod supervised;
 
 use firmware::compensation::{Compensations, Feedforward, InputInverse};
@@ -25,6 +26,7 @@ pub fn block(mode: Mode) -> ParameterBlock {
         gains: [Gains { proportional_v_per_rad: 80.0, derivative_v_s_per_rad: 4.0 }; 3],
         velocity_bandwidth_rad_per_s: [300.0; 3],
         command_limit_v: 9.0,
+        in_use: [true; 3],
         mode: [mode; 3],
         reference: Reference {
             motion: [sine(1.57), sine(-1.57), sine(0.0)],

@@ -46,5 +46,5 @@ pub use arm_log::{ArmJointLog, ArmLog};
 pub use dataset::{Dataset, Entry, Experiment, Recording, Role};
 pub use error::{FileError, Problem};
 pub use excitation_file::ExcitationFile;
-pub use log::{BoardSample, JointLog, Log, Position};
+pub use log::{BoardSample, GrowingCsv, JointLog, Log, Position};
 pub use robot_file::{EffectTable, FrictionTable, PendulumTable, RobotFile, RobotTable};

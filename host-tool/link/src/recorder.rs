@@ -122,6 +122,11 @@ impl Recorder {
         }
     }
 
+    /// The last record of the run, or of what came right after it.
+    pub fn last_record(&self) -> Option<&Telemetry> {
+        self.unwrapped.as_ref().map(|unwrapped| &unwrapped.last)
+    }
+
     /// How many ticks the run takes.
     pub fn ticks(&self) -> u32 {
         self.ticks

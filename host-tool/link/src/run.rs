@@ -18,6 +18,21 @@ const BRAKING_TICKS: u32 = 600;
 /// Time between two requests that keep the run alive.
 const HEARTBEAT_PERIOD: Duration = Duration::from_millis(100);
 
+/// Sees a run while it goes on.
+pub trait RunWatcher {
+    /// Records have come, which the recorder has taken.
+    fn see(&mut self, recorder: &Recorder);
+    /// The board has told how it is.
+    fn see_report(&mut self, report: &Report);
+}
+
+/// Nobody looks.
+impl RunWatcher for () {
+    fn see(&mut self, _: &Recorder) {}
+
+    fn see_report(&mut self, _: &Report) {}
+}
+
 /// How a run ended.
 #[derive(Debug)]
 pub enum RunOutcome {
@@ -57,7 +72,7 @@ pub fn run(
     host_timeout_ms: u16,
     recorder: &mut Recorder,
     interrupted: &AtomicBool,
-    progress: &mut dyn FnMut(u32),
+    watcher: &mut dyn RunWatcher,
 ) -> Result<RunOutcome, LinkError> {
     if interrupted.load(Ordering::Relaxed) {
         return Ok(RunOutcome::Interrupted);
@@ -68,13 +83,14 @@ pub fn run(
         Err(error @ LinkError::Refused { .. }) => Err(error),
         armed => {
             let outcome = armed.and_then(|is_armed| match is_armed {
-                true => start(client, host_timeout_ms, recorder, interrupted, progress),
+                true => start(client, host_timeout_ms, recorder, interrupted, watcher),
                 false => Ok(RunOutcome::Interrupted),
             });
             finish(client, recorder, outcome)
         }
     };
     client.take_records().iter().for_each(|record| recorder.add_record(record));
+    watcher.see(recorder);
     client.set_retry_policy(RetryPolicy::DEFAULT);
     outcome
 }
@@ -85,7 +101,7 @@ fn start(
     host_timeout_ms: u16,
     recorder: &mut Recorder,
     interrupted: &AtomicBool,
-    progress: &mut dyn FnMut(u32),
+    watcher: &mut dyn RunWatcher,
 ) -> Result<RunOutcome, LinkError> {
     let _ = client.take_records();
     recorder.begins_after(&client.report()?);
@@ -98,7 +114,7 @@ fn start(
         Command::Run { host_timeout_ms: Some(host_timeout_ms) },
         interrupted,
     ) {
-        Ok(true) => Ok(record_until_end(client, recorder, interrupted, progress)
+        Ok(true) => Ok(record_until_end(client, recorder, interrupted, watcher)
             .unwrap_or_else(RunOutcome::from)),
         Ok(false) => Ok(RunOutcome::Interrupted),
         Err(error @ LinkError::Refused { .. }) => Err(error),
@@ -146,7 +162,7 @@ fn record_until_end(
     client: &mut Client,
     recorder: &mut Recorder,
     interrupted: &AtomicBool,
-    progress: &mut dyn FnMut(u32),
+    watcher: &mut dyn RunWatcher,
 ) -> Result<RunOutcome, LinkError> {
     let mut last_report = Instant::now();
     loop {
@@ -157,13 +173,14 @@ fn record_until_end(
             last_report = Instant::now();
             let report = client.report()?;
             recorder.add_report(&report);
+            watcher.see_report(&report);
             if report.state != State::Running {
                 return Ok(RunOutcome::EndedByBoard(report.state, report.fault));
             }
         }
         client.receive()?;
         client.take_records().iter().for_each(|record| recorder.add_record(record));
-        progress(recorder.ticks_seen());
+        watcher.see(recorder);
         if recorder.ticks_seen() >= recorder.ticks() + BRAKING_TICKS {
             return Ok(RunOutcome::Finished);
         }

@@ -1,12 +1,12 @@
 //! A rig as its board sees it: the model, the converter, the encoders, the gains.
 
-use firmware::block::{PositionLimits, SafetyLimits};
+use firmware::block::{MotorHeating, PositionLimits, SafetyLimits};
 use firmware::reference::Reference;
 use firmware::{Gains, Mode, ParameterBlock};
 use model::{Posture, Robot};
 
 use crate::compensation::Compensations;
-use files::{FileError, RobotFile};
+use files::{FileError, RobotFile, RobotTable};
 
 /// What is the same in all experiments of a rig.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +25,8 @@ pub struct Rig {
     pub velocity_bandwidth_rad_per_s: f64,
     /// Lower and upper end of each joint's range [rad]; `None`: it may turn without end.
     pub limits_rad: [Option<[f64; 2]>; 3],
+    /// What each motor bears; `None`: nobody has told.
+    pub motor_heating: [Option<MotorHeating>; 3],
     /// What the board compensates for beyond the model.
     pub compensations: Compensations,
 }
@@ -42,6 +44,7 @@ impl Rig {
             loop_frequency_rad_per_s: 32.0,
             velocity_bandwidth_rad_per_s: 300.0,
             limits_rad: [None; 3],
+            motor_heating: [None; 3],
             compensations: Compensations::default(),
         }
     }
@@ -77,6 +80,7 @@ impl Rig {
                 _ => [0, 1, 2].map(|i| limits.get(i).copied()),
             };
         }
+        rig.motor_heating = motor_heating(table);
         rig.command_limit_v = table.command_limit_v.unwrap_or(rig.command_limit_v);
         rig
     }
@@ -93,11 +97,16 @@ impl Rig {
             gains: self.gains(),
             velocity_bandwidth_rad_per_s: [self.velocity_bandwidth_rad_per_s as f32; 3],
             command_limit_v: self.command_limit_v as f32,
+            in_use: [true; 3],
             mode,
             reference,
             compensations: self.compensations.joints.clone(),
             external_load: self.compensations.outside(),
-            safety: SafetyLimits { position: self.position_limits(), ..Default::default() },
+            safety: SafetyLimits {
+                position: self.position_limits(),
+                heating: self.motor_heating,
+                ..Default::default()
+            },
         }
     }
 
@@ -147,5 +156,35 @@ impl Rig {
                 derivative_v_s_per_rad: (unit_v * 2.0 * DAMPING_RATIO * frequency) as f32,
             }
         })
+    }
+}
+
+/// What each motor bears, where the file tells both figures.
+fn motor_heating(table: &RobotTable) -> [Option<MotorHeating>; 3] {
+    let of = |column: &Option<Vec<f64>>, i: usize| match column.as_deref()? {
+        // A rig of one joint has it as joint 3.
+        [alone] => (i == 2).then_some(*alone as f32),
+        all => all.get(i).map(|value| *value as f32),
+    };
+    [0, 1, 2].map(|i| {
+        let continuous_v = of(&table.motor_continuous_v, i)?;
+        let time_constant_s = of(&table.motor_time_constant_s, i)?;
+        Some(MotorHeating { continuous_v, time_constant_s })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use model::reference_robot::reference_robot;
+
+    #[test]
+    fn what_motors_bear_comes_from_the_file_where_it_has_both_figures() {
+        let mut file = RobotFile::from_robot(&reference_robot());
+        assert_eq!(Rig::of_file(&file).unwrap().motor_heating, [None; 3]);
+        file.robot.motor_continuous_v = Some(vec![3.0, 3.0, 2.0]);
+        file.robot.motor_time_constant_s = Some(vec![60.0, 60.0, 30.0]);
+        let heating = Rig::of_file(&file).unwrap().motor_heating;
+        assert_eq!(heating[2], Some(MotorHeating { continuous_v: 2.0, time_constant_s: 30.0 }));
     }
 }

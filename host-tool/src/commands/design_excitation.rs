@@ -9,7 +9,8 @@ use crate::failure::Failure;
 use crate::terminal::progress::Progress;
 use files::RobotFile;
 use files::excitation_file::{ExcitationFile, JointTable};
-use identification::excitation_design::{Design, Effort, Settings, design};
+use identification::excitation_design::{Design, Effort, Range, Settings, design};
+use rig::Rig;
 
 /// Arguments of `rrr design-excitation`.
 #[derive(Debug, Args)]
@@ -63,7 +64,14 @@ impl Arguments {
         let limit_v = file.robot.command_limit_v.unwrap_or(CONVERTER_LIMIT_V);
         let paper = Settings::of_paper(limit_v);
         let effort = Effort { starts: self.starts, time_limit: self.time_limit()?, ..paper.effort };
-        Ok(Settings { effort, seed: u64::from(self.seed), ..paper })
+        let range = range(&Rig::of_file(file)?);
+        if let Some(joint) = range.outside(&paper.centre_rad) {
+            return Err(Failure::new(
+                format!("joint {joint} hangs outside its range, and the motion begins there"),
+                "correct limits_rad in the model file",
+            ));
+        }
+        Ok(Settings { effort, range, seed: u64::from(self.seed), ..paper })
     }
 
     fn time_limit(&self) -> Result<Option<Duration>, Failure> {
@@ -76,6 +84,11 @@ impl Arguments {
             }
         }
     }
+}
+
+/// The ranges of the model file, and what the arm can brake with.
+fn range(rig: &Rig) -> Range {
+    Range { limits_rad: rig.limits_rad, braking_rad_per_s2: rig.braking_rad_per_s2() }
 }
 
 /// Refuses a design that needs more voltage than there is even when it is slowest.

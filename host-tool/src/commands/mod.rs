@@ -8,6 +8,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 use crate::failure::Failure;
 
 pub mod blind_trial;
+mod board_table;
 pub mod clear_fault;
 pub mod completions;
 pub mod connect;

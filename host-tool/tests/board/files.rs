@@ -42,7 +42,7 @@ fn a_log_that_cannot_be_kept_does_not_hide_why_the_run_ended() {
     let line = Line::to(
         &board,
         at_query(2, 1, move || {
-            std::fs::remove_dir(&logs).unwrap();
+            std::fs::remove_dir_all(&logs).unwrap();
             std::fs::write(&logs, "in the way").unwrap();
             Deed::Pass
         }),

@@ -16,6 +16,7 @@ mod endings;
 mod files;
 mod line;
 mod link_lost;
+mod live;
 mod recording;
 
 use common::directory;

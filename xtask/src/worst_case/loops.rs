@@ -10,7 +10,7 @@ use crate::code::Code;
 type Entry = (&'static str, usize, &'static [&'static [u64]], &'static str);
 
 /// What bounds each, where it is no delay of a constant length.
-const LOOPS: [Entry; 19] = [
+const LOOPS: [Entry; 18] = [
     ("Supervisor>::act", 0, &[&[3], &[4]], "joints; input inverses"),
     ("TIM6_DAC", 0, &[&[12]], "130 ns between SYNC and a late LDAC, two cycles a round"),
     ("act_at_rest", 0, &[&[3]], "joints"),
@@ -27,12 +27,14 @@ const LOOPS: [Entry; 19] = [
     ("JointMonitor::new", 0, &[&[32]], "halvings of 32 bits"),
     ("Supervisor::replace", 0, &[&[32]], "halvings of 32 bits"),
     ("u64_div_rem", 0, &[&[64]], "bits"),
-    ("serialize_field", 2, &[&[3], &[16]], "joints; speeds of a reference"),
-    ("serialize_field", 6, &[&[3], &[6], &[20]], "joints; entries of a list; knots"),
-    ("::encode", 0, &[&[2048]], "bytes of a block"),
+    (
+        "serialize_field",
+        0,
+        &[&[16], &[20]],
+        "speeds of a reference, more than any other list; knots",
+    ),
+    ("parts::of", 0, &[&[20], &[20], &[5]], "knots, more than any list has; bytes of a number"),
 ];
-/// The same for one function whose loops differ.
-const CHECK: Entry = ("check_parameters_now", 2, &[&[2048, 3]], "bytes of a block, joints");
 
 /// Bytes that functions copy or clear at most, by a part of the caller's name; those not named move
 /// a whole controller.
@@ -87,7 +89,7 @@ pub fn rounds(
     let is_it = |(name, loops, ..): &&Entry| {
         function.contains(name) && (*loops == 0 || *loops == others.len())
     };
-    let entry = LOOPS.iter().chain([&CHECK]).find(is_it);
+    let entry = LOOPS.iter().find(is_it);
     let bounds = entry.and_then(|(_, _, depths, _)| depths.get(depth));
     match bounds.and_then(|bounds| bounds.get(place).or(bounds.last())) {
         Some(rounds) => Ok(*rounds),

@@ -103,7 +103,7 @@ impl<'a, 'data> Bounds<'a, 'data> {
 /// Parts of the tick that come now and then, or end it: what they take is told apart.
 const APART: [(&str, &str); 9] = [
     ("answer_to", "an order, a question, a new controller"),
-    ("check_parameters_now", "the parameters against their checksum, once a second"),
+    ("check_parameters_now", "a part of the parameters against its checksum"),
     ("Converter::watch", "a register of the converter read back, every 16 ms"),
     ("latch_anew", "a fault kept for the next boot"),
     ("first_fault", "a closer look at the joints"),

@@ -16,7 +16,7 @@ use embassy_stm32::{Peri, pac};
 use firmware::ad5754r::Channel;
 use firmware::link::SupervisorAccess;
 use firmware::supervisor::{
-    BootReport, CHECK_EVERY_TICKS, FaultRecord, Health, Order, OrderError, State, Supervisor,
+    BootReport, FaultRecord, Health, Order, OrderError, ParameterWatch, State, Supervisor,
     TickRecord,
 };
 
@@ -51,6 +51,7 @@ struct Tick {
     drive: Drive,
     inbox: Inbox,
     supervisor: Supervisor,
+    parameter_watch: ParameterWatch,
     /// What is in the memory that a reset leaves alone.
     latched: Option<FaultRecord>,
     health: Health,
@@ -86,6 +87,7 @@ pub fn start(
         drive,
         inbox,
         supervisor,
+        parameter_watch: ParameterWatch::default(),
         latched,
         health: Health { converter_fault, ..Health::default() },
         released: false,
@@ -246,9 +248,10 @@ impl Tick {
         latch::write(fault.as_ref());
     }
 
-    /// Once a second, after the codes are out, so that it delays nothing.
+    /// A part now and then, all of them within a second; after the codes are out, so that it
+    /// delays nothing.
     fn check_parameters(&mut self, tick: u32) {
-        if tick.is_multiple_of(CHECK_EVERY_TICKS) {
+        if ParameterWatch::is_due(tick) {
             self.check_parameters_now();
         }
     }
@@ -256,7 +259,7 @@ impl Tick {
     #[cold]
     #[inline(never)]
     fn check_parameters_now(&mut self) {
-        self.health.parameters_corrupt = !self.supervisor.parameters_are_intact();
+        self.health.parameters_corrupt = self.parameter_watch.check(&self.supervisor);
     }
 
     #[inline]

@@ -4,6 +4,7 @@ mod board_message;
 pub(crate) mod check;
 mod format;
 mod from_table;
+mod growing_csv;
 mod joint_message;
 mod mcap_records;
 mod read_mcap;
@@ -11,6 +12,7 @@ mod write_csv;
 mod write_mcap;
 
 pub use board_message::BoardSample;
+pub use growing_csv::GrowingCsv;
 
 /// A recorded log.
 ///

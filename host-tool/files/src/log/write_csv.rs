@@ -37,28 +37,33 @@ pub(super) fn write(log: &Log, path: &Path) -> Result<(), FileError> {
 fn write_lines(log: &Log, out: &mut impl Write) -> std::io::Result<()> {
     let mut line = header(log);
     out.write_all(line.as_bytes())?;
-    for (row, &time_s) in log.time_s.iter().enumerate() {
+    for row in 0..log.len() {
         line.clear();
-        push_number(&mut line, time_s, TIME_DECIMALS);
-        for joint in &log.joints {
-            line.push(',');
-            push_position(&mut line, &joint.position, row);
-        }
-        for joint in &log.joints {
-            line.push(',');
-            push_number(&mut line, joint.command_v[row], VOLTAGE_DECIMALS);
-        }
-        for reference_rad in log.joints.iter().filter_map(|joint| joint.reference_rad.as_ref()) {
-            line.push(',');
-            push_number(&mut line, reference_rad[row], ANGLE_DECIMALS);
-        }
-        line.push('\n');
+        push_line(&mut line, log, row);
         out.write_all(line.as_bytes())?;
     }
     Ok(())
 }
 
-fn header(log: &Log) -> String {
+/// The line of a row of the log.
+pub(super) fn push_line(line: &mut String, log: &Log, row: usize) {
+    push_number(line, log.time_s[row], TIME_DECIMALS);
+    for joint in &log.joints {
+        line.push(',');
+        push_position(line, &joint.position, row);
+    }
+    for joint in &log.joints {
+        line.push(',');
+        push_number(line, joint.command_v[row], VOLTAGE_DECIMALS);
+    }
+    for reference_rad in log.joints.iter().filter_map(|joint| joint.reference_rad.as_ref()) {
+        line.push(',');
+        push_number(line, reference_rad[row], ANGLE_DECIMALS);
+    }
+    line.push('\n');
+}
+
+pub(super) fn header(log: &Log) -> String {
     let positions = log.joints.iter().map(JointLog::position_column);
     let commands = log.joints.iter().map(|joint| command_column(joint.joint));
     let with_reference = log.joints.iter().filter(|joint| joint.reference_rad.is_some());

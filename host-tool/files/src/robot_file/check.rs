@@ -11,6 +11,7 @@ impl RobotFile {
     pub(super) fn check(&self) -> Result<(), FileError> {
         self.check_torque_constants()?;
         self.check_limits()?;
+        self.check_motors()?;
         self.check_pendulum()?;
         self.check_friction()?;
         self.check_effects()
@@ -49,6 +50,26 @@ impl RobotFile {
             None => return Ok(()),
         };
         Err(self.source.problem_in(Problem::Contradiction(what), "robot", None, "limits_rad"))
+    }
+
+    /// Two figures a motor, or none.
+    fn check_motors(&self) -> Result<(), FileError> {
+        let (continuous, warming) =
+            (&self.robot.motor_continuous_v, &self.robot.motor_time_constant_s);
+        let expected = self.robot.torque_constant_nm_per_v.len();
+        let names = ["motor_continuous_V", "motor_time_constant_s"];
+        for (column, name) in [continuous, warming].into_iter().zip(names) {
+            let what = match column {
+                None if continuous.is_none() == warming.is_none() => continue,
+                Some(values) if values.len() == expected && values.iter().all(|v| *v > 0.0) => {
+                    continue;
+                }
+                None => format!("{name} is missing: {} and {} belong together", names[0], names[1]),
+                Some(_) => format!("{name} must have {expected} values above 0, one a motor"),
+            };
+            return Err(self.source.problem_in(Problem::Contradiction(what), "robot", None, name));
+        }
+        Ok(())
     }
 
     fn check_pendulum(&self) -> Result<(), FileError> {

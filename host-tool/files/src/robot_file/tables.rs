@@ -43,6 +43,13 @@ pub struct RobotTable {
     /// of one joint; absent where joints may turn without end.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limits_rad: Option<Vec<[f64; 2]>>,
+    /// Command whose current each motor bears for ever [V], one a joint, or one alone; absent where
+    /// nobody has told.
+    #[serde(rename = "motor_continuous_V", skip_serializing_if = "Option::is_none")]
+    pub motor_continuous_v: Option<Vec<f64>>,
+    /// Time constant with which each motor's winding warms [s].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub motor_time_constant_s: Option<Vec<f64>>,
     /// Other keys.
     #[serde(skip)]
     pub extra: toml::Table,

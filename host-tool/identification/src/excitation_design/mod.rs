@@ -20,18 +20,21 @@
 //! | [`series`] | the motion of all joints, sampled |
 //! | [`condition`] | Phi and its condition number |
 //! | [`demand`] | peaks of velocity and voltage |
+//! | [`range`] | the joints' ranges |
 //! | [`objective`] | from the searched vector to a motion, and what it costs |
 //! | [`search`] | CMA-ES from several starts |
 
 pub mod condition;
 pub mod demand;
 pub mod objective;
+pub mod range;
 pub mod search;
 pub mod series;
 pub mod settings;
 
 pub use condition::condition_number;
 pub use demand::Demand;
+pub use range::Range;
 pub use search::{Design, design};
 pub use series::{Series, State};
 pub use settings::{Effort, Limits, Settings};

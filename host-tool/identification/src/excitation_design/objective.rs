@@ -35,7 +35,7 @@ impl Objective<'_> {
         const FOR_LENGTH: f64 = 0.01;
         let wanted = self.series(vector);
         let (series, demand) =
-            self.within_velocity(&wanted, self.settings.period_s / SAMPLES as f64);
+            self.within_limits_of_joints(&wanted, self.settings.period_s / SAMPLES as f64);
         let excess: f64 = demand
             .command_share(&self.settings.limits)
             .iter()
@@ -51,7 +51,7 @@ impl Objective<'_> {
 
     /// The best motion along a vector: within all limits, judged every `step_s`.
     pub fn motion(&self, vector: &[f64], step_s: f64) -> Series {
-        let (mut series, mut demand) = self.within_velocity(&self.series(vector), step_s);
+        let (mut series, mut demand) = self.within_limits_of_joints(&self.series(vector), step_s);
         // Slower motion needs less voltage, down to gravity and friction.
         while !demand.keeps(&self.settings.limits) {
             const SLOWER: f64 = 0.99;
@@ -95,10 +95,28 @@ impl Objective<'_> {
         }
     }
 
-    /// A motion slowed, joint by joint, to its velocity limits.
-    fn within_velocity(&self, wanted: &Series, step_s: f64) -> (Series, Demand) {
+    /// Whether the joints stay in their ranges, to rounding.
+    pub fn stays_in_range(&self, series: &Series, step_s: f64) -> bool {
+        self.range_share(series, step_s).iter().all(|share| *share <= 1.0 + 1e-6)
+    }
+
+    /// How much of the way to the ends of their ranges the joints need.
+    pub fn range_share(&self, series: &Series, step_s: f64) -> [f64; 3] {
+        let range = &self.settings.range;
+        if !range.is_there() {
+            return [0.0; 3];
+        }
+        let count = (self.settings.period_s / step_s).round() as usize;
+        range.share(&series.centre_rad, series.beginning(step_s).chain(series.period(count)))
+    }
+
+    /// A motion made smaller, joint by joint, for its velocity limits and its range. A smaller
+    /// motion brakes in less than its share of the distance.
+    fn within_limits_of_joints(&self, wanted: &Series, step_s: f64) -> (Series, Demand) {
         let share = self.demand(wanted, step_s).velocity_share(&self.settings.limits);
         let series = wanted.scaled(share.map(|share| 1.0 / share.max(1.0)));
+        let share = self.range_share(&series, step_s);
+        let series = series.scaled(share.map(|share| 1.0 / share.max(1.0)));
         (series, self.demand(&series, step_s))
     }
 }

@@ -115,7 +115,8 @@ impl<'a> Search<'a> {
             series,
             condition_number: self.objective.condition_number(series.period(count)),
             demand,
-            keeps_limits: demand.keeps(&settings.limits),
+            keeps_limits: demand.keeps(&settings.limits)
+                && self.objective.stays_in_range(&series, TICK_S),
             cut_short,
         }
     }

@@ -3,6 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::time::Duration;
 
+use super::range::Range;
+
 /// What the motion must keep to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
@@ -62,6 +64,8 @@ impl Default for Effort {
 pub struct Settings {
     /// What the motion must keep to.
     pub limits: Limits,
+    /// The joints' ranges, in which it stays.
+    pub range: Range,
     /// The motion's period [s].
     pub period_s: f64,
     /// Where each joint begins [rad]: the arm hangs, and may be left to itself there.
@@ -81,6 +85,7 @@ impl Settings {
     pub fn of_paper(command_limit_v: f64) -> Self {
         Self {
             limits: Limits::of_paper(command_limit_v),
+            range: Range::default(),
             period_s: 10.0,
             centre_rad: [0.0, -FRAC_PI_2, 0.0],
             fade_in_s: 2.0,

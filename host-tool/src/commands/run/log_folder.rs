@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::output_files::create_directory;
 use crate::terminal::output::try_print_line;
 use files::dataset::LIST_NAME;
-use files::{Dataset, Entry, Problem};
+use files::{Dataset, Entry, GrowingCsv, Problem};
 use link::Recorder;
 use rig::Plan;
 
@@ -48,6 +48,19 @@ impl LogFolder {
             .map_err(|error| Problem::Unwritable(error).in_file(&self.directory))?;
         Dataset::appended(&self.directory, &self.entry(plan), counts_per_rev)?;
         Ok(())
+    }
+
+    /// A file for the rows of a run as they come; it is there even if this process is killed, and it
+    /// is not in dataset.toml.
+    ///
+    /// # Errors
+    /// No file can be made in the directory.
+    pub fn grow(&self, name: &str, recorder: &Recorder) -> Result<GrowingCsv, Failure> {
+        let is_free = |name: &String| !self.directory.join(name).exists();
+        let numbered = (2..).map(|number| format!("{name}-{number}{UNFINISHED}"));
+        let first = std::iter::once(format!("{name}{UNFINISHED}"));
+        let free = first.chain(numbered).find(is_free).unwrap_or_default();
+        Ok(GrowingCsv::create(self.directory.join(free), &recorder.log)?)
     }
 
     /// Writes a run's log as CSV and MCAP, and its table of dataset.toml.
@@ -122,6 +135,8 @@ impl LogFolder {
 
 const CSV: &str = ".csv.gz";
 const MCAP: &str = ".mcap";
+/// Ending of a log that was still being written.
+const UNFINISHED: &str = ".unfinished.csv";
 
 impl Drop for LogFolder {
     fn drop(&mut self) {

@@ -8,6 +8,7 @@ use firmware::ParameterBlock;
 use firmware::link::{Command, Source};
 
 use self::experiment::{ExperimentOptions, Limits};
+use self::live::Live;
 use self::log_folder::LogFolder;
 use self::summary::Phase;
 use crate::failure::Failure;
@@ -15,8 +16,7 @@ use crate::options::block::refuse_leaving;
 use crate::options::board::{BoardOptions, access};
 use crate::terminal::interrupt::interrupt;
 use crate::terminal::output::try_print_line;
-use crate::terminal::progress::Progress;
-use files::Role;
+use files::{GrowingCsv, Role};
 use link::approach::approach;
 use link::run::RunOutcome;
 use link::{Client, Recorder, RetryPolicy, settling, transfer};
@@ -24,6 +24,7 @@ use rig::Plan;
 use rig::joints;
 
 mod experiment;
+mod live;
 mod log_folder;
 mod summary;
 
@@ -45,9 +46,9 @@ pub struct Arguments {
     /// Largest joint speed on the approach, the motion to where the experiment begins.
     #[arg(long, value_name = "RAD_PER_S", default_value_t = 0.5, value_parser = speed)]
     pub approach_speed: f32,
-    /// The board stops by itself after so long without a request.
+    /// The board stops by itself after so long without a request; 10 s is its ceiling.
     #[arg(long, value_name = "MS", default_value_t = 1000)]
-    #[arg(value_parser = clap::value_parser!(u16).range(300..))]
+    #[arg(value_parser = clap::value_parser!(u16).range(300..=10_000))]
     pub host_timeout_ms: u16,
     /// Which board.
     #[command(flatten)]
@@ -96,6 +97,15 @@ struct Played {
     phase: Phase,
     recorder: Recorder,
     outcome: RunOutcome,
+    /// The log as it came, not needed once it is saved.
+    growing: Option<GrowingCsv>,
+}
+
+/// What both motions of an experiment are played with.
+struct Session<'a> {
+    name: &'a str,
+    folder: &'a LogFolder,
+    interrupted: &'a AtomicBool,
 }
 
 impl Arguments {
@@ -110,7 +120,9 @@ impl Arguments {
         let counts_per_rev = f64::from(block.encoder_counts_per_turn);
         let plan = Plan { role: self.role.unwrap_or(plan.role), ..plan };
         folder.prepare(&plan, counts_per_rev)?;
-        let Played { phase, recorder, outcome } = self.play_all(client, &block, interrupted)?;
+        let session = Session { name: &plan.name, folder, interrupted };
+        let Played { phase, recorder, outcome, growing } =
+            self.play_all(client, &block, &session)?;
         let is_fault = summary::is_fault(&outcome);
         let result = summary::print(phase, outcome, &recorder, client.counters());
         let saved = match phase {
@@ -119,10 +131,12 @@ impl Arguments {
             }
             Phase::Experiment => folder.save(&plan, counts_per_rev, &recorder),
             Phase::Approach => {
-                let name = format!("{}-approach", plan.name);
-                folder.save_unlisted(&name, "the approach", &recorder)
+                folder.save_unlisted(&phase.log_name(&plan.name), "the approach", &recorder)
             }
         };
+        if saved.is_ok() {
+            growing.map(GrowingCsv::remove).transpose()?;
+        }
         summary::both(result, saved)
     }
 
@@ -159,13 +173,13 @@ impl Arguments {
         &self,
         client: &mut Client,
         block: &ParameterBlock,
-        interrupted: &AtomicBool,
+        session: &Session<'_>,
     ) -> Result<Played, Failure> {
-        if let Some(unfinished) = self.approach(client, block, interrupted)? {
+        if let Some(unfinished) = self.approach(client, block, session)? {
             return Ok(unfinished);
         }
         transfer::put_into_use(client, &transfer::encoded(block)?)?;
-        self.play(client, Phase::Experiment, block, interrupted)
+        self.play(client, Phase::Experiment, block, session)
     }
 
     /// Moves the joints to where the reference begins; the approach, if it did not finish.
@@ -173,14 +187,18 @@ impl Arguments {
         &self,
         client: &mut Client,
         block: &ParameterBlock,
-        interrupted: &AtomicBool,
+        session: &Session<'_>,
     ) -> Result<Option<Played>, Failure> {
         let now = settling::next_record(client)?;
         let Some(approach) = approach(block, &now, self.approach_speed) else { return Ok(None) };
         refuse_leaving(&approach)?;
         transfer::put_into_use(client, &transfer::encoded(&approach)?)?;
-        let played = self.play(client, Phase::Approach, &approach, interrupted)?;
-        Ok(Some(played).filter(|played| !matches!(played.outcome, RunOutcome::Finished)))
+        let played = self.play(client, Phase::Approach, &approach, session)?;
+        if !matches!(played.outcome, RunOutcome::Finished) {
+            return Ok(Some(played));
+        }
+        played.growing.map(GrowingCsv::remove).transpose()?;
+        Ok(None)
     }
 
     fn play(
@@ -188,14 +206,22 @@ impl Arguments {
         client: &mut Client,
         phase: Phase,
         block: &ParameterBlock,
-        interrupted: &AtomicBool,
+        session: &Session<'_>,
     ) -> Result<Played, Failure> {
         let ticks = (block.reference.duration_s / block.sample_period_s).round() as u32;
         let mut recorder = Recorder::new(block, ticks);
-        let progress = Progress::new(phase.name(), u64::from(ticks));
-        let at = &mut |tick| progress.at(u64::from(tick));
-        let outcome = link::run::run(client, self.host_timeout_ms, &mut recorder, interrupted, at);
-        progress.finish();
-        Ok(Played { phase, recorder, outcome: outcome? })
+        let growing = session.folder.grow(&phase.log_name(session.name), &recorder)?;
+        let mut live = Live::new(phase.name(), ticks, block.encoder_counts_per_turn, growing);
+        let (timeout_ms, interrupted) = (self.host_timeout_ms, session.interrupted);
+        let outcome = link::run::run(client, timeout_ms, &mut recorder, interrupted, &mut live);
+        let growing = live.finish();
+        match outcome {
+            Ok(outcome) => Ok(Played { phase, recorder, outcome, growing }),
+            Err(error) => {
+                // It did not begin.
+                growing.map(GrowingCsv::remove).transpose()?;
+                Err(error.into())
+            }
+        }
     }
 }

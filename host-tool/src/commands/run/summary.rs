@@ -29,12 +29,22 @@ impl Phase {
     }
 }
 
-/// Whether a fault of the board ended the phase.
+impl Phase {
+    /// Name of its log, where the experiment's is `name`.
+    pub fn log_name(self, name: &str) -> String {
+        match self {
+            Self::Approach => format!("{name}-approach"),
+            Self::Experiment => name.to_owned(),
+        }
+    }
+}
+
+/// Whether a fault of the board ended the phase, or the loss of link or board, which is one there.
 pub fn is_fault(outcome: &RunOutcome) -> bool {
     match outcome {
         RunOutcome::EndedByBoard(_, fault) => fault.is_some(),
-        RunOutcome::BoardReset(report) => report.as_ref().is_some_and(|it| it.fault.is_some()),
-        RunOutcome::Finished | RunOutcome::Interrupted | RunOutcome::LinkLost(_) => false,
+        RunOutcome::BoardReset(_) | RunOutcome::LinkLost(_) => true,
+        RunOutcome::Finished | RunOutcome::Interrupted => false,
     }
 }
 
