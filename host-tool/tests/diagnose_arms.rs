@@ -101,7 +101,7 @@ fn a_sliding_axis_is_judged_in_its_own_units() {
 
 #[test]
 fn a_geared_arm_as_its_model_has_no_gap() {
-    let report = of_six_joints(&[]);
+    let report = diagnosed(&recorded(&six_joints(), 500.0, 15.0, &[])).report;
     assert_eq!((report.verdict, report.causes.len()), (Verdict::None, 0));
 }
 

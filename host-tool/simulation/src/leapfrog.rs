@@ -34,7 +34,7 @@ impl Motion {
         for i in 0..self.q_rad.len() {
             self.qd_rad_per_s[i] += 2.0 * half_s * qdd_rad_per_s2[i];
             self.q_rad[i] += half_s * self.qd_rad_per_s[i];
-            self.qdd_rad_per_s2[i] = qdd_rad_per_s2[i];
         }
+        self.qdd_rad_per_s2.copy_from_slice(qdd_rad_per_s2);
     }
 }

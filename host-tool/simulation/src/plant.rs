@@ -140,6 +140,11 @@ impl SimulatedPlant {
         &self.motor.qd_rad_per_s
     }
 
+    /// Joint velocities on the links' side [rad/s].
+    pub fn link_qd_rad_per_s(&self) -> &[f64] {
+        &self.link.qd_rad_per_s
+    }
+
     /// The angles that the encoders read [rad].
     pub fn reading_rad(&self) -> Vec<f64> {
         let mut reading = self.motor.q_rad.clone();
