@@ -107,9 +107,17 @@ fn inverse_dynamics_of_a_measured_arm() {
 fn other_commands_refuse_an_arm_of_any_kind() {
     let place = directory();
     std::fs::write(place.path().join("model.toml"), ARM).unwrap();
-    let arguments = ["simulate", "--model", "model.toml", "--dataset", "task", "--out", "out"];
-    let mut command = Command::cargo_bin("rrr").unwrap();
-    let assert = command.current_dir(place.path()).args(arguments).assert().code(2);
-    let text = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
+    std::fs::write(place.path().join("dataset.toml"), "format = 1\n").unwrap();
+    let refusal = |arguments: &[&str]| {
+        let mut command = Command::cargo_bin("rrr").unwrap();
+        let assert = command.current_dir(place.path()).args(arguments).assert().code(2);
+        String::from_utf8(assert.get_output().stderr.clone()).unwrap()
+    };
+    let text = refusal(&["validate", ".", "--model", "model.toml", "--out", "out"]);
     assert!(text.contains("format 2 is not known here") && text.contains("any kind"), "{text}");
+    let simulate = ["simulate", "--model", "model.toml", "--out", "out", "--dataset"];
+    let text = refusal(&[&simulate[..], &["task"]].concat());
+    assert!(text.contains("--dataset task") && text.contains("take --dataset gap"), "{text}");
+    let text = refusal(&[&simulate[..], &["gap", "--mode", "pd"]].concat());
+    assert!(text.contains("--mode is for the robot of three joints"), "{text}");
 }

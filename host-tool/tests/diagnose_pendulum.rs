@@ -66,7 +66,11 @@ fn diagnosed(traces: Vec<Trace>) -> Report {
         diagnosis::diagnose(&campaign, &Catalogue::standard(), &Criteria::default(), &|_| ())
             .unwrap();
     eprintln!("{}", host_tool::commands::diagnose::in_words(&diagnosis));
-    eprintln!("{:?}\n{:?}", diagnosis.report.gap, diagnosis.model.pendulum);
+    eprintln!(
+        "{:?}\n{:?}",
+        diagnosis.report.gap,
+        diagnosis.model.as_robot().map(|file| &file.pendulum)
+    );
     diagnosis.report
 }
 

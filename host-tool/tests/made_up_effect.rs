@@ -5,7 +5,6 @@
 use blind_trial::{DrawSettings, Kind as CaseKind, draw};
 use diagnosis::{Criteria, Value, Verdict, diagnose};
 use files::RobotFile;
-use model::vector::Vector3;
 use rig::compensation::Compensations;
 use rig::effects::{
     Catalogue, Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search,
@@ -46,7 +45,7 @@ struct CubicDrag {
 }
 
 impl Effect for CubicDrag {
-    fn add_voltage(&self, state: &JointState, voltage_v: &mut Vector3<f64>) {
+    fn add_voltage(&self, state: &JointState, voltage_v: &mut [f64]) {
         voltage_v[self.joint] -= self.b * state.qd_rad_per_s[self.joint].powi(3);
     }
 }

@@ -33,5 +33,5 @@ fn a_table_that_the_model_knows_leaves_no_gap_and_stays() {
         diagnose(&campaign(), &Catalogue::standard(), &Criteria::default(), &|_| ()).unwrap();
     let report = &diagnosis.report;
     assert_eq!(report.verdict, Verdict::None, "{:?}", report.causes);
-    assert_eq!(diagnosis.model.effects, [table().to_effect_table()]);
+    assert_eq!(diagnosis.model.effects(), [table().to_effect_table()]);
 }

@@ -22,6 +22,7 @@ pub mod fit;
 pub mod gap_by_axis;
 pub mod logs;
 pub mod model_faults;
+mod model_file;
 pub mod quantity;
 pub mod report;
 mod result;
@@ -36,16 +37,16 @@ pub mod verdict;
 pub use criteria::Criteria;
 pub use gap_by_axis::gap_by_axis;
 pub use logs::subject::SubjectError;
+pub use model_file::ModelFile;
 pub use report::sentence::sentence;
 pub use result::*;
 
 use fit::{doubt, preparation};
-use logs::encoder_step;
 use logs::stretch::Stretch;
 use logs::subject::Subject;
 use logs::usable::Usable;
 use model_faults::FoundFault;
-use recordings::{Campaign, StepError};
+use recordings::{ArmCampaign, Campaign, StepError, Trace};
 use report::assembly::Assembly;
 use rig::effects::Catalogue;
 use rows::evidence::Evidence;
@@ -92,9 +93,34 @@ pub fn diagnose(
     criteria: &Criteria,
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnosisError> {
-    let mut subject = Subject::of(campaign, catalogue, criteria)?;
-    encoder_step::find(&mut subject.known, &campaign.traces, &criteria.logs);
-    let Usable { stretches, mut remarks } = Usable::of(campaign, &subject)?;
+    let subject = Subject::of(campaign, catalogue, criteria)?;
+    let file = ModelFile::Robot(Box::new(campaign.robot_file.clone()));
+    diagnosed(subject, &campaign.traces, &file, progress)
+}
+
+/// The same of an arm of any kind.
+///
+/// # Errors
+/// Logs or a model that cannot be used; drives that are position servos.
+pub fn diagnose_arm(
+    campaign: &ArmCampaign,
+    catalogue: &Catalogue,
+    criteria: &Criteria,
+    progress: &dyn Fn(&str),
+) -> Result<Diagnosis, DiagnosisError> {
+    let arm = &campaign.arm;
+    let traces: Vec<Trace> = campaign.recordings.iter().map(|log| log.trace(arm)).collect();
+    let subject = Subject::of_arm(arm, &traces, catalogue, criteria)?;
+    diagnosed(subject, &traces, &ModelFile::Arm(Box::new(arm.clone())), progress)
+}
+
+fn diagnosed(
+    mut subject: Subject,
+    traces: &[Trace],
+    file: &ModelFile,
+    progress: &dyn Fn(&str),
+) -> Result<Diagnosis, DiagnosisError> {
+    let Usable { stretches, mut remarks } = Usable::of(traces, &subject)?;
     let mut searched = Searched::of(&subject, stretches.clone(), progress)?;
     let wider = searched.fault.is_none().then(|| doubt::wider(&subject, &searched.selection.last));
     if let Some(relative) = wider.flatten() {
@@ -104,25 +130,26 @@ pub fn diagnose(
             100.0 * subject.criteria.prior.relative,
             100.0 * relative
         ));
-        subject.criteria.prior.relative = relative;
+        subject.doubt(relative);
         searched = Searched::of(&subject, stretches, progress)?;
     }
     let Searched { evidence, selection, fault } = searched;
+    let subject = &subject;
     progress("confirming on logs that chose nothing");
-    let noise_v = preparation::noise_left_v(&subject, &evidence, &selection.last);
-    let judgement = Judgement::of(&subject, selection, &noise_v);
+    let noise_v = preparation::noise_left_v(subject, &evidence, &selection.last);
+    let judgement = Judgement::of(subject, selection, &noise_v);
     progress("fitting tables to what remains");
-    let tables = Held::of(&subject, &with_remaining_tables(&subject, &judgement.last));
+    let tables = Held::of(subject, &with_remaining_tables(subject, &judgement.last));
     let assembly = Assembly {
-        subject: &subject,
+        subject,
         evidence: &evidence,
         judgement: &judgement,
         tables,
-        traces: &campaign.traces,
+        traces,
         noise_v,
         fault,
     };
-    Ok(assembly.diagnosis(&campaign.robot_file, remarks))
+    Ok(assembly.diagnosis(file, remarks))
 }
 
 /// What a search finds by one doubt about the model.

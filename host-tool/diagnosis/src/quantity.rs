@@ -1,7 +1,7 @@
 //! Numbers with units for readers: three digits, and thousandths where they are small.
 
 /// Unit suffixes of names, as they are written and as they are said; longest first.
-const UNITS: [(&str, &str); 16] = [
+const UNITS: [(&str, &str); 22] = [
     ("_V_s2_per_rad2", "V s^2/rad^2"),
     ("_Nm_s_per_rad", "Nm s/rad"),
     ("_Nm_per_rad", "Nm/rad"),
@@ -9,12 +9,18 @@ const UNITS: [(&str, &str); 16] = [
     ("_V_per_rad", "V/rad"),
     ("_V_per_Nm", "V/Nm"),
     ("_rad_per_s", "rad/s"),
+    ("_V_s_per_m", "V s/m"),
+    ("_V_per_m", "V/m"),
+    ("_m_per_s", "m/s"),
     ("_kg_m2", "kg m^2"),
+    ("_kg_m", "kg m"),
     ("_rad", "rad"),
     ("_kg", "kg"),
     ("_Nm", "Nm"),
     ("_Hz", "Hz"),
     ("_V", "V"),
+    ("_A", "A"),
+    ("_N_s_per_m", "N s/m"),
     ("_s", "s"),
     ("_N", "N"),
     ("_m", "m"),

@@ -5,8 +5,10 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::criteria::Criteria;
-use files::{RobotFile, Role};
+use crate::model_file::ModelFile;
+use files::Role;
 use rig::effects::Catalogue;
+use rig::plant::JointUnits;
 
 /// A diagnosis: its report, what pictures are drawn from, and the amended model.
 #[derive(Clone, Debug)]
@@ -20,11 +22,20 @@ pub struct Diagnosis {
     /// Causes that were tried and are not in the verdict, the best first.
     pub rivals: Vec<Rival>,
     /// The model with the effects added, both refitted.
-    pub model: RobotFile,
+    pub model: ModelFile,
     /// The effects that were tried, in which the names above are looked up.
     pub catalogue: Catalogue,
     /// The thresholds by which it was made.
     pub criteria: Criteria,
+    /// Units of the joints by their numbers; volts and radians where none is named.
+    pub units: BTreeMap<u8, JointUnits>,
+}
+
+impl Diagnosis {
+    /// The units of a joint by its number; volts and radians for the whole robot.
+    pub fn units_of(&self, joint: u8) -> JointUnits {
+        self.units.get(&joint).copied().unwrap_or_default()
+    }
 }
 
 /// `report.json`.

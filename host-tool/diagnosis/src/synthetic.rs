@@ -9,6 +9,7 @@ use rand_pcg::Pcg64Mcg;
 
 use crate::criteria::Criteria;
 use crate::gap_by_axis::gap_by_axis;
+use crate::model_file::ModelFile;
 use crate::result::{
     Axis, Cause, DataParts, Detectable, Diagnosis, Gap, Interval, JointResiduals, Level,
     LogResiduals, ParameterChange, Remainder, RemainderCurve, Report, Rival, Untestable, Value,
@@ -140,9 +141,10 @@ pub fn diagnosis(
         remarks: vec!["excitation-1.csv has 3 gaps; they are left out.".into()],
         model_fault: None,
     };
-    let model = RobotFile::from_robot(&reference_robot());
+    let model = ModelFile::Robot(Box::new(RobotFile::from_robot(&reference_robot())));
+    let units = Default::default();
     let catalogue = Catalogue::standard();
-    Diagnosis { report, logs, waterfall, rivals: rivals(), model, catalogue, criteria }
+    Diagnosis { report, logs, waterfall, rivals: rivals(), model, catalogue, criteria, units }
 }
 
 /// Cogging on joint 3.

@@ -169,7 +169,7 @@ pub enum Problem {
     /// A file of the general format where only the special one is read.
     #[error(
         "format 2 is not known here: this version reads format 1, and arms of any kind (format 2) \
-         in `rrr inverse-dynamics` and `rrr identify DATASET` alone"
+         in `rrr inverse-dynamics`, `identify`, `diagnose` and `simulate` alone"
     )]
     ArmOfAnyKind,
     /// A key that its table does not have.

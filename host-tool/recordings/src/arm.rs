@@ -1,6 +1,10 @@
 //! The recorded motions of an arm of any kind.
 
-use files::{ArmFile, ArmLog, Dataset, Entry, FileError, Role};
+use files::arm_log::ArmJointLog;
+use files::{ArmFile, ArmJoint, ArmLog, Dataset, Entry, Experiment, FileError, Role};
+
+use crate::campaign::{JointTrace, Trace};
+use crate::smoothed::typical_period_s;
 
 /// An arm and its logs.
 #[derive(Clone, Debug, PartialEq)]
@@ -9,6 +13,34 @@ pub struct ArmCampaign {
     pub arm: ArmFile,
     /// The logs, in the order of `dataset.toml`.
     pub recordings: Vec<ArmRecording>,
+}
+
+impl ArmRecording {
+    /// As a trace: positions as angles, commands as voltages, whatever their units; commands end at
+    /// the drives' limits, which is all that drives pass on.
+    pub fn trace(&self, arm: &ArmFile) -> Trace {
+        let joints = (1..).zip(self.log.joints.iter().zip(&arm.joints));
+        let of_joint = |(number, (log, joint)): (u8, (&ArmJointLog, &ArmJoint))| JointTrace {
+            number,
+            q_rad: log.position.clone(),
+            command_v: limited(&log.command, joint),
+            reference_rad: log.reference.clone(),
+        };
+        Trace {
+            file: self.file.clone(),
+            experiment: Experiment::Task,
+            role: self.role,
+            joint: None,
+            period_s: typical_period_s(&self.log.time_s),
+            time_s: self.log.time_s.clone(),
+            joints: joints.map(of_joint).collect(),
+        }
+    }
+}
+
+fn limited(command: &[f64], joint: &ArmJoint) -> Vec<f64> {
+    let limit = joint.drive.as_ref().and_then(|drive| drive.limit).unwrap_or(f64::INFINITY);
+    command.iter().map(|u| u.clamp(-limit, limit)).collect()
 }
 
 /// A log with its place in the data set.

@@ -8,10 +8,12 @@ pub mod designed_excitation;
 pub mod effects;
 pub mod joints;
 pub mod plan;
+pub mod plant;
 pub mod range;
 pub mod recipe;
 mod rig;
 
 pub use plan::Plan;
+pub use plant::Plant;
 pub use recipe::Recipe;
 pub use rig::Rig;

@@ -16,16 +16,20 @@
 #![forbid(unsafe_code)]
 
 pub mod arm;
+pub mod arm_recording;
 pub mod board;
 pub mod friction_law;
 mod leapfrog;
+pub mod plant;
 pub mod recording;
 pub mod robot;
 pub mod sensor;
 mod settings;
 pub mod simulated_board;
 
+pub use arm_recording::{ArmMotion, record_arm};
 pub use friction_law::FrictionLaw;
+pub use plant::SimulatedPlant;
 pub use recording::{Recording, record, record_robot, record_sampled, start_of};
 pub use robot::SimulatedRobot;
 pub use settings::Settings;

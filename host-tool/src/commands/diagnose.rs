@@ -9,8 +9,8 @@ use crate::output_files::{create_directory, json, write_text};
 use crate::terminal::progress::Steps;
 use diagnosis::sentence;
 use diagnosis::{self, Criteria, Diagnosis, DiagnosisError, SubjectError};
-use files::{Dataset, RobotFile};
-use recordings::Campaign;
+use files::{ArmFile, Dataset, RobotFile};
+use recordings::{ArmCampaign, Campaign};
 use report::diagnosis_page::diagnosis_page;
 use report::diagnosis_page::tables::{CAUSES, cause_rows};
 use rig::effects::Catalogue;
@@ -81,18 +81,47 @@ pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
     if let Some(doubt) = arguments.model_doubt {
         (criteria.prior.relative, criteria.prior.widest) = (doubt, doubt);
     }
-    let model = RobotFile::read(&arguments.model)?;
     let dataset = Dataset::read(&arguments.dataset)?;
     let steps = Steps::new();
     steps.at("reading the logs");
-    let campaign = Campaign::read(&dataset, model)?;
-    let diagnosis =
-        diagnosis::diagnose(&campaign, &Catalogue::standard(), &criteria, &|what| steps.at(what))?;
+    let diagnosis = match ArmFile::is_at(&arguments.model) {
+        true => of_arm(&dataset, &arguments.model, &criteria, &steps)?,
+        false => of_robot(&dataset, &arguments.model, &criteria, &steps)?,
+    };
     steps.at("drawing the pictures");
     write(&diagnosis, &arguments.out)?;
     steps.finish();
     print!("{}", in_words(&diagnosis));
     println!("\nPictures: {}", arguments.out.join(PAGE).display());
+    Ok(diagnosis)
+}
+
+/// The diagnosis of the three-joint robot, or of a rig of one joint.
+fn of_robot(
+    dataset: &Dataset,
+    model: &Path,
+    criteria: &Criteria,
+    steps: &Steps,
+) -> Result<Diagnosis, Failure> {
+    let campaign = Campaign::read(dataset, RobotFile::read(model)?)?;
+    let catalogue = Catalogue::standard();
+    Ok(diagnosis::diagnose(&campaign, &catalogue, criteria, &|what| steps.at(what))?)
+}
+
+/// The diagnosis of an arm of any kind.
+fn of_arm(
+    dataset: &Dataset,
+    model: &Path,
+    criteria: &Criteria,
+    steps: &Steps,
+) -> Result<Diagnosis, Failure> {
+    let arm = ArmFile::read(model)?;
+    let catalogue = Catalogue::of_arm(arm.joints.len());
+    let mut remarks = arm.remarks();
+    let campaign = ArmCampaign::read(dataset, arm)?;
+    let mut diagnosis =
+        diagnosis::diagnose_arm(&campaign, &catalogue, criteria, &|what| steps.at(what))?;
+    diagnosis.report.remarks.append(&mut remarks);
     Ok(diagnosis)
 }
 
@@ -104,6 +133,7 @@ impl From<DiagnosisError> for Failure {
             DiagnosisError::Subject(error @ SubjectError::Effect(_)) => {
                 Self::new(error.to_string(), "correct the table, or take it out")
             }
+            DiagnosisError::Subject(SubjectError::Plant(error)) => error.into(),
         }
     }
 }

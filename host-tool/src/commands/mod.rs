@@ -26,6 +26,7 @@ pub mod monitor;
 pub mod run;
 pub mod set_key;
 pub mod simulate;
+mod simulate_arm;
 pub mod simulate_board;
 pub mod stop;
 pub mod upload;

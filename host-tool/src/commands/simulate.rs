@@ -5,13 +5,14 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use firmware::Mode;
 
+use super::simulate_arm::{self, ArmSimulation};
 use crate::failure::Failure;
 use crate::options::compensation::compensated;
 use crate::options::effects;
 use crate::options::mode::mode_named;
 use crate::output_files::create_directory;
 use crate::terminal::progress::Progress;
-use files::{Dataset, ExcitationFile, Experiment, RobotFile, Role};
+use files::{ArmFile, Dataset, ExcitationFile, Experiment, RobotFile, Role};
 use rig::effects::Effect;
 use rig::{Plan, Recipe, Rig};
 use simulation::board::{Board, InProcess, Qemu, QemuSettings};
@@ -88,6 +89,9 @@ impl Format {
 /// An unknown name, a model that cannot be used, a board that does not answer, or a
 /// directory that cannot be written.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if ArmFile::is_at(&arguments.model) {
+        return simulate_arm::run(&arguments.of_arm());
+    }
     let rig = arguments.rig()?;
     let plans = arguments.plans(&rig)?;
     arguments.effects()?;
@@ -123,6 +127,24 @@ impl Arguments {
             seed: 1,
             noise_v: 0.004,
             substeps: 10,
+        }
+    }
+
+    /// What is to be simulated of an arm of any kind.
+    fn of_arm(&self) -> ArmSimulation<'_> {
+        let of_board = [
+            ("--excitation", self.excitation.is_some()),
+            ("--mode", self.mode.is_some()),
+            ("--qemu", self.qemu.is_some()),
+            ("--compensate", self.compensate),
+        ];
+        ArmSimulation {
+            model: &self.model,
+            dataset: &self.dataset,
+            out: &self.out,
+            effects: &self.effect,
+            seed: self.seed,
+            of_board: of_board.iter().find(|(_, given)| *given).map(|(name, _)| *name),
         }
     }
 

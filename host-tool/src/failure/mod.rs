@@ -5,6 +5,7 @@ use simulation::board::BoardError;
 
 mod flash_error;
 mod link_error;
+mod plant_error;
 mod step_error;
 
 /// The exit status after bad input, of clap's as well, and after whatever went wrong.
@@ -45,9 +46,16 @@ impl Failure {
     }
 }
 
+impl Failure {
+    /// That of a file.
+    fn from_file(error: &FileError) -> Self {
+        Self::new(error.to_string(), error.hint())
+    }
+}
+
 impl From<FileError> for Failure {
     fn from(error: FileError) -> Self {
-        Self::new(error.to_string(), error.hint())
+        Self::from_file(&error)
     }
 }
 

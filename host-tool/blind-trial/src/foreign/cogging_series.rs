@@ -2,8 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use model::vector::Vector3;
-
 use super::definition::Definition;
 use rig::effects::{Effect, JointState};
 
@@ -52,7 +50,7 @@ struct CoggingSeries {
 }
 
 impl Effect for CoggingSeries {
-    fn add_voltage(&self, state: &JointState, voltage_v: &mut Vector3<f64>) {
+    fn add_voltage(&self, state: &JointState, voltage_v: &mut [f64]) {
         // On the whole turn of the motor, whatever the turn of the joint.
         let angle = (self.order * state.q_rad[self.joint]) % TAU;
         for (k, (amplitude_v, phase)) in (1..).zip(self.amplitudes_v.iter().zip(self.phases_rad)) {

@@ -1,7 +1,5 @@
 //! Wires that lie side by side.
 
-use model::vector::Vector3;
-
 use super::definition::Definition;
 use rig::effects::{Effect, JointState};
 
@@ -30,7 +28,7 @@ struct CrossTalk {
 }
 
 impl Effect for CrossTalk {
-    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut [f64]) {
         command_v[self.joint] += self.coefficient * command_v[self.from];
     }
 }

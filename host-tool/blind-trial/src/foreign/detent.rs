@@ -2,8 +2,6 @@
 
 use std::f64::consts::{PI, TAU};
 
-use model::vector::Vector3;
-
 use super::definition::Definition;
 use rig::effects::{Effect, JointState};
 
@@ -34,7 +32,7 @@ struct Detent {
 }
 
 impl Effect for Detent {
-    fn add_voltage(&self, state: &JointState, voltage_v: &mut Vector3<f64>) {
+    fn add_voltage(&self, state: &JointState, voltage_v: &mut [f64]) {
         let past_rad = (state.q_rad[self.joint] - self.angle_rad + PI).rem_euclid(TAU) - PI;
         let x = past_rad / self.width_rad;
         voltage_v[self.joint] += self.amplitude_v * x * (0.5 - 0.5 * x * x).exp();

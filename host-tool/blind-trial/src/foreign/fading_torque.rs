@@ -1,7 +1,5 @@
 //! A motor that weakens as it warms.
 
-use model::vector::Vector3;
-
 use super::definition::Definition;
 use rig::effects::{Effect, JointState};
 
@@ -26,7 +24,7 @@ struct FadingTorque {
 }
 
 impl Effect for FadingTorque {
-    fn change_command(&mut self, state: &JointState, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, state: &JointState, command_v: &mut [f64]) {
         let warmed = -(-state.time_s / self.time_constant_s).exp_m1();
         command_v[self.joint] *= 1.0 - self.relative_loss * warmed;
     }

@@ -41,7 +41,7 @@ struct FrictionPatches {
 }
 
 impl Effect for FrictionPatches {
-    fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>; 3]) {
+    fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>]) {
         let bump = |(change, angle): (f64, f64)| {
             let past_rad = (state.q_rad[self.joint] - angle + PI).rem_euclid(TAU) - PI;
             change * (-0.5 * (past_rad / self.width_rad).powi(2)).exp()

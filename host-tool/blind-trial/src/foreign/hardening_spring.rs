@@ -2,8 +2,6 @@
 
 use std::f64::consts::PI;
 
-use model::vector::Vector3;
-
 use super::definition::Definition;
 use rig::effects::{Effect, JointState};
 
@@ -36,7 +34,7 @@ struct HardeningSpring {
 }
 
 impl Effect for HardeningSpring {
-    fn add_voltage(&self, state: &JointState, voltage_v: &mut Vector3<f64>) {
+    fn add_voltage(&self, state: &JointState, voltage_v: &mut [f64]) {
         let away_rad = state.q_rad[self.joint] - self.rest_rad;
         let pressed_rad = (away_rad.abs() - self.play_rad).max(0.0);
         let size_v = (self.stiffness_v_per_rad3 * pressed_rad.powi(3)).min(HIGHEST_V);

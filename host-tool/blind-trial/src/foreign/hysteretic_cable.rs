@@ -2,8 +2,6 @@
 
 use std::f64::consts::PI;
 
-use model::vector::Vector3;
-
 use super::definition::Definition;
 use rig::effects::{Effect, JointState};
 
@@ -50,7 +48,7 @@ impl Effect for HystereticCable {
     }
 
     /// The exact solution for a velocity that is constant over the step.
-    fn change_command(&mut self, state: &JointState, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, state: &JointState, command_v: &mut [f64]) {
         let velocity = state.qd_rad_per_s[self.joint];
         let share = -(-velocity.abs() * self.step_s / self.slip_rad).exp_m1();
         self.stretch += share * (1.0_f64.copysign(velocity) - self.stretch);

@@ -2,8 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use model::vector::Vector3;
-
 use super::definition::Definition;
 use rig::effects::{Effect, JointState};
 
@@ -32,7 +30,7 @@ struct MainsHum {
 }
 
 impl Effect for MainsHum {
-    fn add_voltage(&self, state: &JointState, voltage_v: &mut Vector3<f64>) {
+    fn add_voltage(&self, state: &JointState, voltage_v: &mut [f64]) {
         let angle = TAU * self.frequency_hz * state.time_s + self.phase_rad;
         voltage_v[self.joint] += self.amplitude_v * angle.sin();
     }

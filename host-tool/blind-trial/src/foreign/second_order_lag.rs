@@ -1,7 +1,5 @@
 //! A current loop that swings before it settles.
 
-use model::vector::Vector3;
-
 use super::definition::Definition;
 use rig::effects::{Effect, JointState};
 
@@ -41,7 +39,7 @@ impl Effect for SecondOrderLag {
     }
 
     /// Implicit Euler on the slope, which is stable for every time constant.
-    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut [f64]) {
         let (w, h) = (self.frequency_per_s, self.step_s);
         let pull = w * w * (command_v[self.joint] - self.output_v);
         let whole = 1.0 + 2.0 * self.damping_ratio * w * h + w * w * h * h;

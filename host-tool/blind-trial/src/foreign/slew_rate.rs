@@ -1,7 +1,5 @@
 //! An amplifier that is too slow for large changes.
 
-use model::vector::Vector3;
-
 use super::definition::Definition;
 use rig::effects::{Effect, JointState};
 
@@ -32,7 +30,7 @@ impl Effect for SlewRate {
     }
 
     /// The mean over the step is taken as its end: a step is a tenth of a millisecond.
-    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut [f64]) {
         let most_v = self.rate_v_per_s * self.step_s;
         self.output_v += (command_v[self.joint] - self.output_v).clamp(-most_v, most_v);
         command_v[self.joint] = self.output_v;

@@ -1,7 +1,5 @@
 //! An amplifier whose halves differ.
 
-use model::vector::Vector3;
-
 use super::definition::Definition;
 use rig::effects::{Effect, JointState};
 
@@ -23,7 +21,7 @@ struct UnevenGain {
 }
 
 impl Effect for UnevenGain {
-    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut [f64]) {
         command_v[self.joint] += self.relative_difference * command_v[self.joint].abs();
     }
 }

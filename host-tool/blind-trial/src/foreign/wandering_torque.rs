@@ -1,6 +1,5 @@
 //! A disturbance that nothing of the robot explains.
 
-use model::vector::Vector3;
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
 
@@ -46,7 +45,7 @@ impl Effect for WanderingTorque {
         self.kept = (-step_s / self.correlation_time_s).exp();
     }
 
-    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut [f64]) {
         let deviate: f64 = StandardNormal.sample(&mut self.random);
         let fresh_v = self.rms_v * (1.0 - self.kept * self.kept).sqrt();
         self.level_v = self.kept * self.level_v + fresh_v * deviate;

@@ -45,7 +45,7 @@ impl Effect for Source {
         self.kept = (-step_s / self.noise.correlation_time_s).exp();
     }
 
-    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut [f64]) {
         let fresh_v = self.noise.rms_v * (1.0 - self.kept * self.kept).sqrt();
         for (level_v, command_v) in self.level_v.iter_mut().zip(command_v) {
             let deviate: f64 = StandardNormal.sample(&mut self.random);

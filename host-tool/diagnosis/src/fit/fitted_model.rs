@@ -24,7 +24,7 @@ pub struct FittedModel {
     /// What it leaves, against the noise.
     pub stats: ResidualStats,
     /// How much of the commands of each train stretch reaches each motor, rms by rms.
-    command_gain: Vec<[f64; 3]>,
+    command_gain: Vec<Vec<f64>>,
 }
 
 impl FittedModel {
@@ -126,7 +126,7 @@ impl FittedModel {
     }
 }
 
-fn command_gain(evidence: &Evidence, hypothesis: &Hypothesis) -> Vec<[f64; 3]> {
+fn command_gain(evidence: &Evidence, hypothesis: &Hypothesis) -> Vec<Vec<f64>> {
     let train = &evidence.stretches[..evidence.train_stretches()];
     let gain = |s| Trial::of(s, hypothesis, &evidence.criteria.fit).command_gain();
     train.iter().map(gain).collect()

@@ -1,6 +1,6 @@
 //! Fits of a model to the train logs: Gauss-Newton steps with a prior.
 
-use super::linearisation::{Linearisation, objective};
+use super::linearisation::{Linearisation, objective, train_rows};
 use super::unknowns::{Expected, Unknown, expected, kept_physical, range};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::{Evidence, Rows};
@@ -108,7 +108,7 @@ fn improved(
     if best.gain_of(&step) < subject.criteria.fit.least_step_gain {
         return None;
     }
-    let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
+    let train = train_rows(evidence);
     [1.0, 0.5, 0.2, 0.05].into_iter().find_map(|part| {
         let mut hypothesis = best.moved(&step, part);
         kept_physical(&mut hypothesis, subject);
@@ -140,7 +140,7 @@ pub fn open_in(evidence: &Evidence, subject: &Subject, hypothesis: &Hypothesis) 
     }
     let tables = hypothesis.tables.iter().enumerate().skip(subject.known_tables.len());
     for (index, table) in tables {
-        let deviation = subject.criteria.prior.table_v;
+        let deviation = subject.table_deviations_v[usize::from(table.joint.max(1)) - 1];
         open.extend((0..table.knots.len()).map(|knot| Expected {
             unknown: Unknown::Table { index, knot },
             mean: 0.0,

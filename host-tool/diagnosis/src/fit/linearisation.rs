@@ -25,7 +25,7 @@ pub struct Linearisation {
     /// Squares of train rows and of the prior penalty.
     pub objective: f64,
     /// What the model's equation consists of, stretch by stretch, joint by joint.
-    parts: Arc<[[Parts; 3]]>,
+    parts: Arc<[Vec<Parts>]>,
     pub(crate) joints: Arc<[JointSlopes]>,
     /// Half the gradient of the objective.
     pub(super) gradient: DVector<f64>,
@@ -33,8 +33,8 @@ pub struct Linearisation {
     products: DMatrix<f64>,
     normal: Cholesky<f64, Dyn>,
     /// Squares of each joint's train rows, everything open refitted by the slopes.
-    refitted_squares: [f64; 3],
-    pub(crate) train: [usize; 3],
+    refitted_squares: Vec<f64>,
+    pub(crate) train: Vec<usize>,
 }
 
 impl Linearisation {
@@ -67,7 +67,7 @@ impl Linearisation {
         hypothesis: Hypothesis,
         expected: Vec<Expected>,
     ) -> Option<Self> {
-        let train = [0, 1, 2].map(|joint| evidence.train_rows(joint));
+        let train = train_rows(evidence);
         let (parts, residual, joints) = slopes(evidence, &hypothesis, &expected, earlier);
         let objective = objective(&residual, &train, &hypothesis, &expected);
         let products = products(&joints, &train, expected.len());
@@ -108,7 +108,7 @@ impl Linearisation {
             let both = from.weights(joint).zip(to.weights(joint));
             both.map(|(from, to)| if from > 0.0 { to / from } else { 0.0 }).collect()
         };
-        let ratios = [0, 1, 2].map(ratio);
+        let ratios: Vec<Vec<f64>> = (0..from.joint_count()).map(ratio).collect();
         let mut residual = self.residual.clone();
         for (rows, ratios) in residual.iter_mut().zip(&ratios) {
             rows.iter_mut().zip(ratios).for_each(|(row, ratio)| *row *= ratio);
@@ -183,7 +183,8 @@ impl Linearisation {
     /// Squares of the train rows that an effect acts on, everything open refitted by the slopes.
     pub fn squares_of(&self, effect: &EffectInstance) -> f64 {
         let counts = |joint: usize| effect.joint == 0 || joint + 1 == usize::from(effect.joint);
-        (0..3).filter(|joint| counts(*joint)).map(|joint| self.refitted_squares[joint]).sum()
+        let squares = self.refitted_squares.iter().enumerate();
+        squares.filter(|(joint, _)| counts(*joint)).map(|(_, squares)| squares).sum()
     }
 
     /// Squares of train rows and of the prior penalty once train rows change so,
@@ -192,7 +193,7 @@ impl Linearisation {
         let gradient = &self.gradient + self.against(change);
         let step = -self.normal.solve(&gradient);
         let mut objective = self.objective + gradient.dot(&step);
-        for joint in [0, 1, 2] {
+        for joint in 0..self.residual.len() {
             let both = column(change, joint).iter().zip(&self.residual[joint]);
             objective += both.take(self.train[joint]).map(|(c, r)| c * (c + 2.0 * r)).sum::<f64>();
         }
@@ -215,7 +216,7 @@ impl Linearisation {
     fn against(&self, change: &RowChange) -> DVector<f64> {
         let mut sum = DVector::zeros(self.expected.len());
         for slopes in self.joints.iter() {
-            let Some(column) = &change[slopes.joint] else { continue };
+            let Some(Some(column)) = change.get(slopes.joint) else { continue };
             let rows = self.train[slopes.joint];
             let products = slopes
                 .matrix
@@ -239,10 +240,13 @@ impl Linearisation {
             a.iter().zip(b).take(self.train[joint]).map(|(a, b)| a * b).sum()
         };
         let of_changes = |a: &RowChange, b: &RowChange| -> f64 {
-            (0..3).map(|joint| product(joint, column(a, joint), column(b, joint))).sum()
+            (0..self.train.len())
+                .map(|joint| product(joint, column(a, joint), column(b, joint)))
+                .sum()
         };
         let with_residual = |a: &RowChange| -> f64 {
-            (0..3).map(|joint| product(joint, column(a, joint), &self.residual[joint])).sum()
+            let of_joint = |joint| product(joint, column(a, joint), &self.residual[joint]);
+            (0..self.train.len()).map(of_joint).sum()
         };
         let half_gradient = DVector::from_fn(count, |i, _| {
             with_residual(&slopes[i]) + of_changes(&slopes[i], about) - solved[i].dot(&gradient)
@@ -268,7 +272,7 @@ impl Linearisation {
         };
         let others = &self.hypothesis.effects;
         let hypothesis = self.hypothesis.with(effect.clone());
-        let mut change = RowChange::default();
+        let mut change = evidence.no_change();
         for (s, parts) in self.parts.iter().enumerate() {
             changed(evidence, s, parts, &hypothesis, (effect, others), &joints, &mut change);
         }
@@ -290,7 +294,7 @@ impl Linearisation {
 
 /// A joint's rows of a change; none where they do not change.
 fn column(change: &RowChange, joint: usize) -> &[f64] {
-    change[joint].as_deref().unwrap_or_default()
+    change.get(joint).and_then(Option::as_deref).unwrap_or_default()
 }
 
 /// Which joints' rows of a change are wanted.
@@ -309,14 +313,22 @@ fn fix(normal: &mut DMatrix<f64>, gradient: &mut DVector<f64>, place: usize, to:
     gradient[place] -= weight * to;
 }
 
+/// Train rows of each joint.
+pub fn train_rows(evidence: &Evidence) -> Vec<usize> {
+    (0..evidence.joint_count()).map(|joint| evidence.train_rows(joint)).collect()
+}
+
 /// Squares of train rows and of the prior penalty.
 pub fn objective(
     residual: &Rows,
-    train: &[usize; 3],
+    train: &[usize],
     hypothesis: &Hypothesis,
     expected: &[Expected],
 ) -> f64 {
-    let rows: f64 = (0..3).flat_map(|j| residual[j].iter().take(train[j])).map(|r| r * r).sum();
+    let of_train = |(rows, train): (&'_ Vec<f64>, &usize)| -> f64 {
+        rows.iter().take(*train).map(|r| r * r).sum()
+    };
+    let rows: f64 = residual.iter().zip(train).map(of_train).sum();
     let prior_penalty: f64 =
         expected.iter().map(|e| ((e.unknown.get(hypothesis) - e.mean) / e.deviation).powi(2)).sum();
     rows + prior_penalty
@@ -332,7 +344,7 @@ fn normal(products: &DMatrix<f64>, expected: &[Expected]) -> DMatrix<f64> {
 }
 
 /// Products of the slopes with each other.
-fn products(joints: &[JointSlopes], train: &[usize; 3], open: usize) -> DMatrix<f64> {
+fn products(joints: &[JointSlopes], train: &[usize], open: usize) -> DMatrix<f64> {
     let mut sum = DMatrix::zeros(open, open);
     for slopes in joints {
         let matrix = slopes.matrix.rows_range(..train[slopes.joint]);
@@ -347,8 +359,8 @@ fn products(joints: &[JointSlopes], train: &[usize; 3], open: usize) -> DMatrix<
 }
 
 /// Squares of each joint's train rows after a step.
-fn refitted_squares(joints: &[JointSlopes], residual: &Rows, step: &DVector<f64>) -> [f64; 3] {
-    let mut squares = [0.0; 3];
+fn refitted_squares(joints: &[JointSlopes], residual: &Rows, step: &DVector<f64>) -> Vec<f64> {
+    let mut squares = vec![0.0; residual.len()];
     for slopes in joints {
         let own =
             DVector::from_iterator(slopes.places.len(), slopes.places.iter().map(|p| step[*p]));
@@ -363,7 +375,7 @@ fn refitted_squares(joints: &[JointSlopes], residual: &Rows, step: &DVector<f64>
 fn gradient(
     joints: &[JointSlopes],
     residual: &Rows,
-    train: &[usize; 3],
+    train: &[usize],
     hypothesis: &Hypothesis,
     expected: &[Expected],
 ) -> DVector<f64> {

@@ -1,5 +1,6 @@
 //! A hypothesis linearised, fitted, and judged against the noise.
 
+pub mod bristles;
 pub mod cross_validation;
 pub mod doubt;
 pub mod earlier;

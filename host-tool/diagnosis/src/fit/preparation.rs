@@ -1,7 +1,6 @@
 //! From a campaign to a refitted model on rows that are white.
 
-use model::{Posture, Robot};
-
+use super::bristles::with_likely_bristles;
 use super::fitted_model::FittedModel;
 use super::gauss_newton::fit;
 use crate::logs::stretch::Stretch;
@@ -10,6 +9,7 @@ use crate::rows::evidence::Evidence;
 use crate::rows::noise::{Noise, NoiseByRate, of_encoder};
 use crate::trial::equation::Trial;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
+use crate::trial::rigid_body::{Path, smallest_inertia};
 use recordings::StepError;
 
 /// The rows, and the model refitted to those of train logs.
@@ -23,6 +23,7 @@ pub fn prepared(
     let steps = &subject.criteria.fit;
     let given = as_given(subject);
     let evidence = with_noise(subject, stretches, &given)?;
+    let given = with_likely_bristles(&evidence, subject, given);
     let rough = fit(&evidence, subject, given, steps.first_steps).ok_or_else(undetermined)?;
     let evidence = with_noise(subject, evidence.stretches.to_vec(), &rough.hypothesis)?;
     let refitted = FittedModel::fitted(&evidence, subject, rough.hypothesis, steps.refit_steps);
@@ -55,13 +56,15 @@ fn with_noise(
 
 /// Noise of every joint's rows in each stretch, rms [V], seen in what the last model of a search
 /// leaves: a gap that is always there passes for noise until its cause is found.
-pub fn noise_left_v(subject: &Subject, evidence: &Evidence, last: &FittedModel) -> [Vec<f64>; 3] {
+pub fn noise_left_v(subject: &Subject, evidence: &Evidence, last: &FittedModel) -> Vec<Vec<f64>> {
     let noise = noise(subject, &evidence.stretches, &last.linear.hypothesis);
     let of_stretch = |joint: usize, s: usize| {
         let (filter, period_s) = (evidence.filter(joint, s), evidence.stretches[s].period_s);
         noise.of(joint, period_s).behind(|f| filter.gain(f), period_s)
     };
-    [0, 1, 2].map(|joint| (0..evidence.stretches.len()).map(|s| of_stretch(joint, s)).collect())
+    let of_joint =
+        |joint: usize| (0..evidence.stretches.len()).map(|s| of_stretch(joint, s)).collect();
+    (0..evidence.joint_count()).map(of_joint).collect()
 }
 
 /// The model as given.
@@ -72,18 +75,16 @@ pub fn as_given(subject: &Subject) -> Hypothesis {
         values: values.clone(),
     });
     Hypothesis {
-        robot: subject.robot,
-        lag_s: [0.0; 3],
-        friction_lead_s: [0.0; 3],
         effects: effects.collect(),
         tables: subject.known_tables.clone(),
+        ..Hypothesis::bare(subject.plant.clone())
     }
 }
 
 /// Noise of each joint in what a model leaves of logs without driven noise, or of all logs
 /// where there are no others; rate by rate.
 fn noise(subject: &Subject, stretches: &[Stretch], hypothesis: &Hypothesis) -> NoiseByRate {
-    let (step_rad, criteria) = (subject.known.encoder_step_rad, &subject.criteria);
+    let (step_rad, criteria) = (&subject.encoder_step_rad, &subject.criteria);
     let is_same_rate = |a_s: f64, b_s: f64| (a_s / b_s - 1.0).abs() < criteria.rows.same_rate_part;
     let calm: Vec<&Stretch> = stretches.iter().filter(|s| !s.broadband).collect();
     let used = if calm.is_empty() { stretches.iter().collect() } else { calm };
@@ -104,17 +105,18 @@ fn noise(subject: &Subject, stretches: &[Stretch], hypothesis: &Hypothesis) -> N
             Noise::of(&left, period_s, &criteria.rows)
         };
         let of_steps = |joint: usize| {
-            of_encoder(step_rad, period_s) * lightest(stretch, hypothesis, joint).powi(2)
+            of_encoder(step_rad[joint], period_s) * lightest(stretch, hypothesis, joint).powi(2)
         };
-        noise.push(period_s, [0, 1, 2].map(of_joint), [0, 1, 2].map(of_steps));
+        let joints = 0..subject.plant.joints();
+        let seen: Vec<Option<Noise>> = joints.clone().map(of_joint).collect();
+        noise.push(period_s, &seen, joints.map(of_steps).collect());
     }
     noise
 }
 
-/// The smallest inertia that a joint (0 to 2) has in a stretch [V s^2/rad].
+/// The smallest inertia that a joint (from 0) has in a stretch [V s^2/rad].
 fn lightest(stretch: &Stretch, hypothesis: &Hypothesis, joint: usize) -> f64 {
-    let Robot { base, geometry, torque_constant_nm_per_v, .. } = &hypothesis.robot;
-    let inertia = |posture: &Posture<f64>| posture.mass_matrix(base, geometry)[joint][joint];
-    let smallest = stretch.postures.iter().map(inertia).fold(f64::INFINITY, f64::min);
-    smallest / torque_constant_nm_per_v[joint]
+    let plant = &hypothesis.plant;
+    let path = Path { motion: &stretch.motion, postures: &stretch.postures };
+    smallest_inertia(&plant.body, joint, path) / plant.torque_constant_nm_per_v[joint]
 }

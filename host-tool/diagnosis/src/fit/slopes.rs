@@ -1,6 +1,5 @@
 //! The rows of a model, and their slopes in all that is open: what a linearisation is made of.
 
-use model::base::COUNT;
 use model::friction_parameters::COUNT as FRICTION_COUNT;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
@@ -21,7 +20,7 @@ use rig::effects::{Kind, Table};
 pub fn changed(
     evidence: &Evidence,
     s: usize,
-    parts: &[Parts; 3],
+    parts: &Vec<Parts>,
     hypothesis: &Hypothesis,
     (effect, others): (&EffectInstance, &[EffectInstance]),
     joints: &[usize],
@@ -50,24 +49,23 @@ pub fn slopes(
     hypothesis: &Hypothesis,
     expected: &[Expected],
     earlier: &Earlier,
-) -> (Vec<[Parts; 3]>, Rows, Vec<JointSlopes>) {
+) -> (Vec<Vec<Parts>>, Rows, Vec<JointSlopes>) {
     let wanted: Vec<(usize, &Expected)> =
         expected.iter().enumerate().filter(|(place, _)| !earlier.has(*place)).collect();
-    let pieces: Vec<[Piece; 3]> = (0..evidence.train_stretches())
+    let pieces: Vec<Vec<Piece>> = (0..evidence.train_stretches())
         .into_par_iter()
         .map(|s| stretch_slopes(evidence, s, hypothesis, &wanted))
         .collect();
     let mut parts = Vec::new();
-    let mut residual: Rows = Default::default();
-    let mut columns: [Vec<Column>; 3] = Default::default();
+    let mut residual = evidence.no_rows();
+    let mut columns: Vec<Vec<Column>> = vec![Vec::new(); evidence.joint_count()];
     for piece in pieces {
-        let mut joint = 0;
-        parts.push(piece.map(|(parts, rows, of_stretch)| {
+        let mut take = |(joint, (parts, rows, of_stretch)): (usize, Piece)| {
             residual[joint].extend(rows);
             append(&mut columns[joint], of_stretch);
-            joint += 1;
             parts
-        }));
+        };
+        parts.push(piece.into_iter().enumerate().map(&mut take).collect());
     }
     for (place, rows) in effect_slopes(evidence, &parts, hypothesis, &wanted) {
         for (joint, rows) in rows.into_iter().enumerate() {
@@ -107,9 +105,9 @@ fn stretch_slopes(
     s: usize,
     hypothesis: &Hypothesis,
     wanted: &[(usize, &Expected)],
-) -> [Piece; 3] {
+) -> Vec<Piece> {
     let trial = Trial::of(&evidence.stretches[s], hypothesis, &evidence.criteria.fit);
-    [0, 1, 2].map(|joint| {
+    let of_joint = |joint: usize| {
         if !evidence.joints.contains(&joint) {
             return Piece::default();
         }
@@ -117,7 +115,8 @@ fn stretch_slopes(
         let rows = evidence.weighted(s, joint, &trial.residual_of_net(joint, &parts.net));
         let columns = own_slopes(evidence, s, joint, &trial, hypothesis, wanted);
         (parts, rows, columns)
-    })
+    };
+    (0..evidence.joint_count()).map(of_joint).collect()
 }
 
 /// Slopes of a joint's rows in a stretch that need no whole model.
@@ -214,30 +213,17 @@ pub fn table_hats(trial: &Trial, table: &Table, joint: usize) -> Vec<Vec<f64>> {
 
 /// Rows of the regressor without weights, what is needed counted as negative.
 fn base_columns(evidence: &Evidence, s: usize, joint: usize, trial: &Trial) -> Columns {
-    let regressor = trial.regressor_row(joint);
-    let column = |k: usize| {
-        let raw = || -> Vec<f64> { regressor.iter().map(|r| -r[k]).collect() };
-        base_counts(joint, k).then(|| evidence.filter(joint, s).rows(&raw()))
+    let rows = |mut raw: Vec<f64>| {
+        raw.iter_mut().for_each(|r| *r = -*r);
+        evidence.filter(joint, s).rows(&raw)
     };
-    (0..COUNT).map(column).collect()
-}
-
-/// Whether a base parameter is in a joint's row at all: joint 3 does not depend on
-/// links 1 and 2, joint 2 not on link 1 (eq. (5)).
-fn base_counts(joint: usize, k: usize) -> bool {
-    const FIRST_OF_LINK_2: usize = 1;
-    const FIRST_OF_LINK_3: usize = 8;
-    match joint {
-        0 => k < COUNT,
-        1 => k >= FIRST_OF_LINK_2,
-        _ => k >= FIRST_OF_LINK_3,
-    }
+    trial.regressor_columns(joint).into_iter().map(|column| column.map(rows)).collect()
 }
 
 /// Slopes of the train rows along the open parameters of effects.
 fn effect_slopes(
     evidence: &Evidence,
-    parts: &[[Parts; 3]],
+    parts: &[Vec<Parts>],
     hypothesis: &Hypothesis,
     wanted: &[(usize, &Expected)],
 ) -> Vec<(usize, RowChange)> {
@@ -253,7 +239,7 @@ fn effect_slopes(
 /// Slope of the train rows along a value of an effect.
 fn effect_slope(
     evidence: &Evidence,
-    parts: &[[Parts; 3]],
+    parts: &[Vec<Parts>],
     hypothesis: &Hypothesis,
     index: usize,
     value: usize,
@@ -269,7 +255,7 @@ fn effect_slope(
         true => evidence.joints.clone(),
         false => vec![usize::from(effect.joint) - 1],
     };
-    let mut slope = RowChange::default();
+    let mut slope = evidence.no_change();
     for (s, parts) in parts.iter().enumerate() {
         changed(evidence, s, parts, &moved, (effect, &others), &joints, &mut slope);
     }

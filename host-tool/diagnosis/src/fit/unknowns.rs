@@ -1,8 +1,5 @@
 //! What a model under trial leaves open, and what is known of it beforehand.
 
-use model::BaseParameters;
-use model::base::COUNT;
-
 use crate::logs::subject::Subject;
 use crate::trial::hypothesis::Hypothesis;
 use model::Friction;
@@ -26,7 +23,7 @@ pub enum Unknown {
     Base(usize),
     /// A friction parameter of a joint.
     Friction {
-        /// Joint, 0 to 2.
+        /// Joint, from 0.
         joint: usize,
         /// Which of the six.
         parameter: usize,
@@ -64,24 +61,22 @@ pub struct Expected {
 
 /// Everything that a refit may change.
 pub fn expected(subject: &Subject, period_s: f64) -> Vec<Expected> {
-    let base = subject.robot.base.to_array();
     let prior = &subject.criteria.prior;
-    let scales = base_scales(&subject.robot.base);
     let mut all: Vec<Expected> = subject
-        .free_base()
+        .base_deviations()
         .into_iter()
-        .map(|k| Expected {
+        .map(|(k, deviation)| Expected {
             unknown: Unknown::Base(k),
-            mean: base[k],
-            deviation: prior.relative * base[k].abs() + prior.of_largest * scales[k],
+            mean: subject.plant.base(k),
+            deviation,
         })
         .collect();
     for &joint in &subject.joints {
-        let values = subject.robot.friction[joint].to_array();
+        let values = subject.plant.friction[joint].to_array();
         all.extend((0..FRICTION_COUNT).map(|parameter| Expected {
             unknown: Unknown::Friction { joint, parameter },
             mean: values[parameter],
-            deviation: friction_deviation(&values, parameter, subject),
+            deviation: friction_deviation(&values, joint, parameter, subject),
         }));
         all.push(Expected {
             unknown: Unknown::Lag(joint),
@@ -97,8 +92,13 @@ pub fn expected(subject: &Subject, period_s: f64) -> Vec<Expected> {
     all
 }
 
-fn friction_deviation(values: &[f64; FRICTION_COUNT], parameter: usize, subject: &Subject) -> f64 {
-    let (prior, bristles_known) = (&subject.criteria.prior, subject.bristles_known);
+fn friction_deviation(
+    values: &[f64; FRICTION_COUNT],
+    joint: usize,
+    parameter: usize,
+    subject: &Subject,
+) -> f64 {
+    let (prior, bristles_known) = (&subject.criteria.prior, subject.bristles_known[joint]);
     let own = prior.friction * values[parameter].abs();
     let shape = prior.friction_shape * values[parameter].abs();
     let least = match parameter {
@@ -111,38 +111,11 @@ fn friction_deviation(values: &[f64; FRICTION_COUNT], parameter: usize, subject:
         STRIBECK_VELOCITY => shape.max(1e-6),
         _ => own,
     };
-    prior.relative * values[parameter].abs() + least
-}
-
-/// The largest parameter of each one's kind: inertias and first moments, link by link.
-fn base_scales(base: &BaseParameters<f64>) -> [f64; COUNT] {
-    let (first, second) = (base.zz1r.abs().min(1e3), base.zz2r.abs().min(1e3));
-    let third = (base.zz3r + base.ia3).abs();
-    let moment2 = base.mx2r.hypot(base.my2r);
-    let moment3 = match base.mx3r.hypot(base.my3r) {
-        // A balanced link may yet be slightly off balance: its scale is that of its inertia at 1 m.
-        0.0 => third,
-        moment => moment,
-    };
-    BaseParameters {
-        zz1r: first,
-        xx2r: second,
-        xy2r: second,
-        xz2r: second,
-        yz2r: second,
-        zz2r: second,
-        mx2r: moment2,
-        my2r: moment2,
-        xx3r: third,
-        xy3r: third,
-        xz3r: third,
-        yz3r: third,
-        zz3r: third,
-        mx3r: moment3,
-        my3r: moment3,
-        ia3: third,
+    let usual = prior.relative * values[parameter].abs() + least;
+    match (parameter, subject.friction_deviations[joint][parameter]) {
+        (COULOMB | VISCOUS | DAMPING, Some(told)) => told.max(1e-6 * values[COULOMB]),
+        _ => usual,
     }
-    .to_array()
 }
 
 impl Unknown {
@@ -158,9 +131,9 @@ impl Unknown {
     /// Its value at a hypothesis.
     pub fn get(self, hypothesis: &Hypothesis) -> f64 {
         match self {
-            Self::Base(k) => hypothesis.robot.base.to_array()[k],
+            Self::Base(k) => hypothesis.plant.base(k),
             Self::Friction { joint, parameter } => {
-                hypothesis.robot.friction[joint].to_array()[parameter]
+                hypothesis.plant.friction[joint].to_array()[parameter]
             }
             Self::Lag(joint) => hypothesis.lag_s[joint],
             Self::FrictionLead(joint) => hypothesis.friction_lead_s[joint],
@@ -172,13 +145,9 @@ impl Unknown {
     /// Sets its value at a hypothesis.
     pub fn set(self, hypothesis: &mut Hypothesis, to: f64) {
         match self {
-            Self::Base(k) => {
-                let mut base = hypothesis.robot.base.to_array();
-                base[k] = to;
-                hypothesis.robot.base = BaseParameters::from_array(base);
-            }
+            Self::Base(k) => hypothesis.plant.set_base(k, to),
             Self::Friction { joint, parameter } => {
-                let friction = &mut hypothesis.robot.friction[joint];
+                let friction = &mut hypothesis.plant.friction[joint];
                 let mut values = friction.to_array();
                 values[parameter] = to;
                 *friction = Friction::from_array(values);
@@ -197,10 +166,10 @@ fn physical(unknown: Unknown, hypothesis: &Hypothesis, subject: &Subject) -> [f6
         return [f64::NEG_INFINITY, f64::INFINITY];
     };
     let bounds = &subject.criteria.prior;
-    let given = subject.robot.friction[joint].to_array()[parameter];
+    let given = subject.plant.friction[joint].to_array()[parameter];
     let least = match parameter {
         COULOMB => bounds.least_coulomb * given,
-        STRIBECK_LEVEL => -bounds.most_stribeck_drop * hypothesis.robot.friction[joint].alpha0_v,
+        STRIBECK_LEVEL => -bounds.most_stribeck_drop * hypothesis.plant.friction[joint].alpha0_v,
         STRIBECK_VELOCITY => bounds.least_stribeck_velocity * given,
         STIFFNESS => bounds.least_bristle_stiffness * given,
         _ => 0.0,
@@ -223,7 +192,7 @@ pub fn range(unknown: Unknown, hypothesis: &Hypothesis, subject: &Subject) -> [f
 
 /// Friction parameters kept where friction is friction.
 pub fn kept_physical(hypothesis: &mut Hypothesis, subject: &Subject) {
-    for joint in 0..subject.robot.friction.len() {
+    for joint in 0..subject.plant.friction.len() {
         // Coulomb friction comes first, for it bounds the Stribeck level.
         for parameter in 0..FRICTION_COUNT {
             let unknown = Unknown::Friction { joint, parameter };

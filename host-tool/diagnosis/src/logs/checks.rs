@@ -41,7 +41,7 @@ fn dead_encoder(joint: &JointTrace, subject: &Subject) -> Option<String> {
         return None;
     }
     let place = subject.numbers.iter().position(|&number| number == joint.number)?;
-    let friction = &subject.robot.friction[subject.joints[place]];
+    let friction = &subject.plant.friction[subject.joints[place]];
     let level_v = friction.alpha0_v + friction.alpha1_v.max(0.0);
     let span_v = span(&joint.command_v);
     (span_v > subject.criteria.logs.stuck_encoder_ratio * 2.0 * level_v).then(|| {
@@ -55,7 +55,8 @@ fn dead_encoder(joint: &JointTrace, subject: &Subject) -> Option<String> {
 
 fn mostly_at_the_limit(joint: &JointTrace, subject: &Subject) -> Option<String> {
     let (known, criteria) = (&subject.known, &subject.criteria.logs);
-    let edge_v = known.command_limit_v - criteria.limit_steps * known.command_step_v;
+    let limit_v = subject.command_limit_v(joint.number);
+    let edge_v = limit_v - criteria.limit_steps * known.command_step_v;
     let at_limit = joint.command_v.iter().filter(|u| u.abs() >= edge_v).count();
     let share = at_limit as f64 / joint.command_v.len().max(1) as f64;
     (share > criteria.most_at_limit).then(|| {

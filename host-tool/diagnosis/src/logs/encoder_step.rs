@@ -2,19 +2,13 @@
 
 use crate::criteria::LogCriteria;
 use recordings::Trace;
-use recordings::campaign::Known;
 
-/// Fills in the encoder's step from logs in radians, where it is not known.
-pub fn find(known: &mut Known, traces: &[Trace], criteria: &LogCriteria) {
-    if known.encoder_step_rad > 0.0 {
-        return;
-    }
+/// The smallest step that any of these joints' angles make; none where nothing moves.
+pub fn smallest(traces: &[Trace], numbers: &[u8], criteria: &LogCriteria) -> Option<f64> {
     let columns = traces.iter().flat_map(|trace| &trace.joints);
-    let columns = columns.filter(|joint| known.joints.contains(&joint.number));
+    let columns = columns.filter(|joint| numbers.contains(&joint.number));
     let steps = columns.filter_map(|joint| smallest_step(&joint.q_rad, criteria.rounding_part));
-    if let Some(smallest) = steps.min_by(f64::total_cmp) {
-        known.encoder_step_rad = smallest;
-    }
+    steps.min_by(f64::total_cmp)
 }
 
 /// The smallest step from sample to sample that is no rounding, of the median step; `None` where nothing moves.

@@ -1,9 +1,14 @@
 //! The rig and its logs.
 
+pub mod arm_friction;
+pub mod arm_prior;
+pub mod arm_subject;
+pub mod base_prior;
 pub mod checks;
 pub mod encoder_step;
 pub mod even_clock;
 pub mod intervals;
+pub mod robot_subject;
 pub mod stamps;
 pub mod stretch;
 pub mod subject;

@@ -6,35 +6,103 @@
 //! intervals about it, whatever the frequency.
 
 use model::Posture;
+use model::chain::MAX_JOINTS;
 
 use std::ops::Range;
+use std::sync::OnceLock;
 
 use super::even_clock::EvenClock;
 use super::subject::Subject;
 use crate::criteria::LogCriteria;
 use files::Role;
 use recordings::{Trace, unbroken};
+use rig::Plant;
 use signal::{LowPass, derivative};
 
-/// Angles of the three joints and their derivatives.
+/// A joint's value at an instant, joint by joint; those that the rig lacks are zero.
+pub type Joints = [f64; MAX_JOINTS];
+
+/// Angles of the joints and their derivatives, joint by joint.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Kinematics {
     /// Angles as measured [rad].
-    pub raw_rad: [Vec<f64>; 3],
+    pub raw_rad: Vec<Vec<f64>>,
     /// Angles, smoothed [rad].
-    pub q_rad: [Vec<f64>; 3],
+    pub q_rad: Vec<Vec<f64>>,
     /// Velocities [rad/s].
-    pub qd_rad_per_s: [Vec<f64>; 3],
+    pub qd_rad_per_s: Vec<Vec<f64>>,
     /// Accelerations [rad/s^2].
-    pub qdd_rad_per_s2: [Vec<f64>; 3],
+    pub qdd_rad_per_s2: Vec<Vec<f64>>,
 }
 
 impl Kinematics {
+    /// Of so many joints, with no sample yet.
+    pub fn of_joints(joints: usize) -> Self {
+        let none = vec![Vec::new(); joints];
+        Self {
+            raw_rad: none.clone(),
+            q_rad: none.clone(),
+            qd_rad_per_s: none.clone(),
+            qdd_rad_per_s2: none,
+        }
+    }
+
+    /// How many joints there are.
+    pub fn joints(&self) -> usize {
+        self.q_rad.len()
+    }
+
+    /// Angles, velocities, accelerations of three joints at an instant.
+    #[inline]
+    pub fn of_three(&self, k: usize) -> ([f64; 3], [f64; 3], [f64; 3]) {
+        let at = |signal: &[Vec<f64>]| [signal[0][k], signal[1][k], signal[2][k]];
+        (at(&self.q_rad), at(&self.qd_rad_per_s), at(&self.qdd_rad_per_s2))
+    }
+
     /// Angles, velocities, accelerations at an instant.
     #[inline]
-    pub fn state(&self, k: usize) -> ([f64; 3], [f64; 3], [f64; 3]) {
-        let at = |signal: &[Vec<f64>; 3]| [signal[0][k], signal[1][k], signal[2][k]];
-        (at(&self.q_rad), at(&self.qd_rad_per_s), at(&self.qdd_rad_per_s2))
+    pub fn state(&self, k: usize) -> [Joints; 3] {
+        let at = |signal: &[Vec<f64>]| {
+            let mut values = Joints::default();
+            values.iter_mut().zip(signal).for_each(|(value, signal)| *value = signal[k]);
+            values
+        };
+        [at(&self.q_rad), at(&self.qd_rad_per_s), at(&self.qdd_rad_per_s2)]
+    }
+}
+
+/// Angles and velocities of all joints in the middle of every interval, joint after joint, interval
+/// after interval.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Middles {
+    joints: usize,
+    q_rad: Vec<f64>,
+    qd_rad_per_s: Vec<f64>,
+}
+
+impl Middles {
+    /// Those of a motion.
+    pub fn of(motion: &Kinematics) -> Self {
+        let joints = motion.joints();
+        let between = |signals: &[Vec<f64>]| {
+            let count = signals[0].len();
+            let mut all = vec![0.0; joints * count];
+            for (joint, signal) in signals.iter().enumerate() {
+                for k in 0..count {
+                    let next = (k + 1).min(count - 1);
+                    all[joints * k + joint] = 0.5 * (signal[k] + signal[next]);
+                }
+            }
+            all
+        };
+        Self { joints, q_rad: between(&motion.q_rad), qd_rad_per_s: between(&motion.qd_rad_per_s) }
+    }
+
+    /// Angles and velocities in the interval after a sample.
+    #[inline]
+    pub fn at(&self, k: usize) -> (&[f64], &[f64]) {
+        let range = self.joints * k..self.joints * (k + 1);
+        (&self.q_rad[range.clone()], &self.qd_rad_per_s[range])
     }
 }
 
@@ -52,13 +120,15 @@ pub struct Stretch {
     /// Motion at the samples.
     pub motion: Kinematics,
     /// Command over the interval that begins at each sample [V].
-    pub command_v: [Vec<f64>; 3],
-    /// Sines and cosines of the measured motion.
+    pub command_v: Vec<Vec<f64>>,
+    /// Sines and cosines of the measured motion, where the closed form takes them.
     pub postures: Vec<Posture<f64>>,
+    /// Angles and velocities in the middle of the intervals, once asked for.
+    pub middles: OnceLock<Middles>,
     /// Whether the commands drive the joints at high frequencies.
     pub broadband: bool,
     /// First sample of each joint from which the bend of its bristles is known.
-    pub settled: [usize; 3],
+    pub settled: Vec<usize>,
 }
 
 impl Stretch {
@@ -93,7 +163,7 @@ impl Stretch {
         subject.joints.iter().all(|&joint| {
             let above_hz = criteria.broadband_above_hz;
             let fast_v = rms_above(&self.command_v[joint], self.period_s, above_hz);
-            let level_v = subject.robot.friction[joint].alpha0_v;
+            let level_v = subject.plant.friction[joint].alpha0_v;
             fast_v * missed <= criteria.most_bridged_part * level_v
         })
     }
@@ -117,13 +187,14 @@ impl Stretch {
             role: trace.role,
             start_s: time_s[0] - trace.time_s[0],
             period_s,
-            motion: Kinematics::default(),
-            command_v: Default::default(),
+            motion: Kinematics::of_joints(subject.plant.joints()),
+            command_v: vec![Vec::new(); subject.plant.joints()],
             postures: Vec::new(),
+            middles: OnceLock::new(),
             broadband: false,
-            settled: [0; 3],
+            settled: vec![0; subject.plant.joints()],
         };
-        let mut angles: [Vec<f64>; 3] = Default::default();
+        let mut angles = vec![Vec::new(); subject.plant.joints()];
         for (&joint, &number) in subject.joints.iter().zip(&subject.numbers) {
             let Some(columns) = trace.joint(number) else { continue };
             let q = clock.smooth(&columns.q_rad[range.clone()]);
@@ -134,18 +205,19 @@ impl Stretch {
             stretch.command_v[joint] = command;
         }
         for &joint in subject.joints.iter().filter(|&&joint| !angles[joint].is_empty()) {
-            let cutoff_hz = motion_cutoff_hz(&angles[joint], period_s, stretch.broadband, subject);
+            let broadband = stretch.broadband;
+            let cutoff_hz = motion_cutoff_hz(&angles[joint], joint, period_s, broadband, subject);
             stretch.motion.set(joint, &angles[joint], period_s, cutoff_hz);
         }
         stretch.fill_absent();
-        stretch.postures = stretch.motion.postures();
+        stretch.postures = postures_for(&subject.plant, &stretch.motion);
         stretch
     }
 
     /// Joints that the rig does not have hang still.
     fn fill_absent(&mut self) {
         let count = self.command_v.iter().map(Vec::len).max().unwrap_or(0);
-        for joint in 0..3 {
+        for joint in 0..self.command_v.len() {
             if self.command_v[joint].is_empty() {
                 self.command_v[joint] = vec![0.0; count];
                 self.motion.raw_rad[joint] = vec![Subject::resting_rad(joint); count];
@@ -158,7 +230,9 @@ impl Stretch {
 
     /// A part of the stretch.
     pub fn part(&self, range: Range<usize>) -> Self {
-        let of = |signals: &[Vec<f64>; 3]| [0, 1, 2].map(|i| signals[i][range.clone()].to_vec());
+        let cut = |signal: &Vec<f64>| signal[range.clone()].to_vec();
+        let of = |signals: &[Vec<f64>]| signals.iter().map(cut).collect();
+        let from_begin = |first: &usize| first.saturating_sub(range.start);
         Self {
             start_s: self.start_s + range.start as f64 * self.period_s,
             motion: Kinematics {
@@ -168,8 +242,9 @@ impl Stretch {
                 qdd_rad_per_s2: of(&self.motion.qdd_rad_per_s2),
             },
             command_v: of(&self.command_v),
-            postures: self.postures[range.clone()].to_vec(),
-            settled: self.settled.map(|first| first.saturating_sub(range.start)),
+            postures: self.postures.get(range.clone()).unwrap_or_default().to_vec(),
+            middles: OnceLock::new(),
+            settled: self.settled.iter().map(from_begin).collect(),
             ..*self
         }
     }
@@ -186,13 +261,13 @@ impl Stretch {
 }
 
 impl Kinematics {
-    /// Sines and cosines at every sample.
+    /// Sines and cosines of the three-joint robot at every sample.
     pub fn postures(&self) -> Vec<Posture<f64>> {
         self.q_rad[1].iter().zip(&self.q_rad[2]).map(|(&q2, &q3)| Posture::new(q2, q3)).collect()
     }
 
     /// Every signal, by joints.
-    pub fn all_mut(&mut self) -> impl Iterator<Item = &mut [Vec<f64>; 3]> {
+    pub fn all_mut(&mut self) -> impl Iterator<Item = &mut Vec<Vec<f64>>> {
         let Self { raw_rad, q_rad, qd_rad_per_s, qdd_rad_per_s2 } = self;
         [raw_rad, q_rad, qd_rad_per_s, qdd_rad_per_s2].into_iter()
     }
@@ -206,13 +281,24 @@ impl Kinematics {
     }
 }
 
+/// Sines and cosines along a motion, where the closed form takes them.
+pub fn postures_for(plant: &Plant, motion: &Kinematics) -> Vec<Posture<f64>> {
+    if plant.body.as_rrr().is_some() { motion.postures() } else { Vec::new() }
+}
+
 /// Cut-off that keeps what the encoder's steps add to the velocity to a small part of it.
-fn motion_cutoff_hz(q_rad: &[f64], period_s: f64, broadband: bool, subject: &Subject) -> f64 {
+fn motion_cutoff_hz(
+    q_rad: &[f64],
+    joint: usize,
+    period_s: f64,
+    broadband: bool,
+    subject: &Subject,
+) -> f64 {
     let criteria = &subject.criteria.logs;
     let highest_hz = if broadband { criteria.broadband_cutoff_hz } else { criteria.calm_cutoff_hz };
     let highest_hz = highest_hz.min(criteria.fast_part / period_s);
     let speed = signal::rms(&derivative::first(q_rad, period_s));
-    let noise_rad = subject.known.encoder_step_rad / 12f64.sqrt();
+    let noise_rad = subject.encoder_step_rad[joint] / 12f64.sqrt();
     // Noise of the velocity up to f: 2 pi noise sqrt(2 period / 3) f^(3/2).
     let unit = std::f64::consts::TAU * noise_rad * (2.0 * period_s / 3.0).sqrt();
     let wanted_hz = (criteria.velocity_noise_part * speed / unit).powf(2.0 / 3.0);
@@ -252,7 +338,7 @@ fn rms_above(signal: &[f64], period_s: f64, frequency_hz: f64) -> f64 {
 /// The first sample when a joint has come so far that its friction no longer depends on how its
 /// bristles were bent before. A joint that never comes so far counts from its first sample.
 fn settled(q_rad: &[f64], subject: &Subject, joint: usize) -> usize {
-    let friction = &subject.robot.friction[joint];
+    let friction = &subject.plant.friction[joint];
     let level_v = friction.alpha0_v + friction.alpha1_v.max(0.0);
     let path_rad = subject.criteria.logs.settled_bends * level_v / friction.sigma0_v_per_rad;
     let gone = |q: &f64| (q - q_rad[0]).abs() > path_rad;

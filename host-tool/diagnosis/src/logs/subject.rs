@@ -1,108 +1,81 @@
-//! The rig under diagnosis, as a robot of three joints.
-//!
-//! A rig of one joint becomes the third joint of an arm whose other joints are too heavy to
-//! move, hanging down: eq. (5) of that arm is eq. (11). So one path serves both.
+//! The rig under diagnosis: a plant, its logs' joints, and what is known of both.
 
-use model::base::COUNT;
-use model::{HANGING_RAD, Robot};
+use rig::Plant;
+use rig::plant::{JointUnits, PlantError};
+use std::collections::BTreeMap;
 
 use crate::criteria::Criteria;
-use files::{FileError, RobotFile};
-use recordings::Campaign;
+use crate::logs::arm_prior::LinkSpread;
+use crate::logs::base_prior::of_closed_form;
+use files::FileError;
+use model::friction_parameters::{COUNT as FRICTION_COUNT, NAMES};
 use recordings::campaign::Known;
 use rig::effects::{Catalogue, Definition, EffectError, Table};
-
-/// The joint of the arm that takes the place of the only joint of a rig.
-const ONLY: usize = 2;
-/// Inertia of joints that do not move [kg m^2].
-const IMMOVABLE_KG_M2: f64 = 1e6;
 
 /// What is diagnosed.
 #[derive(Clone, Debug)]
 pub struct Subject {
     /// The model as given.
-    pub robot: Robot<f64>,
+    pub plant: Plant,
     /// The effects that are tried.
     pub catalogue: Catalogue,
     /// Effects that the model as given holds already.
     pub known_effects: Vec<(&'static Definition, u8, Vec<f64>)>,
     /// Tables that the model as given holds already.
     pub known_tables: Vec<Table>,
-    /// Joints of the rig, 0 to 2, as the arm counts them.
+    /// Joints of the rig, from 0, as the plant counts them.
     pub joints: Vec<usize>,
-    /// Number, 1 to 3, of each of these in files.
+    /// Number, from 1, of each of these in files.
     pub numbers: Vec<u8>,
-    /// Whether the rig has but one joint.
+    /// Whether the rig has but one joint that is the third of an arm here.
     pub one_joint: bool,
-    /// What the manufacturer tells.
+    /// What the manufacturer tells of all joints alike.
     pub known: Known,
-    /// Whether the model tells the stiffness of its bristles.
-    pub bristles_known: bool,
+    /// Encoder step of every joint of the plant [rad; m].
+    pub encoder_step_rad: Vec<f64>,
+    /// Largest command of every joint of the plant.
+    pub command_limits_v: Vec<f64>,
+    /// Standard deviation of a table's values on every joint of the plant.
+    pub table_deviations_v: Vec<f64>,
+    /// Units of every joint of the plant.
+    pub units: Vec<JointUnits>,
+    /// Standard deviations of base parameters that the rig's motion can change, with their places.
+    pub base_prior: Vec<(usize, f64)>,
+    /// How the doubts of a chain's links make those of its base parameters.
+    pub link_spread: LinkSpread,
+    /// Names of the base parameters in the report.
+    pub base_names: Vec<String>,
+    /// Whether the model tells the stiffness of a joint's bristles.
+    pub bristles_known: Vec<bool>,
+    /// Standard deviations of friction's parameters where the model tells them, joint by joint.
+    pub friction_deviations: Vec<[Option<f64>; FRICTION_COUNT]>,
+    /// The names of these parameters in the model, joint by joint.
+    pub friction_names: Vec<[String; FRICTION_COUNT]>,
     /// The thresholds by which it is diagnosed.
     pub criteria: Criteria,
 }
 
+/// The joint of the arm that takes the place of the only joint of a rig.
+pub const ONLY: usize = 2;
+
 impl Subject {
-    /// Inertia of a joint (0 to 2) with the arm stretched, motor included.
+    /// Inertia of a joint (from 0) with the arm stretched, motor included.
     pub fn inertia_kg_m2(&self, joint: usize) -> f64 {
-        let stretched = model::Posture::new(0.0, 0.0);
-        stretched.mass_matrix(&self.robot.base, &self.robot.geometry)[joint][joint]
+        self.plant.body.inertia(joint, &vec![0.0; self.plant.joints()])
     }
 
-    /// The most that a motor accelerates the joint of this number in files [rad/s^2], the arm stretched.
-    pub fn fastest_rad_per_s2(&self, number: u8) -> f64 {
-        let place = self.numbers.iter().position(|&own| own == number);
-        let of_joint = |place: usize| {
-            let joint = self.joints[place];
-            let k_t = self.robot.torque_constant_nm_per_v[joint];
-            k_t * self.known.command_limit_v / self.inertia_kg_m2(joint)
+    /// The most that a motor accelerates the joint of this number in files [rad/s^2; m/s^2], the arm
+    /// stretched: at its limit, or with twice the largest of its commands where it has none.
+    pub fn fastest_rad_per_s2(&self, number: u8, largest_v: f64) -> f64 {
+        let limit_v = self.command_limit_v(number);
+        let most_v = if limit_v.is_finite() { limit_v } else { 2.0 * largest_v };
+        let of_joint = |joint: usize| {
+            self.plant.torque_constant_nm_per_v[joint] * most_v / self.inertia_kg_m2(joint)
         };
-        place.map_or(0.0, of_joint)
+        self.place_of(number).map_or(0.0, of_joint)
     }
 
-    /// The rig of a campaign, and the effects that are tried on it.
-    ///
-    /// # Errors
-    /// The model lacks a parameter, or holds an effect that is none.
-    pub fn of(
-        campaign: &Campaign,
-        catalogue: &Catalogue,
-        criteria: &Criteria,
-    ) -> Result<Self, SubjectError> {
-        let file = &campaign.robot_file;
-        let one_joint = file.is_pendulum();
-        let robot = if one_joint { file.as_third_joint(IMMOVABLE_KG_M2)? } else { file.robot()? };
-        let numbers = campaign.known.joints.clone();
-        let joints = if one_joint { vec![ONLY] } else { vec![0, 1, 2] };
-        let mut subject = Self {
-            robot,
-            catalogue: catalogue.clone(),
-            known_effects: Vec::new(),
-            known_tables: Vec::new(),
-            joints,
-            one_joint,
-            known: campaign.known.clone(),
-            bristles_known: !one_joint
-                || file.friction_table(numbers[0])?.sigma0_v_per_rad.is_some(),
-            numbers,
-            criteria: criteria.clone(),
-        };
-        for table in &file.effects {
-            if Table::is_in(table) {
-                let known = Table::of(table)?;
-                let joint = subject.inner_joint(known.joint);
-                subject.known_tables.push(Table { joint, ..known });
-                continue;
-            }
-            let (definition, values) = catalogue.definition_and_values(table)?;
-            let joint = subject.inner_joint(table.joint);
-            definition.with(joint, &values)?;
-            subject.known_effects.push((definition, joint, values));
-        }
-        Ok(subject)
-    }
-
-    /// The number in files of a joint as effects here count it (1 to 3, 0 for the whole robot).
+    /// The number in files of a joint as effects here count it (from 1, 0 for the whole robot).
     pub fn outer_joint(&self, inner: u8) -> u8 {
         if self.one_joint && inner > 0 { self.numbers[0] } else { inner }
     }
@@ -112,44 +85,95 @@ impl Subject {
         if self.one_joint && outer > 0 { ONLY as u8 + 1 } else { outer }
     }
 
-    /// The model file with a refitted robot in it.
-    pub fn refitted_file(&self, file: &RobotFile, robot: &Robot<f64>) -> RobotFile {
-        if !self.one_joint {
-            return file.clone().with_model(robot.base, &robot.friction);
-        }
-        let mut file = file.clone();
-        let friction = &robot.friction[ONLY];
-        if let Some(table) = &mut file.pendulum {
-            table.inertia_kg_m2 = Some(robot.base.zz3r);
-            table.gravity_torque_nm = Some(robot.base.mx3r * robot.geometry.gravity_m_s2);
-        }
-        for table in file.friction.iter_mut().filter(|table| table.joint == self.numbers[0]) {
-            table.alpha0_v = friction.alpha0_v;
-            table.alpha1_v = friction.alpha1_v;
-            table.stribeck_velocity_rad_per_s = friction.stribeck_velocity_rad_per_s;
-            table.alpha2_v_s_per_rad = friction.alpha2_v_s_per_rad;
-            let bristles = table.sigma0_v_per_rad.is_some();
-            table.sigma0_v_per_rad = bristles.then_some(friction.sigma0_v_per_rad);
-            table.sigma1_v_s_per_rad =
-                table.sigma1_v_s_per_rad.map(|_| friction.sigma1_v_s_per_rad);
-        }
-        file
-    }
-
     /// Where a joint stands that the rig does not have [rad].
     pub fn resting_rad(joint: usize) -> f64 {
-        HANGING_RAD[joint]
+        model::HANGING_RAD.get(joint).copied().unwrap_or(0.0)
     }
 
-    /// Base parameters that the rig's motion can change.
-    pub fn free_base(&self) -> Vec<usize> {
-        if self.one_joint { vec![ZZ3R, MX3R] } else { (0..COUNT).collect() }
+    /// Takes the parameters of the model for doubtful by this part of themselves.
+    pub fn doubt(&mut self, relative: f64) {
+        let before = std::mem::replace(&mut self.criteria.prior.relative, relative);
+        match self.plant.body.as_rrr() {
+            Some(rrr) => {
+                let deviations = of_closed_form(&rrr.base, &self.criteria.prior);
+                for (place, deviation) in &mut self.base_prior {
+                    *deviation = deviations[*place];
+                }
+            }
+            None => {
+                self.link_spread.widen(relative / before);
+                self.base_prior = self.link_spread.deviations().into_iter().enumerate().collect();
+            }
+        }
+    }
+
+    /// Base parameters that the rig's motion can change, with their standard deviations.
+    pub fn base_deviations(&self) -> Vec<(usize, f64)> {
+        self.base_prior.clone()
+    }
+
+    /// A base parameter's name in the report.
+    pub fn base_name(&self, place: usize) -> String {
+        self.base_names[place].clone()
+    }
+
+    /// The name of a joint's friction parameter in the model.
+    pub fn friction_name(&self, joint: usize, parameter: usize) -> &str {
+        &self.friction_names[joint][parameter]
+    }
+
+    /// Largest command of a joint by its number in files.
+    pub fn command_limit_v(&self, number: u8) -> f64 {
+        self.place_of(number).map_or(f64::INFINITY, |place| self.command_limits_v[place])
+    }
+
+    /// Encoder step of a joint by its number in files [rad; m].
+    pub fn encoder_step_rad(&self, number: u8) -> f64 {
+        self.place_of(number).map_or(0.0, |place| self.encoder_step_rad[place])
+    }
+
+    /// Whether a joint slides, by its number in files.
+    pub fn slides(&self, number: u8) -> bool {
+        self.place_of(number).is_some_and(|place| self.units[place].slides)
+    }
+
+    /// The units of the rig's joints by their numbers.
+    pub fn units_by_number(&self) -> BTreeMap<u8, JointUnits> {
+        self.numbers.iter().zip(&self.joints).map(|(n, joint)| (*n, self.units[*joint])).collect()
+    }
+
+    /// A joint of files as the plant counts it.
+    fn place_of(&self, number: u8) -> Option<usize> {
+        let place = self.numbers.iter().position(|of| *of == number)?;
+        Some(self.joints[place])
+    }
+
+    /// Takes the effects that a model as given holds.
+    pub(super) fn take_effects(
+        &mut self,
+        tables: &[files::EffectTable],
+    ) -> Result<(), SubjectError> {
+        let joints = self.catalogue.joints();
+        for table in tables {
+            if Table::is_in(table) {
+                let known = Table::on_one_of(joints, table)?;
+                let joint = self.inner_joint(known.joint);
+                self.known_tables.push(Table { joint, ..known });
+                continue;
+            }
+            let (definition, values) = self.catalogue.definition_and_values(table)?;
+            let joint = self.inner_joint(table.joint);
+            definition.on_one_of(joints, joint, &values)?;
+            self.known_effects.push((definition, joint, values));
+        }
+        Ok(())
     }
 }
 
-/// Places of J and of l/g among the base parameters.
-const ZZ3R: usize = 12;
-const MX3R: usize = 13;
+/// The names of friction's parameters in files of the three-joint robot.
+pub fn friction_names_in_volts() -> [String; FRICTION_COUNT] {
+    NAMES.map(str::to_owned)
+}
 
 /// Why a rig cannot be diagnosed.
 #[derive(Debug, thiserror::Error)]
@@ -160,6 +184,9 @@ pub enum SubjectError {
     /// An `[[effect]]` of the model is none.
     #[error("the model's [[effect]]: {0}")]
     Effect(#[from] EffectError),
+    /// The model of an arm describes none.
+    #[error(transparent)]
+    Plant(#[from] PlantError),
 }
 
 impl From<FileError> for SubjectError {

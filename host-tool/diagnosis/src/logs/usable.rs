@@ -9,7 +9,7 @@ use files::Role;
 use recordings::campaign::JointTrace;
 use recordings::plausibility::examine;
 use recordings::wrong_positions::Impossible;
-use recordings::{Campaign, StepError, Trace, wrong_positions};
+use recordings::{StepError, Trace, wrong_positions};
 
 /// The stretches that can be used, and remarks on the logs.
 #[derive(Debug)]
@@ -21,14 +21,14 @@ pub struct Usable {
 }
 
 impl Usable {
-    /// The logs of a campaign that hold all joints of the rig and can be what they say.
+    /// The logs that hold all joints of the rig and can be what they say.
     ///
     /// # Errors
     /// There is none, or none that says enough.
-    pub fn of(campaign: &Campaign, subject: &Subject) -> Result<Self, StepError> {
+    pub fn of(traces: &[Trace], subject: &Subject) -> Result<Self, StepError> {
         let mut usable = Self { stretches: Vec::new(), remarks: Vec::new() };
         let mut refusal = None;
-        for (index, trace) in campaign.traces.iter().enumerate() {
+        for (index, trace) in traces.iter().enumerate() {
             match usable.stretches_of(trace, index, subject) {
                 Ok(stretches) => usable.stretches.extend(stretches),
                 Err(error) => {
@@ -38,7 +38,7 @@ impl Usable {
             }
         }
         if usable.stretches.is_empty() {
-            return Err(refusal.unwrap_or_else(|| no_log(campaign)));
+            return Err(refusal.unwrap_or_else(|| no_log(traces)));
         }
         usable.hold_some_out(&subject.criteria.logs)?;
         Ok(usable)
@@ -65,7 +65,9 @@ impl Usable {
         }
         trace.joints.retain(|joint| subject.numbers.contains(&joint.number));
         for joint in &mut trace.joints {
-            self.remarks.extend(unwrap(&trace.file, joint, &subject.criteria.logs));
+            if !subject.slides(joint.number) {
+                self.remarks.extend(unwrap(&trace.file, joint, &subject.criteria.logs));
+            }
         }
         self.remarks.extend(put_on_even_clock(&mut trace, &subject.criteria.logs));
         self.remarks.extend(put_right(&mut trace, subject));
@@ -116,8 +118,8 @@ impl Usable {
     }
 }
 
-fn no_log(campaign: &Campaign) -> StepError {
-    let what = match campaign.traces.len() {
+fn no_log(traces: &[Trace]) -> StepError {
+    let what = match traces.len() {
         0 => "the data set lists no log",
         _ => "no log can be used",
     };
@@ -138,10 +140,12 @@ fn put_on_even_clock(trace: &mut Trace, criteria: &LogCriteria) -> Option<String
 
 /// Puts right positions that are wrong for one sample, and says so.
 fn put_right(trace: &mut Trace, subject: &Subject) -> Vec<String> {
-    let steps_rad = subject.criteria.logs.least_wrong_steps * subject.known.encoder_step_rad;
+    let least_steps = subject.criteria.logs.least_wrong_steps;
     let Trace { file, time_s, joints, .. } = trace;
     let of_joint = |joint: &mut JointTrace| {
-        let acceleration_rad_per_s2 = subject.fastest_rad_per_s2(joint.number);
+        let largest_v = joint.command_v.iter().fold(0.0_f64, |most, u| most.max(u.abs()));
+        let acceleration_rad_per_s2 = subject.fastest_rad_per_s2(joint.number, largest_v);
+        let steps_rad = least_steps * subject.encoder_step_rad(joint.number);
         let impossible = Impossible { steps_rad, acceleration_rad_per_s2 };
         let settings = Default::default();
         let places = wrong_positions::correct(time_s, &mut joint.q_rad, &impossible, &settings);

@@ -1,7 +1,11 @@
 //! What may be wrong with a model's description of its robot.
 
+use std::sync::OnceLock;
+
 use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
+use model::mechanism::Rrr;
+use rig::plant::Body;
 
 /// A fault of the model as given, or of what the data set says of its columns.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,7 +17,7 @@ pub enum ModelFault {
     /// The columns of two joints are exchanged.
     Exchanged(usize, usize),
     /// Zero of each joint lies elsewhere by so much [rad].
-    Home([f64; 3]),
+    Home(Vec<f64>),
     /// d2, a2, d3, a3 are longer by so much [m].
     Lengths([f64; LENGTHS]),
     /// Commands act later on all joints by so much, as a bus makes them [s].
@@ -38,11 +42,11 @@ impl ModelFault {
 
     /// Those whose size is to be found, with none yet.
     pub fn with_size(subject: &Subject) -> Vec<Self> {
-        match subject.one_joint {
-            true => vec![Self::Home([0.0; 3])],
-            false => {
-                vec![Self::Home([0.0; 3]), Self::Lengths([0.0; LENGTHS]), Self::Late([0.0])]
-            }
+        let home = Self::Home(vec![0.0; subject.plant.joints()]);
+        match (subject.one_joint, subject.plant.body.as_rrr()) {
+            (true, _) => vec![home],
+            (false, Some(_)) => vec![home, Self::Lengths([0.0; LENGTHS]), Self::Late([0.0])],
+            (false, None) => vec![home, Self::Late([0.0])],
         }
     }
 
@@ -82,9 +86,10 @@ impl ModelFault {
         let mut corrected = subject.clone();
         if let Self::Lengths(more) = self {
             let given_m = lengths_m(subject);
-            let geometry = &mut corrected.robot.geometry;
-            [geometry.d2_m, geometry.a2_m, geometry.d3_m, geometry.a3_m] =
-                std::array::from_fn(|k| given_m[k] + more[k]);
+            if let Body::Rrr(Rrr { geometry, .. }) = &mut corrected.plant.body {
+                [geometry.d2_m, geometry.a2_m, geometry.d3_m, geometry.a3_m] =
+                    std::array::from_fn(|k| given_m[k] + more[k]);
+            }
         }
         corrected
     }
@@ -92,19 +97,19 @@ impl ModelFault {
     /// Puts right what a stretch says of motion and commands.
     pub fn correct(&self, stretch: &mut Stretch) {
         let motion = &mut stretch.motion;
-        match *self {
-            Self::Direction(joint) => {
+        match self {
+            &Self::Direction(joint) => {
                 motion.all_mut().for_each(|signal| negate(&mut signal[joint]));
                 negate(&mut stretch.command_v[joint]);
             }
-            Self::CommandSign(joint) => negate(&mut stretch.command_v[joint]),
-            Self::Exchanged(a, b) => {
+            &Self::CommandSign(joint) => negate(&mut stretch.command_v[joint]),
+            &Self::Exchanged(a, b) => {
                 motion.all_mut().for_each(|signal| signal.swap(a, b));
                 stretch.command_v.swap(a, b);
                 stretch.settled.swap(a, b);
             }
             Self::Home(size) => {
-                for (joint, more) in size.into_iter().enumerate() {
+                for (joint, more) in size.iter().enumerate() {
                     motion.q_rad[joint].iter_mut().for_each(|q| *q += more);
                     motion.raw_rad[joint].iter_mut().for_each(|q| *q += more);
                 }
@@ -115,7 +120,10 @@ impl ModelFault {
             }
             Self::Lengths(_) => {}
         }
-        stretch.postures = stretch.motion.postures();
+        stretch.middles = OnceLock::new();
+        if !stretch.postures.is_empty() {
+            stretch.postures = stretch.motion.postures();
+        }
     }
 
     /// What is wrong, for a person who can put it right.
@@ -157,7 +165,7 @@ fn later(command: &[f64], periods: f64) -> Vec<f64> {
 
 /// The model's lengths, in the order of a fault's [m].
 pub fn lengths_m(subject: &Subject) -> [f64; LENGTHS] {
-    let geometry = &subject.robot.geometry;
+    let Some(Rrr { geometry, .. }) = subject.plant.body.as_rrr() else { return [0.0; LENGTHS] };
     [geometry.d2_m, geometry.a2_m, geometry.d3_m, geometry.a3_m]
 }
 
@@ -166,12 +174,15 @@ fn negate(signal: &mut [f64]) {
 }
 
 /// Zeros that lie elsewhere by a good part of the largest.
-fn home_words(size: &[f64; 3], subject: &Subject) -> String {
+fn home_words(size: &[f64], subject: &Subject) -> String {
     let largest = size.iter().fold(0.0, |largest, q: &f64| f64::max(largest, q.abs()));
     let is_said = |joint: &&usize| size[**joint].abs() > SAID_PART * largest;
     let words = |&joint: &usize| {
         let number = subject.outer_joint(joint as u8 + 1);
-        format!("joint {number} by {:.1} degrees", -size[joint].to_degrees())
+        match subject.units[joint].slides {
+            true => format!("joint {number} by {:.4} m", -size[joint]),
+            false => format!("joint {number} by {:.1} degrees", -size[joint].to_degrees()),
+        }
     };
     let said: Vec<String> = subject.joints.iter().filter(is_said).map(words).collect();
     format!("the home position is not the model's: {}; home the arm anew", said.join(", "))

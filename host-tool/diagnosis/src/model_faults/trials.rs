@@ -13,6 +13,7 @@ use crate::rows::evidence::{Evidence, RowChange, Rows};
 use crate::trial::hypothesis::Hypothesis;
 use crate::trial::residual_rows::train_residual_rows;
 use crate::verdict::misfit::leaves_much;
+use rig::plant::Body;
 
 /// A fault that explains the gap.
 #[derive(Clone, Debug, PartialEq)]
@@ -131,15 +132,15 @@ impl<'a> Trial<'a> {
         let fault = self.fault.sized(&size);
         let corrected = fault.corrected(self.subject);
         let evidence = self.part.with_stretches(|stretch| fault.correct(stretch));
-        let robot =
-            model::Robot { geometry: corrected.robot.geometry, ..self.linear.hypothesis.robot };
-        let hypothesis = Hypothesis { robot, ..self.linear.hypothesis.clone() };
+        let mut hypothesis = self.linear.hypothesis.clone();
+        take_lengths(&mut hypothesis, &corrected);
         let moved = train_residual_rows(&evidence, &hypothesis);
         let change = |joint: usize, rows: &Rows| -> Vec<f64> {
             let both = rows[joint].iter().zip(&self.linear.residual[joint]);
             both.map(|(after, before)| (after - before) / step).collect()
         };
-        [0, 1, 2].map(|joint| (!moved[joint].is_empty()).then(|| change(joint, &moved)))
+        let of_joint = |joint: usize| (!moved[joint].is_empty()).then(|| change(joint, &moved));
+        (0..moved.len()).map(of_joint).collect()
     }
 
     /// How far a size may be off: a part of a length, or an angle.
@@ -153,6 +154,13 @@ impl<'a> Trial<'a> {
             ModelFault::Late(_) => criteria.late_s,
             _ => criteria.home_rad,
         }
+    }
+}
+
+/// Gives a hypothesis the lengths of a subject, where those of the closed form may be others.
+fn take_lengths(hypothesis: &mut Hypothesis, subject: &Subject) {
+    if let (Body::Rrr(own), Some(rrr)) = (&mut hypothesis.plant.body, subject.plant.body.as_rrr()) {
+        own.geometry = rrr.geometry;
     }
 }
 

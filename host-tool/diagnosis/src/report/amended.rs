@@ -3,13 +3,14 @@
 use std::collections::BTreeMap;
 
 use crate::logs::subject::Subject;
+use crate::model_file::ModelFile;
 use crate::result::Value;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
-use files::{EffectTable, RobotFile};
+use files::EffectTable;
 use rig::effects::Table;
 
 /// The model file with refitted parameters, the effects and the tables.
-pub fn amended(subject: &Subject, file: &RobotFile, hypothesis: &Hypothesis) -> RobotFile {
+pub fn amended(subject: &Subject, file: &ModelFile, hypothesis: &Hypothesis) -> ModelFile {
     let effect = |effect: &EffectInstance| EffectTable {
         effect: effect.definition.name.into(),
         joint: subject.outer_joint(effect.joint),
@@ -19,9 +20,9 @@ pub fn amended(subject: &Subject, file: &RobotFile, hypothesis: &Hypothesis) -> 
     let table = |table: &Table| {
         Table { joint: subject.outer_joint(table.joint), ..table.clone() }.to_effect_table()
     };
-    let mut amended = subject.refitted_file(file, &hypothesis.robot);
-    amended.effects = hypothesis.effects.iter().map(effect).collect();
-    amended.effects.extend(hypothesis.tables.iter().map(table));
+    let mut amended = file.refitted(subject, &hypothesis.plant);
+    let effects = hypothesis.effects.iter().map(effect);
+    amended.set_effects(effects.chain(hypothesis.tables.iter().map(table)).collect());
     amended
 }
 
@@ -29,7 +30,7 @@ pub fn amended(subject: &Subject, file: &RobotFile, hypothesis: &Hypothesis) -> 
 pub fn parameters(effect: &EffectInstance) -> BTreeMap<String, Value> {
     let mut all = BTreeMap::<String, Value>::new();
     for (parameter, &value) in effect.definition.parameters.iter().zip(&effect.values) {
-        if parameter.optional && value == 0.0 {
+        if parameter.optional && is_zero(effect, parameter.name) {
             continue;
         }
         let entry = match all.remove(parameter.name) {
@@ -43,6 +44,12 @@ pub fn parameters(effect: &EffectInstance) -> BTreeMap<String, Value> {
         all.insert(parameter.name.into(), entry);
     }
     all
+}
+
+/// Whether all components of a parameter are zero.
+fn is_zero(effect: &EffectInstance, name: &str) -> bool {
+    let mut both = effect.definition.parameters.iter().zip(&effect.values);
+    both.all(|(parameter, value)| parameter.name != name || *value == 0.0)
 }
 
 fn as_toml(value: Value) -> toml::Value {

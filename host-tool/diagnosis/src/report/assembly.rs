@@ -12,8 +12,9 @@ use crate::fit::preparation::as_given;
 use crate::gap_by_axis::gap_by_axis;
 use crate::logs::subject::Subject;
 use crate::model_faults::FoundFault;
+use crate::model_file::ModelFile;
 use crate::result::{
-    DataParts, Diagnosis, Gap, Level, LogResiduals, ModelFaultFound, Report, Verdict,
+    DataParts, Diagnosis, Gap, GapShare, Level, LogResiduals, ModelFaultFound, Report, Verdict,
 };
 use crate::rows::evidence::{Evidence, Rows};
 use crate::trial::residual_rows::residual_rows;
@@ -22,7 +23,7 @@ use crate::verdict::confirmed::Held;
 use crate::verdict::decision::verdict;
 use crate::verdict::judgement::Judgement;
 use crate::verdict::{detectable, misfit};
-use files::{RobotFile, Role};
+use files::Role;
 use recordings::Trace;
 
 /// All that the report is made of.
@@ -40,12 +41,12 @@ pub struct Assembly<'a> {
     /// The logs.
     pub traces: &'a [Trace],
     /// Noise of a joint's rows in every stretch, rms [V], by joint.
-    pub noise_v: [Vec<f64>; 3],
+    pub noise_v: Vec<Vec<f64>>,
 }
 
 impl Assembly<'_> {
     /// The whole diagnosis.
-    pub fn diagnosis(&self, file: &RobotFile, mut remarks: Vec<String>) -> Diagnosis {
+    pub fn diagnosis(&self, file: &ModelFile, mut remarks: Vec<String>) -> Diagnosis {
         let (subject, judgement) = (self.subject, self.judgement);
         let criteria = &subject.criteria;
         let refitted = &judgement.refitted;
@@ -66,7 +67,7 @@ impl Assembly<'_> {
                 &judgement.confirmation.refitted.linear,
             ),
             remainder: remainder(subject, judgement, &logs),
-            gap_shares: gap_by_axis(&logs, &criteria.axes),
+            gap_shares: self.gap_shares(&logs),
             gap: self.gap(&given_v),
             data: self.data(),
             untestable,
@@ -82,7 +83,20 @@ impl Assembly<'_> {
             model: amended(subject, file, &self.tables.linear.hypothesis),
             catalogue: subject.catalogue.clone(),
             criteria: criteria.clone(),
+            units: subject.units_by_number(),
         }
+    }
+
+    /// Where the gap lies, in the joints' units.
+    fn gap_shares(&self, logs: &[LogResiduals]) -> Vec<GapShare> {
+        let units = self.subject.units_by_number();
+        let mut shares = gap_by_axis(logs, &self.subject.criteria.axes);
+        for share in &mut shares {
+            share.detail = units
+                .get(&share.joint)
+                .map_or_else(|| share.detail.clone(), |units| units.in_words(&share.detail));
+        }
+        shares
     }
 
     /// What must be said where the model is not that of the robot in the logs.
@@ -140,10 +154,11 @@ impl Assembly<'_> {
 
     /// What noise alone would leave of each joint's confirming rows, rms [V].
     fn noise_rms_v(&self) -> Vec<f64> {
-        let one: Rows = [0, 1, 2].map(|joint| {
+        let of_joint = |joint: usize| {
             let ranges = self.evidence.ranges(joint).into_iter().enumerate();
             ranges.flat_map(|(s, range)| vec![self.noise_v[joint][s]; range.len()]).collect()
-        });
+        };
+        let one: Rows = (0..self.evidence.joint_count()).map(of_joint).collect();
         confirming_rms_v(self.evidence, &one)
     }
 

@@ -17,7 +17,7 @@ pub struct Stages<'a> {
     /// The model with its causes.
     pub with_effects_v: &'a Rows,
     /// Noise.
-    pub noise_v: &'a [Vec<f64>; 3],
+    pub noise_v: &'a [Vec<f64>],
 }
 
 /// What is left in every stretch; `hypothesis` tells the load.

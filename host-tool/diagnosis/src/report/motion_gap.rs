@@ -9,18 +9,18 @@ use model::FrictionState;
 use rayon::prelude::*;
 
 use crate::criteria::Criteria;
-use crate::logs::stretch::Stretch;
+use crate::logs::stretch::{Joints, Stretch};
 use crate::rows::evidence::Evidence;
 use crate::trial::equation::Trial;
 use crate::trial::hypothesis::Hypothesis;
 use files::Role;
-use simulation::{Settings, SimulatedRobot};
+use simulation::{Settings, SimulatedPlant};
 
 /// Root mean square of each joint's drift on the logs held out [rad].
 pub fn drift_rms_rad(evidence: &Evidence, hypothesis: &Hypothesis) -> Vec<f64> {
     let held: Vec<&Stretch> =
         evidence.stretches.iter().filter(|stretch| stretch.role == Role::Holdout).collect();
-    let sums: Vec<([f64; 3], usize)> = held
+    let sums: Vec<(Joints, usize)> = held
         .par_iter()
         .flat_map_iter(|stretch| windows(stretch, hypothesis, &evidence.criteria))
         .collect();
@@ -36,7 +36,7 @@ fn windows(
     stretch: &Stretch,
     hypothesis: &Hypothesis,
     criteria: &Criteria,
-) -> Vec<([f64; 3], usize)> {
+) -> Vec<(Joints, usize)> {
     let window = (criteria.verdict.drift_window_s / stretch.period_s).round().max(2.0) as usize;
     let trial = Trial::of(stretch, hypothesis, &criteria.fit);
     let bristles = trial.bristles();
@@ -45,7 +45,7 @@ fn windows(
     starts
         .map(|start| {
             let range = start..start + window;
-            (drift(stretch, hypothesis, &trial, range, before, bristles[start]), window)
+            (drift(stretch, hypothesis, &trial, range, before, &bristles[start]), window)
         })
         .collect()
 }
@@ -56,28 +56,33 @@ fn drift(
     trial: &Trial,
     range: Range<usize>,
     before: usize,
-    bristles: [FrictionState<f64>; 3],
-) -> [f64; 3] {
+    bristles: &[FrictionState<f64>],
+) -> Joints {
     let start = range.start;
     let settings =
         Settings { sample_period_s: stretch.period_s, noise_v: 0.0, ..Settings::default() };
     let effects = hypothesis.built_effects();
-    let (q, qd, qdd) = trial.motor().state(start);
-    let mut robot = SimulatedRobot::with_effects(hypothesis.robot, effects, q, &settings);
+    let [q, qd, qdd] = trial.motor().state(start);
+    let (plant, joints) = (hypothesis.plant.clone(), hypothesis.plant.joints());
+    let mut robot = SimulatedPlant::with_effects(plant, effects, &q[..joints], &settings);
     let time_s = stretch.start_s + start as f64 * stretch.period_s;
-    let command = |k: usize| [0, 1, 2].map(|i| stretch.command_v[i][k]);
+    let command = |k: usize| {
+        let mut command_v = Joints::default();
+        (0..joints).for_each(|i| command_v[i] = stretch.command_v[i][k]);
+        command_v
+    };
     for k in start.saturating_sub(before)..start {
-        robot.update_effects_at_rest(&command(k));
+        robot.update_effects_at_rest(&command(k)[..joints]);
     }
     robot.set_time(time_s);
-    robot.set_motion(qd, qdd, bristles);
-    let mut squares = [0.0; 3];
+    robot.set_motion(&qd, &qdd, bristles);
+    let mut squares = Joints::default();
     for k in range {
         let reading = robot.reading_rad();
-        for joint in 0..3 {
+        for joint in 0..joints {
             squares[joint] += (reading[joint] - stretch.motion.raw_rad[joint][k]).powi(2);
         }
-        robot.advance(&command(k));
+        robot.advance(&command(k)[..joints]);
     }
     squares
 }

@@ -39,17 +39,12 @@ pub fn parameters_changed(subject: &Subject, refitted: &Linearisation) -> Vec<Pa
 
 /// A parameter's name in the model file; none for what that does not hold.
 fn name(subject: &Subject, unknown: Unknown) -> Option<String> {
-    const ZZ3R: usize = 12;
     match unknown {
-        Unknown::Base(place) if subject.one_joint => Some(match place {
-            ZZ3R => "pendulum.inertia_kg_m2".into(),
-            _ => "pendulum.gravity_torque_Nm".into(),
-        }),
-        Unknown::Base(place) => Some(format!("base.{}", model::base::NAMES[place])),
+        Unknown::Base(place) => Some(subject.base_name(place)),
         Unknown::Friction { joint, parameter } => {
             let place = subject.joints.iter().position(|of| *of == joint)?;
             let number = subject.numbers[place];
-            Some(format!("friction[{number}].{}", model::friction_parameters::NAMES[parameter]))
+            Some(format!("friction[{number}].{}", subject.friction_name(joint, parameter)))
         }
         _ => None,
     }

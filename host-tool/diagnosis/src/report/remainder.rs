@@ -22,7 +22,7 @@ pub fn remainder(
         .sum();
     let left = Samples::of_joints(logs, criteria, |joint| &joint.with_effects_v);
     let left_v2: f64 = left.iter().map(Samples::excess_v2).sum();
-    let shares = gap_by_axis_of(&left, criteria);
+    let (shares, units) = (gap_by_axis_of(&left, criteria), subject.units_by_number());
     let of_share = |share: GapShare| {
         let samples = left.iter().find(|samples| samples.joint == share.joint)?;
         let square_v2 = share.share * left_v2;
@@ -31,7 +31,9 @@ pub fn remainder(
             axis: share.axis,
             rms_v: (square_v2 / samples.len().max(1) as f64).sqrt(),
             share: square_v2 / gap_v2.max(f64::MIN_POSITIVE),
-            detail: share.detail,
+            detail: units
+                .get(&share.joint)
+                .map_or(share.detail.clone(), |u| u.in_words(&share.detail)),
             curve: curve(samples, share.axis),
             nearest: nearest(subject, judgement, share.joint),
         })

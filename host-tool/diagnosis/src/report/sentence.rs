@@ -2,8 +2,8 @@
 
 use super::remaining_words::{along, remaining, rest_part};
 use super::words::{
-    axis_words, capitalised, certainty_words, change_words, model_parameter_words, parameter_words,
-    percent,
+    axis_words, capitalised, certainty_words, change_words, joint_of, model_parameter_words,
+    parameter_words, percent,
 };
 pub use super::words::{effect_words, joint_words};
 use crate::quantity::volts;
@@ -36,7 +36,7 @@ fn at_fault(diagnosis: &Diagnosis, fault: &ModelFaultFound) -> String {
     let largest = largest_excess(&gap.refitted_v, &gap.noise_floor_v);
     let of_joint = largest.and_then(|(index, excess_v)| Some((joints.get(index)?, excess_v)));
     let size = of_joint.map_or_else(String::new, |(joint, excess_v)| {
-        format!(" of {} on joint {joint}", volts(excess_v))
+        format!(" of {} on joint {joint}", size(diagnosis, *joint, excess_v))
     });
     format!(
         "The model is not that of this robot: {}. That explains {} % of the gap{size}, and no \
@@ -68,6 +68,7 @@ fn named(diagnosis: &Diagnosis) -> String {
 
 fn cause_words(diagnosis: &Diagnosis, cause: &Cause) -> String {
     let parameters = parameter_words(&diagnosis.catalogue, &cause.effect, &cause.parameters, false);
+    let parameters = diagnosis.units_of(cause.joint).in_words(&parameters);
     let alone = cause.joint == 0 || joint_numbers(diagnosis).len() == 1;
     let [low, high] = cause.share_interval.map(percent);
     let words: Vec<String> = [effect_words(&cause.effect), parameters]
@@ -118,7 +119,8 @@ fn refitted(diagnosis: &Diagnosis) -> Option<String> {
     let words = |(index, change): (usize, &ParameterChange)| {
         let (place, name) = model_parameter_words(&change.parameter);
         let of = if index == 0 { " of what refitting gains" } else { "" };
-        format!("{place}, {name} {}: {} %{of}", change_words(change), percent(change.share))
+        let changed = diagnosis.units_of(joint_of(&place)).in_words(&change_words(change));
+        format!("{place}, {name} {changed}: {} %{of}", percent(change.share))
     };
     let said: Vec<String> = large.take(MOST_SAID).enumerate().map(words).collect();
     match said.as_slice() {
@@ -134,7 +136,8 @@ fn by_many(diagnosis: &Diagnosis) -> Option<String> {
     let gap = &diagnosis.report.gap;
     let (index, _) = largest_excess(&gap.as_given_v, &gap.refitted_v)?;
     let joint = *joint_numbers(diagnosis).get(index)?;
-    let (from, to) = (volts(gap.as_given_v[index]), volts(gap.refitted_v[index]));
+    let of_joint = |value: f64| size(diagnosis, joint, value);
+    let (from, to) = (of_joint(gap.as_given_v[index]), of_joint(gap.refitted_v[index]));
     let is_said = diagnosis.report.verdict == Verdict::None;
     (!is_said).then(|| {
         format!("Model refitted: many parameters together take joint {joint} from {from} to {to}.")
@@ -156,31 +159,32 @@ fn no_gap_left(diagnosis: &Diagnosis) -> String {
     };
     let joint = joints.get(index).copied().unwrap_or(0);
     let (given_v, left_v) = (gap.as_given_v[index], gap.refitted_v[index]);
-    let floor = volts(gap.noise_floor_v[index]);
+    let of_joint = |value: f64| size(diagnosis, joint, value);
+    let floor = of_joint(gap.noise_floor_v[index]);
     if given_v > diagnosis.criteria.verdict.worth_refitting * left_v {
-        let (given, left) = (volts(given_v), volts(left_v));
+        let (given, left) = (of_joint(given_v), of_joint(left_v));
         return format!(
             "No gap above the noise once the model is refitted: that takes joint {joint} from \
              {given} to {left}, where noise alone leaves {floor}."
         );
     }
-    let left = volts(left_v);
+    let left = of_joint(left_v);
     format!("No gap above the noise: {left} are left on joint {joint}, noise alone leaves {floor}.")
 }
 
 /// Where the gap lies, and what came nearest.
 fn unexplained(diagnosis: &Diagnosis) -> String {
     let report = &diagnosis.report;
-    let size = largest_excess(&report.gap.refitted_v, &report.gap.noise_floor_v);
+    let largest = largest_excess(&report.gap.refitted_v, &report.gap.noise_floor_v);
     let joints = joint_numbers(diagnosis);
-    let place = size.and_then(|(index, excess_v)| Some((*joints.get(index)?, excess_v)));
+    let place = largest.and_then(|(index, excess_v)| Some((*joints.get(index)?, excess_v)));
     let Some((joint, excess_v)) = place else {
         return "A gap that nothing in the catalogue explains.".into();
     };
     let share = report.gap_shares.iter().find(|share| share.joint == joint);
     let mut parts = vec![format!(
         "A gap of {} on joint {joint} that nothing in the catalogue explains{}.",
-        volts(excess_v),
+        size(diagnosis, joint, excess_v),
         share.map_or_else(String::new, |share| {
             format!("; {}, {} % of the gap", varies(share), percent(share.share))
         })
@@ -206,6 +210,7 @@ fn nearest(diagnosis: &Diagnosis, joint: u8) -> Option<String> {
     let on_joint = |rival: &&Rival| [0, joint].contains(&rival.joint);
     let rival = diagnosis.rivals.iter().find(on_joint)?;
     let parameters = parameter_words(&diagnosis.catalogue, &rival.effect, &rival.parameters, false);
+    let parameters = diagnosis.units_of(rival.joint).in_words(&parameters);
     (rival.explained >= SAID_NEAREST).then(|| {
         format!(
             "Nearest: {} on {}, {parameters}, would take {} %, but {}.",
@@ -228,6 +233,11 @@ fn varies(share: &GapShare) -> String {
     } else {
         format!("it varies with {}: {detail}", axis_words(share.axis))
     }
+}
+
+/// A residual in the unit of its joint.
+fn size(diagnosis: &Diagnosis, joint: u8, value: f64) -> String {
+    diagnosis.units_of(joint).in_words(&volts(value))
 }
 
 /// Where the square lies most above the floor's, and the root of that excess.

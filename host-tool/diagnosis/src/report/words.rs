@@ -11,6 +11,11 @@ pub fn joint_words(joint: u8) -> String {
     if joint == 0 { "whole robot".into() } else { format!("joint {joint}") }
 }
 
+/// The number of a joint from its words; 0 where they name none.
+pub fn joint_of(words: &str) -> u8 {
+    words.strip_prefix("joint ").and_then(|number| number.parse().ok()).unwrap_or(0)
+}
+
 /// An effect's name as it is said.
 pub fn effect_words(effect: &str) -> String {
     effect.replace('_', " ")
@@ -144,6 +149,10 @@ fn friction_words(noun: &str) -> &str {
         "alpha2" => "viscous friction",
         "sigma0" => "bristle stiffness",
         "sigma1" => "bristle damping",
+        "mass" => "mass",
+        "mx" | "my" | "mz" => "first moment",
+        "armature" => "rotor inertia",
+        noun if noun.starts_with('i') && noun.len() == 3 => "inertia",
         other => other,
     }
 }

@@ -13,34 +13,34 @@ use files::Role;
 pub struct Evidence {
     /// The stretches, those of train logs first.
     pub stretches: Arc<[Stretch]>,
-    /// Joints of the rig, 0 to 2.
+    /// Joints of the rig, from 0.
     pub joints: Vec<usize>,
     /// Filter of a joint's rows in a stretch, by joint.
-    filters: [Vec<RowFilter>; 3],
+    filters: Vec<Vec<RowFilter>>,
     /// Noise of a joint's rows in a stretch, rms [V], by joint.
-    floors_v: [Vec<f64>; 3],
+    floors_v: Vec<Vec<f64>>,
     /// What encoder steps alone leave of them, rms [V], by joint.
-    steps_v: [Vec<f64>; 3],
+    steps_v: Vec<Vec<f64>>,
     /// Stretches of train logs.
     train: usize,
     /// The thresholds by which models are compared.
     pub criteria: Criteria,
     /// Rows of the regressor along the measured motion, by stretch and joint, once asked for [V per
     /// unit of the base parameter].
-    regressors: Arc<[[OnceLock<Columns>; 3]]>,
+    regressors: Arc<[Vec<OnceLock<Columns>>]>,
     /// Weight of every row of a stretch, by joint [1/V]; 0 before the joint's friction is settled.
-    weights: [Vec<Vec<f64>>; 3],
+    weights: Vec<Vec<Vec<f64>>>,
 }
 
 /// Columns of a joint's rows, one per base parameter; none where the joint does not depend on it.
 pub type Columns = Vec<Option<Vec<f64>>>;
 
-/// Rows of the arm's three joints, weighted or in volts. A joint that the rig lacks has no row.
-pub type Rows = [Vec<f64>; 3];
+/// Rows of the arm's joints, weighted or in volts. A joint that the rig lacks has no row.
+pub type Rows = Vec<Vec<f64>>;
 
 /// Change of the rows of each joint, those held out last or not at all; none where a joint's rows
-/// do not change.
-pub type RowChange = [Option<Vec<f64>>; 3];
+/// do not change. An empty list changes no joint's.
+pub type RowChange = Vec<Option<Vec<f64>>>;
 
 impl Evidence {
     /// Stretches as rows that are white for this noise.
@@ -51,18 +51,22 @@ impl Evidence {
         criteria: &Criteria,
     ) -> Self {
         stretches.sort_by_key(|stretch| stretch.role == Role::Holdout);
-        let filters = [0, 1, 2].map(|joint| filters(&stretches, joint, noise, criteria));
+        let count = stretches.first().map_or(0, |stretch| stretch.command_v.len());
+        let filters: Vec<Vec<RowFilter>> =
+            (0..count).map(|joint| filters(&stretches, joint, noise, criteria)).collect();
         let of_all = |joint: usize, of: &dyn Fn(&Stretch, &RowFilter) -> f64| {
             let both = stretches.iter().zip(&filters[joint]);
             both.map(|(stretch, filter)| of(stretch, filter)).collect::<Vec<f64>>()
         };
-        let floors_v =
-            [0, 1, 2].map(|joint| of_all(joint, &|s, f| floor_v(s, f, joint, noise, criteria)));
-        let steps_v = [0, 1, 2]
-            .map(|joint| of_all(joint, &|s, f| behind(f, s, noise.of_steps(joint, s.period_s))));
+        let floors_v = (0..count)
+            .map(|joint| of_all(joint, &|s, f| floor_v(s, f, joint, noise, criteria)))
+            .collect();
+        let steps_v = (0..count)
+            .map(|joint| of_all(joint, &|s, f| behind(f, s, noise.of_steps(joint, s.period_s))))
+            .collect();
         let mut evidence = Self {
             train: stretches.iter().filter(|s| s.role == Role::Train).count(),
-            regressors: stretches.iter().map(|_| Default::default()).collect(),
+            regressors: stretches.iter().map(regressors_of).collect(),
             stretches: stretches.into(),
             joints,
             filters,
@@ -71,7 +75,7 @@ impl Evidence {
             criteria: criteria.clone(),
             weights: Default::default(),
         };
-        evidence.weights = [0, 1, 2].map(|joint| evidence.weights_of_noise(joint));
+        evidence.weights = (0..count).map(|joint| evidence.weights_of_noise(joint)).collect();
         evidence
     }
 
@@ -113,9 +117,9 @@ impl Evidence {
     pub fn with_stretches(&self, change: impl Fn(&mut Stretch)) -> Self {
         let mut stretches = self.stretches.to_vec();
         stretches.iter_mut().for_each(change);
-        let regressors = stretches.iter().map(|_| Default::default()).collect();
+        let regressors = stretches.iter().map(regressors_of).collect();
         let mut changed = Self { stretches: stretches.into(), regressors, ..self.clone() };
-        for joint in 0..3 {
+        for joint in 0..changed.weights.len() {
             changed.weights[joint].truncate(changed.stretches.len());
             for s in 0..changed.weights[joint].len() {
                 let count = changed.row_count(joint, s);
@@ -129,6 +133,21 @@ impl Evidence {
     pub fn train_only(&self) -> Self {
         let stretches = self.stretches[..self.train].to_vec();
         Self { stretches: stretches.into(), ..self.clone() }.with_stretches(|_| ())
+    }
+
+    /// How many joints the arm has.
+    pub fn joint_count(&self) -> usize {
+        self.filters.len()
+    }
+
+    /// Rows of all joints, none yet.
+    pub fn no_rows(&self) -> Rows {
+        vec![Vec::new(); self.joint_count()]
+    }
+
+    /// A change of rows that changes none yet.
+    pub fn no_change(&self) -> RowChange {
+        vec![None; self.joint_count()]
     }
 
     /// The regressor's rows of a joint along the measured motion, without weights; made by `make`
@@ -161,7 +180,7 @@ impl Evidence {
             let both = rows[joint].iter().zip(self.weights(joint));
             both.map(|(row, weight)| if weight > 0.0 { row / weight } else { 0.0 }).collect()
         };
-        [0, 1, 2].map(in_volts)
+        (0..self.joint_count()).map(in_volts).collect()
     }
 
     /// How many rows of a joint in a stretch have weight.
@@ -219,6 +238,11 @@ impl Evidence {
     pub fn train_stretches(&self) -> usize {
         self.train
     }
+}
+
+/// Room for a stretch's regressor, joint by joint.
+fn regressors_of(stretch: &Stretch) -> Vec<OnceLock<Columns>> {
+    stretch.command_v.iter().map(|_| OnceLock::new()).collect()
 }
 
 /// Filters of a joint's rows that make its noise white, stretch by stretch.

@@ -13,7 +13,7 @@ use crate::criteria::RowCriteria;
 #[derive(Clone, Debug)]
 pub struct Misfit {
     /// By joint and train stretch.
-    pieces: [Vec<Piece>; 3],
+    pieces: Vec<Vec<Piece>>,
 }
 
 /// What is left of one joint in one stretch.
@@ -43,7 +43,7 @@ impl Misfit {
                 false => Vec::new(),
             }
         };
-        Self { pieces: [0, 1, 2].map(of_joint) }
+        Self { pieces: (0..evidence.joint_count()).map(of_joint).collect() }
     }
 
     /// The same size with rows as independent as in this one or another, whichever is more.
@@ -71,7 +71,7 @@ impl Misfit {
     /// Log-likelihood of residuals in volts whose size is free in each class of each log, rows
     /// counted as independent as in this misfit; `gain` tells, by train stretch and joint, in
     /// which unit they count.
-    pub fn log_likelihood(&self, evidence: &Evidence, residual_v: &Rows, gain: &[[f64; 3]]) -> f64 {
+    pub fn log_likelihood(&self, evidence: &Evidence, residual_v: &Rows, gain: &[Vec<f64>]) -> f64 {
         let of_joint = |&joint: &usize| -> f64 {
             let ranges = evidence.ranges(joint).into_iter();
             let pieces = self.pieces[joint].iter().zip(ranges).enumerate();

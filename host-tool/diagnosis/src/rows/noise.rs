@@ -26,9 +26,9 @@ pub struct Noise {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NoiseByRate {
     /// Sample periods [s] with the noise of each joint of the arm.
-    rates: Vec<(f64, [Option<Noise>; 3])>,
+    rates: Vec<(f64, Vec<Option<Noise>>)>,
     /// The part of the encoder's steps alone.
-    steps: Vec<(f64, [f64; 3])>,
+    steps: Vec<(f64, Vec<f64>)>,
 }
 
 /// Noise of a joint that has none, or of which nothing is known.
@@ -39,9 +39,9 @@ impl NoiseByRate {
     ///
     /// What encoder steps add to each, per Hz^4, is known beforehand: an encoder that stands
     /// still shows none of what its steps add once it moves.
-    pub fn push(&mut self, period_s: f64, noise: [Option<Noise>; 3], steps: [f64; 3]) {
+    pub fn push(&mut self, period_s: f64, noise: &[Option<Noise>], steps: Vec<f64>) {
         let joint = |i: usize| noise[i].map(|noise| noise.growing_at_least(steps[i]));
-        self.rates.push((period_s, [0, 1, 2].map(joint)));
+        self.rates.push((period_s, (0..noise.len()).map(joint).collect()));
         self.steps.push((period_s, steps));
     }
 
@@ -53,12 +53,12 @@ impl NoiseByRate {
         Noise { white: 0.0, growing }
     }
 
-    /// Whether anything was seen of a joint (0 to 2).
+    /// Whether anything was seen of a joint (from 0).
     pub fn knows(&self, joint: usize) -> bool {
         self.rates.iter().any(|(_, noise)| noise[joint].is_some())
     }
 
-    /// The noise of a joint (0 to 2) at a sample period [s], from the nearest rate at which
+    /// The noise of a joint (from 0) at a sample period [s], from the nearest rate at which
     /// it was seen.
     pub fn of(&self, joint: usize, period_s: f64) -> Noise {
         let apart = |rate_s: f64| (rate_s / period_s).ln().abs();

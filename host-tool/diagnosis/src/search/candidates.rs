@@ -28,7 +28,7 @@ pub fn candidates(
         let promised = of_joint.map(|start| start.gain).fold(0.0, f64::max);
         (effort.least_of_best_gain * promised).max(effort.least_promise)
     };
-    let least: Vec<f64> = (0..=3).map(least).collect();
+    let least: Vec<f64> = (0..=subject.plant.joints() as u8).map(least).collect();
     let mut found: Vec<Candidate> = starts
         .into_par_iter()
         .filter_map(|starts| searched(linear, evidence, starts, &least))
@@ -51,11 +51,18 @@ pub(crate) fn places(subject: &Subject) -> Vec<(&'static Definition, u8)> {
     let joints: Vec<u8> = subject.joints.iter().map(|&joint| joint as u8 + 1).collect();
     let of = |definition: &'static Definition| -> Vec<(&'static Definition, u8)> {
         match definition.whole_robot {
+            true if is_an_offset(definition, subject) => Vec::new(),
             true => vec![(definition, 0)],
             false => joints.iter().map(|&joint| (definition, joint)).collect(),
         }
     };
     subject.catalogue.iter().flat_map(of).collect()
+}
+
+/// Whether an effect on the whole robot is what a joint of its own has: on an arm of one joint a force
+/// at the tip or a lean is an offset, or a wave over the turn.
+fn is_an_offset(definition: &Definition, subject: &Subject) -> bool {
+    definition.touches.drive && subject.joints.len() == 1 && subject.plant.as_chain().is_some()
 }
 
 /// Those that a model with effects leaves: a second spring on a joint would only be the first
@@ -176,7 +183,7 @@ fn searched(
         })
 }
 
-/// What is typical of a joint (1 to 3, or 0 for the whole robot) in these logs.
+/// What is typical of a joint (from 1, or 0 for the whole robot) in these logs.
 pub(crate) fn typical(
     linear: &Linearisation,
     evidence: &Evidence,
@@ -186,7 +193,7 @@ pub(crate) fn typical(
     /// The load changes slowly: every so many samples tell its rms.
     const SAMPLES: usize = 20;
     let joint = usize::from(joint.max(1)) - 1;
-    let robot = &linear.hypothesis.robot;
+    let plant = &linear.hypothesis.plant;
     let all = |signal: fn(&crate::logs::stretch::Stretch, usize) -> &[f64]| {
         evidence.stretches.iter().flat_map(move |stretch| signal(stretch, joint)).copied()
     };
@@ -202,7 +209,7 @@ pub(crate) fn typical(
         .collect();
     Typical {
         command_v: largest(&mut all(|s, j| &s.command_v[j])),
-        friction_v: robot.friction[joint].alpha0_v,
+        friction_v: plant.friction[joint].alpha0_v,
         load_nm: rms(&load).max(1e-6),
         speed_rad_per_s: largest(&mut all(|s, j| &s.motion.qd_rad_per_s[j])),
         position_rad: angles.iter().sum::<f64>() / angles.len().max(1) as f64,

@@ -3,11 +3,12 @@
 //! Every harmonic is tried with sine and cosine, everything open refitted. To be quick, the
 //! filter is taken as its gain at the momentary frequency of the harmonic, row by row.
 
-use model::{FrictionState, Robot};
+use model::FrictionState;
 use rayon::prelude::*;
 
 use crate::fit::linearisation::Linearisation;
 use crate::rows::evidence::{Evidence, RowChange};
+use rig::Plant;
 use rig::effects::Carrier;
 
 /// A harmonic with the amplitude and the phase that suit it.
@@ -54,6 +55,11 @@ struct JointRows {
 
 impl JointRows {
     fn of(evidence: &Evidence, linear: &Linearisation, joint: usize, carrier: Carrier) -> Self {
+        // Magnets and windings are in the motor, what rubs is at the joint.
+        let turns = match carrier {
+            Carrier::Unity | Carrier::Command => linear.hypothesis.plant.gears[joint].motor,
+            Carrier::Friction => 1.0,
+        };
         let mut rows = Self {
             q_rad: Vec::new(),
             speed_rad_per_s: Vec::new(),
@@ -65,14 +71,14 @@ impl JointRows {
         for (s, stretch) in evidence.stretches.iter().enumerate() {
             let filter = evidence.filter(joint, s);
             for k in filter.instants(stretch.len()) {
-                rows.q_rad.push(stretch.motion.q_rad[joint][k]);
-                rows.speed_rad_per_s.push(stretch.motion.qd_rad_per_s[joint][k].abs());
+                rows.q_rad.push(turns * stretch.motion.q_rad[joint][k]);
+                rows.speed_rad_per_s.push((turns * stretch.motion.qd_rad_per_s[joint][k]).abs());
             }
             let signal = match carrier {
                 Carrier::Unity => vec![1.0; stretch.len()],
                 Carrier::Command => stretch.command_v[joint].clone(),
                 Carrier::Friction => friction_level(
-                    &linear.hypothesis.robot,
+                    &linear.hypothesis.plant,
                     joint,
                     &stretch.motion.qd_rad_per_s[joint],
                     stretch.period_s,
@@ -88,7 +94,7 @@ impl JointRows {
     fn harmonic(&self, linear: &Linearisation, joint: usize, order: usize) -> Option<Harmonic> {
         let (sine, cosine) = self.columns(order);
         let as_change = |column: Vec<f64>| {
-            let mut change = RowChange::default();
+            let mut change: RowChange = vec![None; joint + 1];
             change[joint] = Some(column);
             change
         };
@@ -126,8 +132,8 @@ impl JointRows {
 }
 
 /// Friction without its viscous part, as it adds to the net voltage.
-fn friction_level(robot: &Robot<f64>, joint: usize, v: &[f64], period_s: f64) -> Vec<f64> {
-    let friction = model::Friction { alpha2_v_s_per_rad: 0.0, ..robot.friction[joint] };
+fn friction_level(plant: &Plant, joint: usize, v: &[f64], period_s: f64) -> Vec<f64> {
+    let friction = model::Friction { alpha2_v_s_per_rad: 0.0, ..plant.friction[joint] };
     let mut bend = FrictionState::default();
     v.iter().map(|&v| -bend.step(&friction, v, period_s)).collect()
 }

@@ -100,7 +100,7 @@ pub fn is_physical(effect: &EffectInstance, subject: &Subject, evidence: &Eviden
     };
     let command_v = evidence.stretches.iter().flat_map(|stretch| &stretch.command_v[joint]);
     let largest_v = command_v.fold(0.0, |largest, u| f64::max(largest, u.abs()));
-    let largest_nm = subject.robot.torque_constant_nm_per_v[joint] * largest_v;
+    let largest_nm = subject.plant.torque_constant_nm_per_v[joint] * largest_v;
     let least_inertia_kg_m2 = policy.least_motor_inertia * subject.inertia_kg_m2(joint);
     let has_motor = spring.motor_inertia_kg_m2 > least_inertia_kg_m2;
     let is_free = spring.gap_rad * spring.stiffness_nm_per_rad > policy.least_gap * largest_nm;

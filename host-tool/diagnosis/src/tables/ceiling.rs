@@ -82,7 +82,7 @@ pub fn with_best_table(subject: &Subject, before: &FittedModel, joint: usize) ->
     };
     let promised = |axis: &TableAxis| {
         let flat = flat(&before.evidence, hypothesis, joint, *axis)?;
-        Some((promise(before, &flat, joint)?, flat))
+        Some((promise(subject, before, &flat, joint)?, flat))
     };
     let open: Vec<TableAxis> = TableAxis::ALL.into_iter().filter(|axis| !is_there(*axis)).collect();
     let tables = open.par_iter().filter_map(promised);
@@ -94,9 +94,9 @@ pub fn with_best_table(subject: &Subject, before: &FittedModel, joint: usize) ->
 
 /// Weighted squares that a table would take away, everything open refitted by the slopes, less one
 /// for each of its knots, which chance takes.
-fn promise(before: &FittedModel, table: &Table, joint: usize) -> Option<f64> {
+fn promise(subject: &Subject, before: &FittedModel, table: &Table, joint: usize) -> Option<f64> {
     let evidence = &before.evidence;
-    let mut columns: Vec<RowChange> = vec![RowChange::default(); table.knots.len()];
+    let mut columns: Vec<RowChange> = vec![evidence.no_change(); table.knots.len()];
     for (s, stretch) in evidence.stretches[..evidence.train_stretches()].iter().enumerate() {
         let trial = Trial::of(stretch, &before.linear.hypothesis, &evidence.criteria.fit);
         for (column, hat) in columns.iter_mut().zip(table_hats(&trial, table, joint)) {
@@ -104,7 +104,7 @@ fn promise(before: &FittedModel, table: &Table, joint: usize) -> Option<f64> {
         }
     }
     let (gradient, mut curvature) = before.linear.along(&RowChange::default(), &columns);
-    let weight = evidence.criteria.prior.table_v.powi(-2);
+    let weight = subject.table_deviations_v[joint].powi(-2);
     (0..columns.len()).for_each(|k| curvature[(k, k)] += weight);
     let values = curvature.lu().solve(&gradient)?;
     Some(gradient.dot(&values) - columns.len() as f64)

@@ -5,14 +5,17 @@
 //! undone. Commands are recorded without noise, so nothing is inverted that would amplify it.
 
 use std::borrow::Cow;
+use std::cell::OnceCell;
 
+use model::chain::MAX_JOINTS;
 use model::friction::FrictionScale;
 use model::friction_parameters::COUNT as FRICTION_COUNT;
-use model::{Dual, Friction, FrictionState, Posture, Real, Robot};
+use model::{Dual, Friction, FrictionState, Real};
 
 use super::hypothesis::Hypothesis;
 use super::reading;
-use crate::logs::stretch::{Kinematics, Stretch};
+use crate::logs::stretch::{Joints, Kinematics, Middles, Stretch};
+use rig::Plant;
 use rig::effects::{Effect, JointState, Table, TableAxis, Transmission};
 use signal::derivative;
 
@@ -24,68 +27,90 @@ pub struct ActiveEffects<'a> {
     stretch: &'a Stretch,
     hypothesis: &'a Hypothesis,
     effects: Vec<Box<dyn Effect>>,
-    /// The robot with what effects change in it, motors of elastic joints included.
-    pub robot: Robot<f64>,
+    /// The plant with what effects change in it, motors of elastic joints included.
+    pub plant: Plant,
     /// Motion of the motors: borrowed from the stretch where the encoders read true.
     pub motor: Cow<'a, Kinematics>,
+    /// Its middles, where that is not the stretch's.
+    middles: OnceCell<Middles>,
+    /// Whether any effect asks for the load.
+    feels_load: bool,
 }
 
 impl<'a> ActiveEffects<'a> {
     /// Those of a hypothesis, none of which has acted yet.
     pub fn of(stretch: &'a Stretch, hypothesis: &'a Hypothesis) -> Self {
         let effects = hypothesis.built_effects();
-        let mut robot = hypothesis.robot;
-        effects.iter().for_each(|effect| effect.change_robot(&mut robot));
+        let mut plant = hypothesis.plant.clone();
+        effects.iter().for_each(|effect| effect.change_robot(&mut plant));
         let motor = reading::corrected(&stretch.motion, &effects);
-        Self { stretch, hypothesis, effects, robot, motor }
+        let feels_load = effects.iter().any(|effect| effect.feels_load());
+        let middles = OnceCell::new();
+        Self { stretch, hypothesis, effects, plant, motor, middles, feels_load }
     }
 
-    /// Joints (0 to 2) with a spring between motor and link.
+    /// Joints (from 0) with a spring between motor and link.
     pub fn springs(&self) -> Vec<(usize, Transmission)> {
         self.effects.iter().filter_map(|effect| effect.transmission()).collect()
     }
 
     /// What drives each joint in the interval after each sample: the command as it reaches the
     /// motor, with the voltages and torques that effects add [V].
-    pub fn drive_v(&self) -> [Vec<f64>; 3] {
+    pub fn drive_v(&self) -> Vec<Vec<f64>> {
         // Lags and delays remember: each pass over a stretch begins with effects that do not.
         let mut effects = self.hypothesis.built_effects();
         effects.iter_mut().for_each(|effect| effect.set_step(self.stretch.period_s));
-        let k_t = self.robot.torque_constant_nm_per_v;
-        let mut drive_v = [0, 1, 2].map(|_| Vec::with_capacity(self.stretch.len()));
+        let k_t = &self.plant.torque_constant_nm_per_v;
+        let count = k_t.len();
+        let mut drive_v = vec![Vec::with_capacity(self.stretch.len()); count];
         for k in 0..self.stretch.len() {
-            let joint_state = self.joint_state(k);
-            let mut command_v = [0, 1, 2].map(|i| self.stretch.command_v[i][k]);
-            let mut torque_nm = [0.0; 3];
-            effects.iter_mut().for_each(|e| e.change_command(&joint_state, &mut command_v));
+            let mut load_nm = Joints::default();
+            let joint_state = self.joint_state(k, &mut load_nm);
+            let mut command_v = self.command_v(k);
+            let command_v = &mut command_v[..count];
+            let mut torque_nm = Joints::default();
+            let torque_nm = &mut torque_nm[..count];
+            effects.iter_mut().for_each(|e| e.change_command(&joint_state, command_v));
             for effect in &effects {
-                effect.add_voltage(&joint_state, &mut command_v);
-                effect.add_torque(&joint_state, &self.robot, &mut torque_nm);
+                effect.add_voltage(&joint_state, command_v);
+                effect.add_torque(&joint_state, &self.plant, torque_nm);
             }
-            (0..3).for_each(|i| drive_v[i].push(command_v[i] + torque_nm[i] / k_t[i]));
+            (0..count).for_each(|i| drive_v[i].push(command_v[i] + torque_nm[i] / k_t[i]));
         }
         drive_v
     }
 
     /// How much of the commands reaches each motor, rms by rms.
-    pub fn command_gain(&self) -> [f64; 3] {
+    pub fn command_gain(&self) -> Vec<f64> {
         let mut effects = self.hypothesis.built_effects();
         effects.iter_mut().for_each(|effect| effect.set_step(self.stretch.period_s));
-        let (mut sent, mut reached) = ([0.0; 3], [0.0; 3]);
+        let count = self.plant.joints();
+        let (mut sent, mut reached) = (vec![0.0; count], vec![0.0; count]);
         for k in 0..self.stretch.len() {
-            let mut command_v = [0, 1, 2].map(|i| self.stretch.command_v[i][k]);
-            (0..3).for_each(|i| sent[i] += command_v[i] * command_v[i]);
-            let joint_state = self.joint_state(k);
-            effects.iter_mut().for_each(|e| e.change_command(&joint_state, &mut command_v));
-            (0..3).for_each(|i| reached[i] += command_v[i] * command_v[i]);
+            let mut command_v = self.command_v(k);
+            let command_v = &mut command_v[..count];
+            (0..count).for_each(|i| sent[i] += command_v[i] * command_v[i]);
+            let mut load_nm = Joints::default();
+            let joint_state = self.joint_state(k, &mut load_nm);
+            effects.iter_mut().for_each(|e| e.change_command(&joint_state, command_v));
+            (0..count).for_each(|i| reached[i] += command_v[i] * command_v[i]);
         }
-        [0, 1, 2].map(|i| if sent[i] > 0.0 { (reached[i] / sent[i]).sqrt() } else { 1.0 })
+        let gain = |i: usize| if sent[i] > 0.0 { f64::sqrt(reached[i] / sent[i]) } else { 1.0 };
+        (0..count).map(gain).collect()
     }
 
-    /// Friction of a joint of `robot` in the interval after each sample [V].
-    pub fn friction_v(&self, joint: usize, robot: &Robot<f64>) -> Vec<f64> {
+    /// The commands over the interval after a sample [V].
+    fn command_v(&self, k: usize) -> Joints {
+        let mut command_v = Joints::default();
+        let both = command_v.iter_mut().zip(&self.stretch.command_v);
+        both.for_each(|(value, signal)| *value = signal[k]);
+        command_v
+    }
+
+    /// Friction of a joint of `plant` in the interval after each sample [V].
+    pub fn friction_v(&self, joint: usize, plant: &Plant) -> Vec<f64> {
         let lead_s = self.hypothesis.friction_lead_s[joint];
-        self.friction_with(joint, &robot.friction[joint], lead_s, |friction_v| friction_v)
+        self.friction_with(joint, &plant.friction[joint], lead_s, |friction_v| friction_v)
     }
 
     /// Slopes of a joint's friction in the interval after each sample: along each of its
@@ -96,7 +121,7 @@ impl<'a> ActiveEffects<'a> {
             place += 1;
             Dual::along(value, place - 1)
         };
-        let friction = Friction::from_array(self.robot.friction[joint].to_array().map(&mut along));
+        let friction = Friction::from_array(self.plant.friction[joint].to_array().map(&mut along));
         let lead_s = along(self.hypothesis.friction_lead_s[joint]);
         self.friction_with(joint, &friction, lead_s, |friction_v| friction_v.slope)
     }
@@ -116,11 +141,13 @@ impl<'a> ActiveEffects<'a> {
         let last = v.len() - 1;
         let scaled = self.hypothesis.effects.iter().any(|e| e.definition.touches.friction);
         let mut bristles = FrictionState { deflection_rad: T::zero() };
+        let mut scales = [FrictionScale::unchanged(); MAX_JOINTS];
+        let scales = &mut scales[..self.plant.joints()];
         let mut interval = |k: usize| {
-            let scale = match scaled {
-                true => self.friction_scale(k)[joint].cast(),
-                false => FrictionScale::unchanged(),
-            };
+            if scaled {
+                self.scale_friction(k, scales);
+            }
+            let scale = scales[joint].cast();
             let (here, next) = (v[k], v[(k + 1).min(last)]);
             let quarter_on = (next - here) * quarter;
             let early = bristles.step_scaled(friction, scale, here + quarter_on, half_s);
@@ -139,14 +166,15 @@ impl<'a> ActiveEffects<'a> {
     }
 
     /// How far the bristles of each joint are bent at every sample.
-    pub fn bristles(&self) -> Vec<[FrictionState<f64>; 3]> {
-        let mut bristles = [FrictionState::default(); 3];
+    pub fn bristles(&self) -> Vec<Vec<FrictionState<f64>>> {
+        let mut bristles = vec![FrictionState::default(); self.plant.joints()];
+        let mut scale = vec![FrictionScale::unchanged(); self.plant.joints()];
         let mut at = |k: usize| {
-            let before = bristles;
-            let scale = self.friction_scale(k);
+            let before = bristles.clone();
+            self.scale_friction(k, &mut scale);
             for (joint, state) in bristles.iter_mut().enumerate() {
                 let v = self.motor.qd_rad_per_s[joint][k];
-                let friction = &self.robot.friction[joint];
+                let friction = &self.plant.friction[joint];
                 state.step_scaled(friction, scale[joint], v, self.stretch.period_s);
             }
             before
@@ -158,9 +186,12 @@ impl<'a> ActiveEffects<'a> {
     pub fn abscissa(&self, joint: usize, axis: TableAxis) -> Vec<f64> {
         let table = Table { joint: joint as u8 + 1, axis, knots: vec![], values_v: vec![] };
         let at = |k: usize| {
-            let mut state = self.joint_state(k);
+            let mut own_nm = Joints::default();
+            let mut state = self.joint_state(k, &mut own_nm);
+            let mut asked_nm = Joints::default();
             if axis == TableAxis::Load {
-                state.load_nm = load_nm(&self.robot, &state.q_rad, &state.qd_rad_per_s);
+                self.plant.body.load(state.q_rad, state.qd_rad_per_s, &mut asked_nm);
+                state.load_nm = &asked_nm;
             }
             table.abscissa(&state, self.stretch.command_v[joint][k])
         };
@@ -168,29 +199,34 @@ impl<'a> ActiveEffects<'a> {
     }
 
     /// By how much effects scale each joint's friction in an interval.
-    fn friction_scale(&self, k: usize) -> [FrictionScale<f64>; 3] {
-        let mut scale = [FrictionScale::unchanged(); 3];
-        let joint_state = self.joint_state(k);
-        self.effects.iter().for_each(|e| e.change_friction(&joint_state, &mut scale));
-        scale
+    fn scale_friction(&self, k: usize, scale: &mut [FrictionScale<f64>]) {
+        scale.fill(FrictionScale::unchanged());
+        let mut load_nm = Joints::default();
+        let joint_state = self.joint_state(k, &mut load_nm);
+        self.effects.iter().for_each(|e| e.change_friction(&joint_state, scale));
     }
 
-    /// The middle of an interval, as effects see it.
-    fn joint_state(&self, k: usize) -> JointState {
-        let next = (k + 1).min(self.stretch.len() - 1);
-        let middle =
-            |signal: &[Vec<f64>; 3]| [0, 1, 2].map(|i| 0.5 * (signal[i][k] + signal[i][next]));
-        let q_rad = middle(&self.motor.q_rad);
-        let qd_rad_per_s = middle(&self.motor.qd_rad_per_s);
-        let load_nm = match self.effects.iter().any(|effect| effect.feels_load()) {
-            true => load_nm(&self.robot, &q_rad, &qd_rad_per_s),
-            false => [0.0; 3],
-        };
+    /// The middle of an interval, as effects see it; the load goes into the room given.
+    #[inline]
+    fn joint_state<'b>(&'b self, k: usize, load_nm: &'b mut Joints) -> JointState<'b> {
+        let (q_rad, qd_rad_per_s) = self.middles().at(k);
+        if self.feels_load {
+            self.plant.body.load(q_rad, qd_rad_per_s, load_nm);
+        }
         JointState {
             time_s: self.stretch.start_s + (k as f64 + 0.5) * self.stretch.period_s,
             q_rad,
             qd_rad_per_s,
-            load_nm,
+            load_nm: &load_nm[..q_rad.len()],
+        }
+    }
+
+    /// Middles of the motors' motion: those of the stretch where the encoders read true.
+    fn middles(&self) -> &Middles {
+        let make = || Middles::of(&self.motor);
+        match &self.motor {
+            Cow::Borrowed(_) => self.stretch.middles.get_or_init(make),
+            Cow::Owned(_) => self.middles.get_or_init(make),
         }
     }
 
@@ -202,17 +238,16 @@ impl<'a> ActiveEffects<'a> {
     /// The same at every so many samples [Nm].
     pub fn load_at_every_nm(&self, joint: usize, samples: usize) -> Vec<f64> {
         let at = |k: usize| {
-            let (q, qd, _) = self.motor.state(k);
-            load_nm(&self.robot, &q, &qd)[joint]
+            let [q, qd, _] = self.motor.state(k);
+            load_nm(&self.plant, &q, &qd)[joint]
         };
         (0..self.stretch.len()).step_by(samples).map(at).collect()
     }
 }
 
 /// Coriolis and gravity torque on each joint, c + h of eq. (5) [Nm].
-fn load_nm(robot: &Robot<f64>, q_rad: &[f64; 3], qd_rad_per_s: &[f64; 3]) -> [f64; 3] {
-    let posture = Posture::new(q_rad[1], q_rad[2]);
-    let coriolis = posture.coriolis(&robot.base, &robot.geometry, qd_rad_per_s);
-    let gravity = posture.gravity(&robot.base, &robot.geometry);
-    [0, 1, 2].map(|i| coriolis[i] + gravity[i])
+fn load_nm(plant: &Plant, q_rad: &Joints, qd_rad_per_s: &Joints) -> Joints {
+    let mut load_nm = Joints::default();
+    plant.body.load(q_rad, qd_rad_per_s, &mut load_nm);
+    load_nm
 }

@@ -6,18 +6,20 @@
 
 use std::borrow::Cow;
 use std::cell::OnceCell;
-use std::sync::OnceLock;
 
-use model::{FrictionState, Posture, Robot};
+use model::{FrictionState, Posture};
 
 use super::active_effects::{ActiveEffects, FRICTION_SLOPES};
 use super::hypothesis::Hypothesis;
 use super::joint_dynamics::JointDynamics;
 use super::link_motion::{self, JointMotion, MeasuredTorque};
+use super::rigid_body::{Path, regressor_columns, torques};
 use crate::criteria::FitCriteria;
 use crate::logs::intervals::at_samples;
-use crate::logs::stretch::{Kinematics, Stretch};
+use crate::logs::stretch::{Kinematics, Stretch, postures_for};
+use rig::Plant;
 use rig::effects::{TableAxis, Transmission};
+use rig::plant::Body;
 use signal::derivative;
 
 /// A hypothesis on one stretch. What costs time is computed once it is asked for.
@@ -26,31 +28,32 @@ pub struct Trial<'a> {
     hypothesis: &'a Hypothesis,
     criteria: &'a FitCriteria,
     effects: ActiveEffects<'a>,
-    /// Joints (0 to 2) with a spring between motor and link.
+    /// Joints (from 0) with a spring between motor and link.
     springs: Vec<(usize, Transmission)>,
-    /// What moves with the links: the robot without the motors of elastic joints.
-    links: Robot<f64>,
+    /// What moves with the links: the rigid body without the motors of elastic joints; none where
+    /// no joint is elastic.
+    links: Option<Body>,
     /// The motors' side of the springs, where another trial has computed it.
-    motor_side: Option<MotorSide<'a>>,
+    motor_side: Option<&'a dyn MotorSide>,
     /// Motion of the links, where some are behind springs.
     link: OnceCell<Kinematics>,
     /// Sines and cosines of the links' angles, where those move otherwise than measured.
     postures: OnceCell<Vec<Posture<f64>>>,
     /// What drives the joints in the intervals [V].
-    drive_v: OnceCell<[Vec<f64>; 3]>,
+    drive_v: OnceCell<Vec<Vec<f64>>>,
     /// What the rigid body needs at the samples [V].
-    needed_v: OnceCell<[Vec<f64>; 3]>,
+    needed_v: OnceCell<Vec<Vec<f64>>>,
 }
 
 /// The motors' side of springs, by joint: how motors move and what drives them. It is measured,
 /// and thus the same for all hypotheses that differ in a spring alone: a search that varies a
 /// spring computes it once.
-#[derive(Clone, Copy, Debug)]
-pub struct MotorSide<'a> {
-    /// Dynamics of each joint as if it were stiff, by samples; computed by the first who asks.
-    pub dynamics: [&'a OnceLock<Vec<JointDynamics>>; 3],
-    /// What drives each joint less friction, by intervals [V].
-    pub net_v: [&'a [f64]; 3],
+pub trait MotorSide {
+    /// Dynamics of a joint as if it were stiff, by samples; computed by `make` at first.
+    fn dynamics(&self, joint: usize, make: &dyn Fn() -> Vec<JointDynamics>) -> &[JointDynamics];
+
+    /// What drives a joint less friction, by intervals [V].
+    fn net_v(&self, joint: usize) -> &[f64];
 }
 
 impl<'a> Trial<'a> {
@@ -64,13 +67,17 @@ impl<'a> Trial<'a> {
         stretch: &'a Stretch,
         hypothesis: &'a Hypothesis,
         criteria: &'a FitCriteria,
-        motor_side: Option<MotorSide<'a>>,
+        motor_side: Option<&'a dyn MotorSide>,
     ) -> Self {
         let effects = ActiveEffects::of(stretch, hypothesis);
         let springs = effects.springs();
-        let links = springs
-            .iter()
-            .fold(effects.robot, |links, (joint, spring)| spring.without_motor(*joint, &links));
+        let links = (!springs.is_empty()).then(|| {
+            let mut links = effects.plant.body.clone();
+            for (joint, spring) in &springs {
+                links.remove_motor(*joint, spring.motor_inertia_kg_m2);
+            }
+            links
+        });
         Self {
             stretch,
             hypothesis,
@@ -86,7 +93,7 @@ impl<'a> Trial<'a> {
         }
     }
 
-    /// What the motor of a joint (0 to 2) gave less what was needed, at the samples [V].
+    /// What the motor of a joint (from 0) gave less what was needed, at the samples [V].
     pub fn residual(&self, joint: usize) -> Vec<f64> {
         self.residual_of_net(joint, &self.net(joint))
     }
@@ -104,7 +111,7 @@ impl<'a> Trial<'a> {
     /// joint less friction [V].
     pub fn net(&self, joint: usize) -> Vec<f64> {
         let mut net = self.drive(joint);
-        let friction = self.friction(joint, self.robot());
+        let friction = self.friction(joint, self.plant());
         net.iter_mut().zip(&friction).for_each(|(drive, friction)| *drive -= friction);
         net
     }
@@ -119,16 +126,16 @@ impl<'a> Trial<'a> {
     }
 
     /// How much of the commands reaches each motor, rms by rms; all of it without effects.
-    pub fn command_gain(&self) -> [f64; 3] {
+    pub fn command_gain(&self) -> Vec<f64> {
         match self.hypothesis.is_bare() {
-            true => [1.0; 3],
+            true => vec![1.0; self.plant().joints()],
             false => self.effects.command_gain(),
         }
     }
 
-    /// Friction of a robot's joint in the interval after each sample [V].
-    pub fn friction(&self, joint: usize, robot: &Robot<f64>) -> Vec<f64> {
-        self.effects.friction_v(joint, robot)
+    /// Friction of a plant's joint in the interval after each sample [V].
+    pub fn friction(&self, joint: usize, plant: &Plant) -> Vec<f64> {
+        self.effects.friction_v(joint, plant)
     }
 
     /// Slopes of a joint's friction: along each of its parameters, and along its lead.
@@ -141,33 +148,37 @@ impl<'a> Trial<'a> {
         &self.needed_v.get_or_init(|| self.needed_by_all())[joint]
     }
 
-    fn needed_by_all(&self) -> [Vec<f64>; 3] {
-        let k_t = &self.robot().torque_constant_nm_per_v;
-        let mut needed_v = [0, 1, 2].map(|_| Vec::with_capacity(self.stretch.len()));
-        let (link, postures) = (self.link(), self.postures());
-        for (k, posture) in postures.iter().enumerate() {
-            let (_, qd, qdd) = link.state(k);
-            let mut torque_nm =
-                posture.inverse_dynamics(&self.links.base, &self.links.geometry, &qd, &qdd);
-            for (joint, spring) in &self.springs {
-                let qdd = self.motor().qdd_rad_per_s2[*joint][k];
-                torque_nm[*joint] += spring.motor_inertia_kg_m2 * qdd;
-            }
-            (0..3).for_each(|joint| needed_v[joint].push(torque_nm[joint] / k_t[joint]));
+    fn needed_by_all(&self) -> Vec<Vec<f64>> {
+        let mut needed_v = torques(self.links(), self.path());
+        for (joint, spring) in &self.springs {
+            let own = &self.motor().qdd_rad_per_s2[*joint];
+            let both = needed_v[*joint].iter_mut().zip(own);
+            both.for_each(|(torque_nm, qdd)| *torque_nm += spring.motor_inertia_kg_m2 * qdd);
+        }
+        for (needed, k_t) in needed_v.iter_mut().zip(&self.plant().torque_constant_nm_per_v) {
+            needed.iter_mut().for_each(|torque_nm| *torque_nm /= k_t);
         }
         needed_v
     }
 
-    /// A row of the regressor at the samples, in volts per unit of the base parameter.
-    pub fn regressor_row(&self, joint: usize) -> Vec<[f64; model::base::COUNT]> {
-        let k_t = self.robot().torque_constant_nm_per_v[joint];
-        let (link, postures) = (self.link(), self.postures());
-        let at = |k: usize| {
-            let (_, qd, qdd) = link.state(k);
-            let geometry = &self.links.geometry;
-            model::regressor::regressor(&postures[k], geometry, &qd, &qdd)[joint].map(|r| r / k_t)
-        };
-        (0..self.stretch.len()).map(at).collect()
+    /// Columns of a joint's row of the regressor at the samples, in volts per unit of the base
+    /// parameter; none where the joint does not depend on it.
+    pub fn regressor_columns(&self, joint: usize) -> Vec<Option<Vec<f64>>> {
+        let k_t = self.plant().torque_constant_nm_per_v[joint];
+        let mut columns = regressor_columns(self.links(), joint, self.path());
+        for column in columns.iter_mut().flatten() {
+            column.iter_mut().for_each(|value| *value /= k_t);
+        }
+        columns
+    }
+
+    /// What moves with the links.
+    fn links(&self) -> &Body {
+        self.links.as_ref().unwrap_or(&self.plant().body)
+    }
+
+    fn path(&self) -> Path<'_> {
+        Path { motion: self.link(), postures: self.postures() }
     }
 
     /// Change of the command per second, at the samples [V/s].
@@ -180,9 +191,9 @@ impl<'a> Trial<'a> {
         self.effects.abscissa(joint, axis)
     }
 
-    /// The robot with what effects change in it.
-    pub fn robot(&self) -> &Robot<f64> {
-        &self.effects.robot
+    /// The plant with what effects change in it.
+    pub fn plant(&self) -> &Plant {
+        &self.effects.plant
     }
 
     /// Motion of the motors.
@@ -191,7 +202,7 @@ impl<'a> Trial<'a> {
     }
 
     /// How far the bristles of each joint are bent at every sample.
-    pub fn bristles(&self) -> Vec<[FrictionState<f64>; 3]> {
+    pub fn bristles(&self) -> Vec<Vec<FrictionState<f64>>> {
         self.effects.bristles()
     }
 
@@ -212,7 +223,7 @@ impl<'a> Trial<'a> {
 
     /// Dynamics of a joint as if it were stiff, at the samples.
     pub fn dynamics(&self, joint: usize) -> Vec<JointDynamics> {
-        JointDynamics::along(joint, self.motor(), self.robot())
+        JointDynamics::along(joint, self.motor(), &self.plant().body)
     }
 
     /// Motion of the links.
@@ -233,20 +244,18 @@ impl<'a> Trial<'a> {
     fn postures(&self) -> &[Posture<f64>] {
         match self.moves_as_measured() {
             true => &self.stretch.postures,
-            false => self.postures.get_or_init(|| self.link().postures()),
+            false => self.postures.get_or_init(|| postures_for(self.plant(), self.link())),
         }
     }
 
     /// Motion of a joint's link behind a spring.
     fn behind(&self, joint: usize, spring: &Transmission) -> JointMotion {
         let dynamics = match self.motor_side {
-            Some(known) => {
-                Cow::Borrowed(&known.dynamics[joint].get_or_init(|| self.dynamics(joint))[..])
-            }
+            Some(known) => Cow::Borrowed(known.dynamics(joint, &|| self.dynamics(joint))),
             None => Cow::Owned(self.dynamics(joint)),
         };
         let push_nm = (spring.gap_rad > 0.0).then(|| match self.motor_side {
-            Some(known) => self.push_nm(joint, known.net_v[joint]),
+            Some(known) => self.push_nm(joint, known.net_v(joint)),
             None => self.push_nm(joint, &self.net(joint)),
         });
         let measured = push_nm.as_deref().map(|push_nm| MeasuredTorque {
@@ -259,6 +268,7 @@ impl<'a> Trial<'a> {
 
     /// Torque that pushes a joint in the interval after each sample [Nm].
     fn push_nm(&self, joint: usize, net_v: &[f64]) -> Vec<f64> {
-        net_v.iter().map(|net_v| self.robot().torque_constant_nm_per_v[joint] * net_v).collect()
+        let k_t = self.plant().torque_constant_nm_per_v[joint];
+        net_v.iter().map(|net_v| k_t * net_v).collect()
     }
 }

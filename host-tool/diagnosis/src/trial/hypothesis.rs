@@ -2,7 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use model::Robot;
+use model::chain::MAX_JOINTS;
+use rig::Plant;
 use rig::effects::{Definition, Effect, Kind, Table};
 
 /// An effect with its parameters, on a joint.
@@ -10,7 +11,7 @@ use rig::effects::{Definition, Effect, Kind, Table};
 pub struct EffectInstance {
     /// What it is.
     pub definition: &'static Definition,
-    /// Joint, 1 to 3; 0 for the whole robot.
+    /// Joint, from 1; 0 for the whole robot.
     pub joint: u8,
     /// Its parameters, in the order of the definition.
     pub values: Vec<f64>,
@@ -26,7 +27,7 @@ impl PartialEq for EffectInstance {
 impl EffectInstance {
     /// The effect, its values kept within their bounds; `None` if it acts on no such joint.
     pub fn build(&self) -> Option<Box<dyn Effect>> {
-        self.definition.with(self.joint, &self.bounded()).ok()
+        self.definition.on_one_of(MAX_JOINTS as u8, self.joint, &self.bounded()).ok()
     }
 
     /// Whether it leaves a gap between a motor and its link.
@@ -71,12 +72,12 @@ impl EffectInstance {
 #[derive(Clone, Debug)]
 pub struct Hypothesis {
     /// Rigid body and friction.
-    pub robot: Robot<f64>,
+    pub plant: Plant,
     /// By how much each command comes later than the log says [s].
-    pub lag_s: [f64; 3],
+    pub lag_s: Vec<f64>,
     /// By how much each joint's friction runs ahead of its velocity: memory where it is negative;
     /// soft constraints of simulators lead [s].
-    pub friction_lead_s: [f64; 3],
+    pub friction_lead_s: Vec<f64>,
     /// Effects, in order.
     pub effects: Vec<EffectInstance>,
     /// Curves that act after the effects; no causes.
@@ -84,10 +85,20 @@ pub struct Hypothesis {
 }
 
 impl Hypothesis {
+    /// A model alone.
+    pub fn bare(plant: Plant) -> Self {
+        let none = vec![0.0; plant.joints()];
+        let (effects, tables) = (Vec::new(), Vec::new());
+        Self { plant, lag_s: none.clone(), friction_lead_s: none, effects, tables }
+    }
+
     /// Its effects and then its tables, ready to act.
     pub fn built_effects(&self) -> Vec<Box<dyn Effect>> {
         let tables = self.tables.iter().map(|table| Box::new(table.clone()) as Box<dyn Effect>);
-        self.effects.iter().filter_map(EffectInstance::build).chain(tables).collect()
+        let effects = self.effects.iter().filter_map(EffectInstance::build);
+        let mut effects: Vec<Box<dyn Effect>> = effects.chain(tables).collect();
+        effects.iter_mut().for_each(|effect| effect.set_gears(&self.plant.gears));
+        effects
     }
 
     /// Whether it is a model alone, without effects and tables.

@@ -1,9 +1,8 @@
 //! A joint's equation of motion along the measured motion of the arm.
 
-use model::{Posture, Robot};
-
-use crate::logs::stretch::Kinematics;
+use crate::logs::stretch::{Joints, Kinematics};
 use rig::effects::Transmission;
+use rig::plant::Body;
 
 /// Difference for slopes of the bias torque [rad, rad/s].
 const STEP: f64 = 1e-4;
@@ -24,28 +23,27 @@ pub struct JointDynamics {
 
 impl JointDynamics {
     /// At every sample of a motion.
-    pub fn along(joint: usize, motor: &Kinematics, robot: &Robot<f64>) -> Vec<Self> {
-        (0..motor.q_rad[joint].len()).map(|k| Self::at(joint, motor, robot, k)).collect()
+    pub fn along(joint: usize, motor: &Kinematics, body: &Body) -> Vec<Self> {
+        (0..motor.q_rad[joint].len()).map(|k| Self::at(joint, motor, body, k)).collect()
     }
 
-    fn at(joint: usize, motor: &Kinematics, robot: &Robot<f64>, k: usize) -> Self {
-        let (q, qd, mut qdd) = motor.state(k);
+    fn at(joint: usize, motor: &Kinematics, body: &Body, k: usize) -> Self {
+        let [q, qd, mut qdd] = motor.state(k);
         qdd[joint] = 0.0;
-        let posture = Posture::new(q[1], q[2]);
-        let (base, geometry) = (&robot.base, &robot.geometry);
-        let bias_nm = |posture: &Posture<f64>, qd: &[f64; 3]| {
-            posture.inverse_dynamics(base, geometry, qd, &qdd)[joint]
+        let bias_nm = |q: &Joints, qd: &Joints| {
+            let mut torque_nm = Joints::default();
+            body.inverse_dynamics(q, qd, &qdd, &mut torque_nm);
+            torque_nm[joint]
         };
         let (mut q_moved, mut qd_moved) = (q, qd);
         q_moved[joint] += STEP;
         qd_moved[joint] += STEP;
-        let here_nm = bias_nm(&posture, &qd);
-        let moved = Posture::new(q_moved[1], q_moved[2]);
+        let here_nm = bias_nm(&q, &qd);
         Self {
-            inertia_kg_m2: posture.mass_matrix(base, geometry)[joint][joint],
+            inertia_kg_m2: body.inertia(joint, &q),
             bias_nm: here_nm,
-            along_angle_nm: (bias_nm(&moved, &qd) - here_nm) / STEP,
-            along_velocity_nm_s: (bias_nm(&posture, &qd_moved) - here_nm) / STEP,
+            along_angle_nm: (bias_nm(&q_moved, &qd) - here_nm) / STEP,
+            along_velocity_nm_s: (bias_nm(&q, &qd_moved) - here_nm) / STEP,
         }
     }
 

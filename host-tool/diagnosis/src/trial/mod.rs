@@ -9,5 +9,6 @@ pub mod link_motion;
 pub mod parts;
 pub mod reading;
 pub mod residual_rows;
+pub mod rigid_body;
 #[cfg(test)]
 mod tests;

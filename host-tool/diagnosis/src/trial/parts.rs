@@ -27,7 +27,7 @@ impl Parts {
     /// Those of a model under trial.
     pub fn of(trial: &Trial, joint: usize) -> Self {
         let drive = trial.drive(joint);
-        let friction = trial.friction(joint, trial.robot());
+        let friction = trial.friction(joint, trial.plant());
         let net = drive.iter().zip(&friction).map(|(drive, friction)| drive - friction).collect();
         let needed = trial.needed(joint).to_vec();
         Self { drive, friction, net, needed, dynamics: OnceLock::new() }
@@ -44,7 +44,7 @@ impl Parts {
             add(trial.drive(joint), &self.drive, 1.0);
         }
         if touches.friction {
-            add(trial.friction(joint, trial.robot()), &self.friction, -1.0);
+            add(trial.friction(joint, trial.plant()), &self.friction, -1.0);
         }
         let mut change = at_samples(&net);
         if touches.body {
@@ -55,13 +55,20 @@ impl Parts {
     }
 }
 
+impl MotorSide for Vec<Parts> {
+    fn dynamics(&self, joint: usize, make: &dyn Fn() -> Vec<JointDynamics>) -> &[JointDynamics] {
+        self[joint].dynamics.get_or_init(make)
+    }
+
+    fn net_v(&self, joint: usize) -> &[f64] {
+        &self[joint].net
+    }
+}
+
 /// The motors' side of the springs in these parts, for a hypothesis that differs from theirs in
 /// `effect` alone: nothing unless that is a spring.
-pub fn motor_side<'a>(parts: &'a [Parts; 3], effect: &EffectInstance) -> Option<MotorSide<'a>> {
-    effect.is_spring().then(|| MotorSide {
-        dynamics: [0, 1, 2].map(|joint| &parts[joint].dynamics),
-        net_v: [0, 1, 2].map(|joint| &parts[joint].net[..]),
-    })
+pub fn motor_side<'a>(parts: &'a Vec<Parts>, effect: &EffectInstance) -> Option<&'a dyn MotorSide> {
+    effect.is_spring().then_some(parts)
 }
 
 /// What an effect changes in the equation of a model that has others, and tables, too.
@@ -82,6 +89,7 @@ pub fn touched(effect: &EffectInstance, others: &[EffectInstance], tables: &[Tab
 mod tests {
     use files::Role;
     use model::reference_robot::reference_robot;
+    use rig::Plant;
     use rig::effects::{Catalogue, Definition, DrawContext, Random};
 
     use super::*;
@@ -103,8 +111,8 @@ mod tests {
 
     /// Half a second in which all joints turn back and all commands change their sign.
     fn stretch() -> Stretch {
-        let mut motion = Kinematics::default();
-        let mut command_v: [Vec<f64>; 3] = Default::default();
+        let mut motion = Kinematics::of_joints(3);
+        let mut command_v = vec![Vec::new(); 3];
         for joint in 0..3 {
             let w = 9.0 + 2.0 * joint as f64;
             for k in 0..500 {
@@ -117,20 +125,26 @@ mod tests {
         }
         motion.raw_rad = motion.q_rad.clone();
         let postures = motion.postures();
-        let (log, role, settled) = (0, Role::Train, [0; 3]);
+        let (log, role, settled) = (0, Role::Train, vec![0; 3]);
         let (start_s, period_s, broadband) = (0.0, PERIOD_S, false);
-        Stretch { log, role, start_s, period_s, motion, postures, command_v, broadband, settled }
+        let middles = Default::default();
+        Stretch {
+            log,
+            role,
+            start_s,
+            period_s,
+            motion,
+            postures,
+            middles,
+            command_v,
+            broadband,
+            settled,
+        }
     }
 
     fn hypothesis(effects: &[&EffectInstance]) -> Hypothesis {
         let effects = effects.iter().copied().cloned().collect();
-        Hypothesis {
-            robot: reference_robot(),
-            lag_s: [0.0; 3],
-            friction_lead_s: [0.0; 3],
-            effects,
-            tables: vec![],
-        }
+        Hypothesis { effects, ..Hypothesis::bare(Plant::of_robot(&reference_robot())) }
     }
 
     /// An effect of random size on every joint that it can act on.
@@ -145,8 +159,8 @@ mod tests {
         joints.map(instance).collect()
     }
 
-    fn of_all_joints(trial: &Trial) -> [Parts; 3] {
-        [0, 1, 2].map(|joint| Parts::of(trial, joint))
+    fn of_all_joints(trial: &Trial) -> Vec<Parts> {
+        (0..3).map(|joint| Parts::of(trial, joint)).collect()
     }
 
     #[test]

@@ -2,16 +2,20 @@
 
 use std::borrow::Cow;
 
+use model::chain::MAX_JOINTS;
+
 use crate::logs::stretch::Kinematics;
 use rig::effects::Effect;
 
 /// The motion with the effects' changes of the reading undone.
 pub fn corrected<'a>(motion: &'a Kinematics, effects: &[Box<dyn Effect>]) -> Cow<'a, Kinematics> {
     let mut corrected = Cow::Borrowed(motion);
-    for joint in 0..3 {
+    let joints = motion.joints();
+    for joint in 0..joints {
         let read = |q: f64| {
-            let mut angles = [q; 3];
-            effects.iter().for_each(|effect| effect.change_reading(&mut angles));
+            let mut angles = [q; MAX_JOINTS];
+            let angles = &mut angles[..joints];
+            effects.iter().for_each(|effect| effect.change_reading(angles));
             angles[joint]
         };
         if [0.3, 1.7, 3.1, 4.4].iter().any(|&q| read(q) != q) {

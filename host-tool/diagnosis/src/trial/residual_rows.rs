@@ -21,12 +21,13 @@ fn of_first(stretches: usize, evidence: &Evidence, hypothesis: &Hypothesis) -> R
         .into_par_iter()
         .map(|s| {
             let trial = Trial::of(&evidence.stretches[s], hypothesis, &evidence.criteria.fit);
-            let mut rows = Rows::default();
+            let mut rows = evidence.no_rows();
             for &joint in &evidence.joints {
                 rows[joint] = evidence.weighted(s, joint, &trial.residual(joint));
             }
             rows
         })
         .collect();
-    [0, 1, 2].map(|joint| pieces.iter().flat_map(|piece| &piece[joint]).copied().collect())
+    let of_joint = |joint: usize| pieces.iter().flat_map(|piece| &piece[joint]).copied().collect();
+    (0..evidence.joint_count()).map(of_joint).collect()
 }

@@ -11,6 +11,7 @@ use super::hypothesis::{EffectInstance, Hypothesis};
 use crate::criteria::FitCriteria;
 use crate::logs::stretch::{Kinematics, Stretch};
 use files::Role;
+use rig::Plant;
 use rig::effects::Catalogue;
 use signal::{LowPass, derivative, rms};
 use simulation::robot::{Settings, SimulatedRobot};
@@ -31,8 +32,8 @@ fn driven(effect: Option<&EffectInstance>) -> Stretch {
     let mut robot = SimulatedRobot::with_effects(reference_robot(), effects, start, &settings);
     let mut random = Pcg64Mcg::new(3);
     let mut noise = || -> f64 { StandardNormal.sample(&mut random) };
-    let mut command_v: [Vec<f64>; 3] = Default::default();
-    let mut angles: [Vec<f64>; 3] = Default::default();
+    let mut command_v = vec![Vec::new(); 3];
+    let mut angles = vec![Vec::new(); 3];
     for k in 0..10_000 {
         let q = robot.q_rad().map(|q| (q / COUNT_RAD).round() * COUNT_RAD);
         let swing = (TAU * 0.7e-3 * f64::from(k)).sin();
@@ -43,15 +44,27 @@ fn driven(effect: Option<&EffectInstance>) -> Stretch {
         robot.advance(&command);
     }
     let motion = motion(angles);
-    let (role, settled) = (Role::Train, [0; 3]);
+    let (role, settled) = (Role::Train, vec![0; 3]);
     let (log, start_s, period_s, broadband) = (0, 0.0, PERIOD_S, true);
     let postures = motion.postures();
-    Stretch { log, role, start_s, period_s, motion, postures, command_v, broadband, settled }
+    let middles = Default::default();
+    Stretch {
+        log,
+        role,
+        start_s,
+        period_s,
+        motion,
+        postures,
+        middles,
+        command_v,
+        broadband,
+        settled,
+    }
 }
 
-fn motion(angles: [Vec<f64>; 3]) -> Kinematics {
+fn motion(angles: Vec<Vec<f64>>) -> Kinematics {
     let smooth = |q: &Vec<f64>| LowPass::new(200.0, PERIOD_S).zero_phase(q);
-    let q_rad = [0, 1, 2].map(|i| smooth(&angles[i]));
+    let q_rad: Vec<Vec<f64>> = angles.iter().map(smooth).collect();
     let first = |q: &Vec<f64>| derivative::first(q, PERIOD_S);
     let second = |q: &Vec<f64>| -> Vec<f64> {
         let at = |k: usize| {
@@ -61,8 +74,8 @@ fn motion(angles: [Vec<f64>; 3]) -> Kinematics {
         (0..q.len()).map(at).collect()
     };
     Kinematics {
-        qd_rad_per_s: [0, 1, 2].map(|i| first(&q_rad[i])),
-        qdd_rad_per_s2: [0, 1, 2].map(|i| second(&angles[i])),
+        qd_rad_per_s: q_rad.iter().map(first).collect(),
+        qdd_rad_per_s2: angles.iter().map(second).collect(),
         q_rad,
         raw_rad: angles,
     }
@@ -71,13 +84,8 @@ fn motion(angles: [Vec<f64>; 3]) -> Kinematics {
 /// What a model leaves of joint 3 below 40 Hz, rms [V].
 fn left_v(stretch: &Stretch, effect: Option<EffectInstance>) -> f64 {
     let effects = effect.into_iter().collect();
-    let hypothesis = Hypothesis {
-        robot: reference_robot(),
-        lag_s: [0.0; 3],
-        friction_lead_s: [0.0; 3],
-        effects,
-        tables: vec![],
-    };
+    let hypothesis =
+        Hypothesis { effects, ..Hypothesis::bare(Plant::of_robot(&reference_robot())) };
     let left = Trial::of(stretch, &hypothesis, &FitCriteria::default()).residual(2);
     rms(&LowPass::new(40.0, PERIOD_S).zero_phase(&left)[500..9500])
 }

@@ -21,7 +21,7 @@ pub struct Confirmation<'a> {
     /// The model without each of its causes; the refitted one where there is but one.
     pub without: Vec<Held>,
     /// Noise of a joint's rows in every stretch, rms [V], by joint.
-    noise_v: [Vec<f64>; 3],
+    noise_v: Vec<Vec<f64>>,
 }
 
 /// A model within its doubt, and what it leaves.
@@ -57,7 +57,7 @@ impl<'a> Confirmation<'a> {
         refitted: Held,
         last: &FittedModel,
         added: &[Added],
-        noise_v: [Vec<f64>; 3],
+        noise_v: Vec<Vec<f64>>,
     ) -> Self {
         let held = |model: &FittedModel| Held::of(subject, model);
         let full = held(last);

@@ -37,13 +37,13 @@ pub struct Named {
 
 impl<'a> Judgement<'a> {
     /// Judges a selection; `noise_v` is that of rows, rms by joint and stretch [V].
-    pub fn of(subject: &'a Subject, selection: Selection, noise_v: &[Vec<f64>; 3]) -> Self {
+    pub fn of(subject: &'a Subject, selection: Selection, noise_v: &[Vec<f64>]) -> Self {
         let Selection { refitted, mut last, mut added, refused } = selection;
         let mut unconfirmed = Vec::new();
         let held = Held::of(subject, &refitted);
         loop {
             let confirmation =
-                Confirmation::of(subject, held.clone(), &last, &added, noise_v.clone());
+                Confirmation::of(subject, held.clone(), &last, &added, noise_v.to_vec());
             let judged: Vec<(Worth, f64)> = (0..added.len())
                 .map(|index| judged(subject, &confirmation, &last, &added[index], index))
                 .collect();

@@ -79,6 +79,11 @@ impl ArmJoint {
         self.units().command
     }
 
+    /// The unit of its position: `rad` or `m`.
+    pub fn position_unit(&self) -> &'static str {
+        self.units().position
+    }
+
     fn units(&self) -> Units {
         let drive = self.drive.as_ref().map(|drive| drive.kind);
         Units::of(self.kind, drive.unwrap_or_default())

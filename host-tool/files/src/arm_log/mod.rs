@@ -2,6 +2,7 @@
 
 mod columns;
 mod read;
+mod write;
 
 /// A recorded log of an arm; row `i` of a joint belongs to `time_s[i]`.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,6 +1,8 @@
 //! What is thought of a link before the logs are seen.
 
 use files::ArmJoint;
+use mechanism::given_values;
+pub use mechanism::{Reach, reaches};
 use model::chain::{BODY_PARAMETERS, Body};
 use nalgebra::{Matrix3, SymmetricEigen};
 
@@ -20,22 +22,10 @@ pub struct LinkPrior {
     pub given: Vec<(usize, f64, f64)>,
 }
 
-/// Where a link reaches: half way to the next joint [m], and its length [m].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reach {
-    /// The middle of the link in its frame.
-    pub middle_m: [f64; 3],
-    /// Its length.
-    pub length_m: f64,
-}
-
 /// The mass of a link of which nothing is known [kg]; its standard deviation is a factor of ten.
 const UNKNOWN_MASS_KG: f64 = 1.0;
 /// Radius of gyration about each plane of an unknown link, by its length.
 const UNKNOWN_RADIUS: f64 = 0.3;
-/// Doubt of an exact value, for the search alone.
-const EXACT: f64 = 1e-5;
-
 impl LinkPrior {
     /// Of a joint's link as the file gives it.
     pub fn of(joint: &ArmJoint, reach: &Reach, settings: &Settings) -> Self {
@@ -53,7 +43,7 @@ impl LinkPrior {
         Self {
             start: body.log_cholesky().unwrap_or_else(|| round_body(mass, centre, size)),
             width,
-            given: given(joint, mass, reach, settings),
+            given: given_values(joint, mass, reach, settings.doubt_of_link),
         }
     }
 
@@ -88,37 +78,6 @@ pub fn values_of(numbers: &[f64; BODY_PARAMETERS]) -> LinkValues {
     [body.mass_kg, x, y, z, i[0], i[1], i[2], i[3], i[4], i[5]]
 }
 
-/// The values that the file gives, with their standard deviations.
-fn given(
-    joint: &ArmJoint,
-    mass: f64,
-    reach: &Reach,
-    settings: &Settings,
-) -> Vec<(usize, f64, f64)> {
-    let link = &joint.link;
-    let inertia = link.inertia_kg_m2.unwrap_or_default();
-    let half_trace = (inertia[0] + inertia[3] + inertia[5]) / 2.0;
-    let square = link.com_m.unwrap_or_default().iter().map(|x| x * x).sum::<f64>();
-    // A point that is a link has the doubt of one a tenth of its length wide.
-    let radius = (square + half_trace / mass).sqrt().max(0.1 * reach.length_m);
-    let scales = [mass, radius, half_trace.max(mass * (0.1 * reach.length_m).powi(2))];
-    let mut found = Vec::new();
-    let mut add = |name: &str, first: usize, values: &[f64], scale: f64| {
-        let errors = joint.standard_error(name);
-        for (k, value) in values.iter().enumerate() {
-            let doubt = match errors.and_then(|errors| errors.get(k)) {
-                Some(error) => error.max(EXACT * scale),
-                None => settings.doubt_of_link * scale,
-            };
-            found.push((first + k, *value, doubt));
-        }
-    };
-    link.mass_kg.iter().for_each(|mass| add("mass_kg", 0, &[*mass], scales[0]));
-    link.com_m.iter().for_each(|centre| add("com_m", 1, centre, scales[1]));
-    link.inertia_kg_m2.iter().for_each(|inertia| add("inertia_kg_m2", 4, inertia, scales[2]));
-    found
-}
-
 /// The nearest inertia about the centre of mass that matter can have: no second moment of the
 /// mass below that of a hundredth of the link's length.
 fn possible(mass: f64, inertia: [f64; 6], length_m: f64) -> [f64; 6] {
@@ -134,26 +93,6 @@ fn possible(mass: f64, inertia: [f64; 6], length_m: f64) -> [f64; 6] {
     let moments = split.recompose();
     let tensor = Matrix3::identity() * moments.trace() - moments;
     [tensor[(0, 0)], tensor[(0, 1)], tensor[(0, 2)], tensor[(1, 1)], tensor[(1, 2)], tensor[(2, 2)]]
-}
-
-/// The reach of every link: to the next joint, or the last as far as the one before.
-pub fn reaches(joints: &[ArmJoint]) -> Vec<Reach> {
-    /// No link is shorter [m].
-    const SHORTEST_M: f64 = 0.05;
-    /// Nor longer [m].
-    const LONGEST_M: f64 = 100.0;
-    let length = |joint: &ArmJoint| {
-        let square: f64 = joint.origin_xyz_m.iter().map(|x| x * x).sum();
-        square.sqrt().clamp(SHORTEST_M, LONGEST_M)
-    };
-    (0..joints.len())
-        .map(|index| match joints.get(index + 1) {
-            Some(next) => {
-                Reach { middle_m: next.origin_xyz_m.map(|x| x / 2.0), length_m: length(next) }
-            }
-            None => Reach { middle_m: [0.0; 3], length_m: length(&joints[index]) },
-        })
-        .collect()
 }
 
 #[cfg(test)]

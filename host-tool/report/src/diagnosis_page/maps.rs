@@ -4,18 +4,27 @@ use std::f64::consts::TAU;
 
 use super::stages::Stages;
 use crate::HeatMap;
+use diagnosis::Diagnosis;
 use diagnosis::gap_by_axis::Samples;
 
 const COLUMNS: usize = 80;
 const ROWS: usize = 26;
 
 /// Two maps per joint, on one scale.
-pub(super) fn maps(stages: &Stages) -> Vec<String> {
+pub(super) fn maps(diagnosis: &Diagnosis, stages: &Stages) -> Vec<String> {
     let pair = |(before, after): &(Samples, Samples)| {
         let first = map(before, stages.names.0);
         let limit = strongest(&first.cells);
         let second = map(after, stages.names.1);
-        [first, second].map(|map| HeatMap { limit, ..map }.to_svg())
+        let units = diagnosis.units_of(before.joint);
+        let drawn = |map: HeatMap| HeatMap {
+            limit,
+            x_label: units.in_words(&map.x_label),
+            y_label: units.in_words(&map.y_label),
+            value_label: units.in_words(&map.value_label),
+            ..map
+        };
+        [first, second].map(|map| drawn(map).to_svg())
     };
     stages.joints.iter().flat_map(pair).collect()
 }

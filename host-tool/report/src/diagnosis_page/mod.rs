@@ -19,6 +19,7 @@ use diagnosis::sentence;
 use diagnosis::{DataParts, Diagnosis, Verdict};
 use stages::Stages;
 use tables::{CAUSES, PARAMETERS, REMAINDER, cause_rows, parameter_rows, remainder_rows};
+use units::in_own_units;
 
 /// The page of a diagnosis.
 pub fn diagnosis_page(diagnosis: &Diagnosis) -> Page {
@@ -50,7 +51,7 @@ fn remaining(page: &mut Page, diagnosis: &Diagnosis) {
         return;
     }
     page.heading("What no cause explains").paragraph(remainder::CAPTION);
-    page.pictures(&drawn(&remainder::charts(entries)));
+    page.pictures(&drawn(diagnosis, remainder::charts(entries)));
     page.words(&REMAINDER, &remainder_rows(diagnosis));
 }
 
@@ -75,7 +76,7 @@ fn data_words(data: &DataParts) -> String {
 
 /// The pictures, joint by joint; what is unknown begins with what is seen of it.
 fn pictures(page: &mut Page, diagnosis: &Diagnosis, stages: &Stages) {
-    let over_axes = drawn(&over_axis::charts(diagnosis, stages));
+    let over_axes = drawn(diagnosis, over_axis::charts(diagnosis, stages));
     let unknown = diagnosis.report.verdict == Verdict::Unknown;
     let (first, second) =
         if unknown { (&over_axes[..], &[][..]) } else { (&[][..], &over_axes[..]) };
@@ -84,17 +85,22 @@ fn pictures(page: &mut Page, diagnosis: &Diagnosis, stages: &Stages) {
         "Left: {}; right: {}. The same colour is the same voltage; grey is where no log goes.",
         stages.names.0, stages.names.1
     );
-    section(page, "What is left, over position and velocity", &sides, &maps::maps(stages));
-    let spectra = drawn(&spectra::charts(stages));
+    section(
+        page,
+        "What is left, over position and velocity",
+        &sides,
+        &maps::maps(diagnosis, stages),
+    );
+    let spectra = drawn(diagnosis, spectra::charts(stages));
     section(page, "What is left, by order per turn and by frequency", "", &spectra);
     section(page, OVER_AXES, "", second);
-    section(page, "Command", "", &drawn(&commands::charts(diagnosis, stages)));
+    section(page, "Command", "", &drawn(diagnosis, commands::charts(diagnosis, stages)));
 }
 
 const OVER_AXES: &str = "What is left, over what it varies with most";
 
-fn drawn(charts: &[Chart]) -> Vec<String> {
-    charts.iter().map(Chart::to_svg).collect()
+fn drawn(diagnosis: &Diagnosis, charts: Vec<Chart>) -> Vec<String> {
+    charts.into_iter().map(|chart| in_own_units(diagnosis, chart).to_svg()).collect()
 }
 
 /// A heading, a sentence and pictures; nothing where there are no pictures.

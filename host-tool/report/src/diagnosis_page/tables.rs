@@ -1,10 +1,11 @@
 //! The tables of a diagnosis.
 
+use super::units::in_common_units;
 use crate::Page;
 use diagnosis::quantity::{quantity, split_unit};
 use diagnosis::report::sentence::joint_numbers;
 use diagnosis::report::words::{
-    axis_words, change_words, effect_words, model_parameter_words, parameter_words,
+    axis_words, change_words, effect_words, joint_of, model_parameter_words, parameter_words,
     parameters_with_intervals, percent,
 };
 use diagnosis::{Alternative, Cause, Detectable, Diagnosis, ParameterChange, Remainder, Rival};
@@ -22,7 +23,9 @@ pub fn cause_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
             with_interval(cause.share, cause.share_interval),
             percent_words(cause.probability),
             with_interval(cause.shrinkage, cause.shrinkage_interval),
-            parameters_with_intervals(&diagnosis.catalogue, cause),
+            diagnosis
+                .units_of(cause.joint)
+                .in_words(&parameters_with_intervals(&diagnosis.catalogue, cause)),
         ]
     };
     diagnosis.report.causes.iter().map(row).collect()
@@ -51,15 +54,18 @@ pub(super) fn add(page: &mut Page, diagnosis: &Diagnosis) {
         }
     };
     words(page, "Where the gap lies, before any cause", &PLACES, place_rows(diagnosis));
-    page.heading("The gap on the logs that chose nothing, rms").table(&GAP, &gap_rows(diagnosis));
+    let header = GAP.map(|words| in_common_units(diagnosis, words));
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    page.heading("The gap on the logs that chose nothing, rms")
+        .table(&header, &gap_rows(diagnosis));
     words(page, "Rivals, and why they lost", &RIVALS, rival_rows(diagnosis));
     words(page, "Not ruled out", &ALTERNATIVES, alternative_rows(diagnosis));
     words(page, "What these logs cannot show", &UNTESTABLE, untestable_rows(diagnosis));
     words(
         page,
         "The smallest that these logs would have shown",
-        &DETECTABLE,
-        detectable_rows(&report.detectable),
+        &detectable_header(diagnosis),
+        detectable_rows(diagnosis),
     );
     if !report.remarks.is_empty() {
         page.heading("Remarks").list(&report.remarks);
@@ -74,14 +80,16 @@ pub(super) const PARAMETERS: [&str; 6] =
 pub(super) fn parameter_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
     let row = |change: &ParameterChange| {
         let unit = split_unit(&change.parameter).1;
-        let [low, high] = change.interval.map(|end| quantity(end, unit));
         let (place, name) = model_parameter_words(&change.parameter);
+        let units = diagnosis.units_of(joint_of(&place));
+        let quantity = |value: f64, unit: &str| units.in_words(&quantity(value, unit));
+        let [low, high] = change.interval.map(|end| quantity(end, unit));
         vec![
             format!("{place}, {name}"),
             change.parameter.clone(),
             quantity(change.given, unit),
             format!("{} [{low} to {high}]", quantity(change.found, unit)),
-            change_words(change),
+            units.in_words(&change_words(change)),
             percent_words(change.share),
         ]
     };
@@ -98,7 +106,7 @@ pub(super) fn remainder_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
         vec![
             entry.joint.to_string(),
             axis_words(entry.axis).into(),
-            quantity(entry.rms_v, "V"),
+            diagnosis.units_of(entry.joint).in_words(&quantity(entry.rms_v, "V")),
             percent_words(entry.share),
             entry.detail.clone(),
             entry.nearest.as_deref().map_or_else(String::new, effect_words),
@@ -164,7 +172,12 @@ fn rival_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
             joint_number(rival.joint),
             format!("{} %", percent(rival.explained)),
             rival.why.clone(),
-            parameter_words(&diagnosis.catalogue, &rival.effect, &rival.parameters, true),
+            diagnosis.units_of(rival.joint).in_words(&parameter_words(
+                &diagnosis.catalogue,
+                &rival.effect,
+                &rival.parameters,
+                true,
+            )),
         ]
     };
     diagnosis.rivals.iter().map(row).collect()
@@ -195,10 +208,25 @@ fn untestable_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
     all.map(|u| vec![effect_words(&u.effect), joint_number(u.joint), u.why.clone()]).collect()
 }
 
-const DETECTABLE: [&str; 5] = ["effect", "joint 1", "joint 2", "joint 3", "whole robot"];
+/// Names of the columns for joints, as many as an arm may have.
+const JOINTS: [&str; 10] = [
+    "joint 1", "joint 2", "joint 3", "joint 4", "joint 5", "joint 6", "joint 7", "joint 8",
+    "joint 9", "joint 10",
+];
+
+/// Joints that have a column: three at least.
+fn columns(diagnosis: &Diagnosis) -> u8 {
+    joint_numbers(diagnosis).into_iter().max().unwrap_or(0).clamp(3, JOINTS.len() as u8)
+}
+
+fn detectable_header(diagnosis: &Diagnosis) -> Vec<&'static str> {
+    let joints = &JOINTS[..usize::from(columns(diagnosis))];
+    [&["effect"], joints, &["whole robot"]].concat()
+}
 
 /// A row per effect, a column per joint.
-fn detectable_rows(all: &[Detectable]) -> Vec<Vec<String>> {
+fn detectable_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
+    let all = &diagnosis.report.detectable;
     let mut effects: Vec<&str> = Vec::new();
     for one in all {
         if !effects.contains(&one.effect.as_str()) {
@@ -207,10 +235,10 @@ fn detectable_rows(all: &[Detectable]) -> Vec<Vec<String>> {
     }
     let cell = |effect: &str, joint: u8| {
         let found = all.iter().find(|d| d.effect == effect && d.joint == joint);
-        found.map_or_else(String::new, size_words)
+        found.map_or_else(String::new, |one| diagnosis.units_of(joint).in_words(&size_words(one)))
     };
     let row = |effect: &str| {
-        let cells = [1, 2, 3, 0].map(|joint| cell(effect, joint));
+        let cells = (1..=columns(diagnosis)).chain([0]).map(|joint| cell(effect, joint));
         std::iter::once(effect_words(effect)).chain(cells).collect()
     };
     effects.into_iter().map(row).collect()

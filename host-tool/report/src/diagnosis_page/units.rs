@@ -1,6 +1,9 @@
 //! Units of the axes.
 
-use diagnosis::Axis;
+use diagnosis::report::sentence::joint_numbers;
+use diagnosis::{Axis, Diagnosis};
+
+use crate::Chart;
 
 /// The unit of an axis; none over frequencies, which have no course.
 pub(super) fn unit(axis: Axis) -> Option<&'static str> {
@@ -13,4 +16,30 @@ pub(super) fn unit(axis: Axis) -> Option<&'static str> {
         Axis::Time | Axis::Offset => "s since the log began",
         Axis::Frequency => return None,
     })
+}
+
+/// A chart of one joint, `Joint 2: ...`, in that joint's units.
+pub(super) fn in_own_units(diagnosis: &Diagnosis, chart: Chart) -> Chart {
+    let units = diagnosis.units_of(joint_in(&chart.title));
+    let [title, x_label, y_label] =
+        [&chart.title, &chart.x_label, &chart.y_label].map(|words| units.in_words(words));
+    Chart { title, x_label, y_label, ..chart }
+}
+
+/// The joint that a title begins with; 0 where it names none.
+pub(super) fn joint_in(title: &str) -> u8 {
+    let after = title.strip_prefix("Joint ").unwrap_or_default();
+    let end = after.find(|letter: char| !letter.is_ascii_digit()).unwrap_or(after.len());
+    after[..end].parse().unwrap_or(0)
+}
+
+/// Words on all joints at once: in their units where they are the same, else "mV" and "mrad" become
+/// thousandths of each joint's own.
+pub(super) fn in_common_units(diagnosis: &Diagnosis, words: &str) -> String {
+    let mut all = joint_numbers(diagnosis).into_iter().map(|joint| diagnosis.units_of(joint));
+    let first = all.next().unwrap_or_default();
+    match all.all(|units| units == first) {
+        true => first.in_words(words),
+        false => words.replace("mV", "10^-3 of its unit").replace("mrad", "10^-3 of its unit"),
+    }
 }

@@ -1,5 +1,6 @@
 //! The gap step by step.
 
+use super::units::in_common_units;
 use crate::{BarRow, BarTable};
 use diagnosis::Diagnosis;
 use diagnosis::report::sentence::joint_numbers;
@@ -33,6 +34,6 @@ pub(super) fn waterfall(diagnosis: &Diagnosis) -> Option<BarTable> {
         columns: columns.collect(),
         rows: rows.collect(),
         marks: millivolts(&diagnosis.report.gap.noise_floor_v),
-        unit: "mV".into(),
+        unit: in_common_units(diagnosis, "mV"),
     })
 }

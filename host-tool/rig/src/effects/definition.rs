@@ -9,6 +9,9 @@ use super::random::Random;
 use super::search::{Search, Size};
 use super::sizes::DrawContext;
 
+/// Joints of the robot that the board drives.
+pub(super) const BOARD_JOINTS: u8 = 3;
+
 /// An effect as a kind, before its parameters are known.
 #[derive(Debug)]
 pub struct Definition {
@@ -38,7 +41,7 @@ pub struct Definition {
     pub compensation: Compensation,
     /// The experiment that shows it best.
     pub experiment: &'static str,
-    /// The effect with these values, one per parameter, on a joint (1 to 3, or 0); called with
+    /// The effect with these values, one per parameter, on a joint (from 1, or 0); called with
     /// a joint and values that fit.
     pub build: fn(joint: u8, values: &[f64]) -> Box<dyn Effect>,
 }
@@ -71,13 +74,30 @@ impl Definition {
     /// # Errors
     /// A joint that the effect cannot act on, too few or too many values, or one out of bounds.
     pub fn with(&self, joint: u8, values: &[f64]) -> Result<Box<dyn Effect>, EffectError> {
-        self.check(joint, values)?;
+        self.on_one_of(BOARD_JOINTS, joint, values)
+    }
+
+    /// The same on an arm of so many joints.
+    ///
+    /// # Errors
+    /// Those of [`Self::with`].
+    pub fn on_one_of(
+        &self,
+        joints: u8,
+        joint: u8,
+        values: &[f64],
+    ) -> Result<Box<dyn Effect>, EffectError> {
+        self.check(joints, joint, values)?;
         Ok((self.build)(joint, values))
     }
 
-    fn check(&self, joint: u8, values: &[f64]) -> Result<(), EffectError> {
-        let right = if self.whole_robot { "the whole robot (joint 0)" } else { "joint 1, 2 or 3" };
-        if self.whole_robot != (joint == 0) || joint > 3 {
+    fn check(&self, joints: u8, joint: u8, values: &[f64]) -> Result<(), EffectError> {
+        let right = match (self.whole_robot, joints) {
+            (true, _) => "the whole robot (joint 0)",
+            (false, BOARD_JOINTS) => "joint 1, 2 or 3",
+            (false, _) => "a joint of the arm",
+        };
+        if self.whole_robot != (joint == 0) || joint > joints {
             return Err(EffectError::Joint { effect: self.name, right, joint });
         }
         if values.len() != self.parameters.len() {

@@ -27,6 +27,8 @@ pub enum Kind {
     FirstMoment,
     /// Inertia [kg m^2].
     Inertia,
+    /// Component of a place [m].
+    Place,
     /// Component of a force [N].
     Force,
     /// Stiffness, a torque or a voltage per angle.

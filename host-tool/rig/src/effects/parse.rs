@@ -18,7 +18,10 @@ impl Definition {
             }
             names.push(parameter.name);
             match table.get(parameter.name).map(numbers) {
-                None if parameter.optional => values.push(0.0),
+                None if parameter.optional => {
+                    let components = self.parameters.iter().filter(|p| p.name == parameter.name);
+                    values.extend(components.map(|_| 0.0));
+                }
                 given => values.extend(
                     given.flatten().ok_or_else(|| self.wrong_parameters(given_names(table)))?,
                 ),
@@ -56,10 +59,10 @@ impl Catalogue {
     /// An unknown name, or parameters that do not fit.
     pub fn effect_of(&self, table: &EffectTable) -> Result<Box<dyn Effect>, EffectError> {
         if Table::is_in(table) {
-            return Ok(Box::new(Table::of(table)?));
+            return Ok(Box::new(Table::on_one_of(self.joints(), table)?));
         }
         let (definition, values) = self.definition_and_values(table)?;
-        definition.with(table.joint, &values)
+        definition.on_one_of(self.joints(), table.joint, &values)
     }
 
     /// The kind of effect that a table describes, and its values in the order of the kind's

@@ -1,7 +1,5 @@
 //! What stands between a motor and its link: a spring and a damper, perhaps with backlash.
 
-use model::Robot;
-
 /// A spring and damper that act once the gap is closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transmission {
@@ -30,18 +28,6 @@ impl Transmission {
     pub fn hold(&self, torque_nm: f64) -> f64 {
         let bent_rad = torque_nm / self.stiffness_nm_per_rad;
         bent_rad + (0.5 * self.gap_rad).copysign(torque_nm)
-    }
-
-    /// The robot without the motor's inertia at a joint (0 to 2): what the spring moves.
-    pub fn without_motor(&self, joint: usize, robot: &Robot<f64>) -> Robot<f64> {
-        let mut links = *robot;
-        let own = match joint {
-            0 => &mut links.base.zz1r,
-            1 => &mut links.base.zz2r,
-            _ => &mut links.base.ia3,
-        };
-        *own -= self.motor_inertia_kg_m2;
-        links
     }
 }
 

@@ -1,6 +1,7 @@
 //! The integrator is accurate, and friction holds.
 
 use model::reference_robot::reference_robot;
+use rig::effects::Transmission;
 
 use super::*;
 
@@ -64,7 +65,7 @@ fn dry_friction_in_a_gap_calms_the_link() {
         let start = [0.0, -std::f64::consts::FRAC_PI_2, 0.3];
         let mut robot = SimulatedRobot::with_effects(reference_robot(), effects, start, &settings);
         (0..1000).for_each(|_| robot.advance(&[0.0; 3]));
-        (robot.link.qd_rad_per_s[2] - robot.motor.qd_rad_per_s[2]).abs()
+        (robot.plant.link_qd_rad_per_s()[2] - robot.qd_rad_per_s()[2]).abs()
     };
     assert!(restless(0.3) < 0.1 * restless(0.0));
 }

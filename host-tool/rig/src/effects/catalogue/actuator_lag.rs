@@ -1,7 +1,5 @@
 //! A first-order lag from command to torque.
 
-use model::vector::Vector3;
-
 use crate::effects::{
     Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
 };
@@ -56,7 +54,7 @@ impl Effect for ActuatorLag {
     }
 
     /// The exact solution for a command that is constant over the step, averaged.
-    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut [f64]) {
         let way_v = command_v[self.joint] - self.current_v;
         command_v[self.joint] = self.current_v + self.mean * way_v;
         self.current_v += self.share * way_v;

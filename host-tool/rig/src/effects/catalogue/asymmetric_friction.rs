@@ -43,7 +43,7 @@ struct AsymmetricFriction {
 }
 
 impl Effect for AsymmetricFriction {
-    fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>; 3]) {
+    fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>]) {
         let velocity = state.qd_rad_per_s[self.joint];
         scale_asymmetric_friction(&mut scale[self.joint], self.relative_asymmetry, velocity);
     }

@@ -2,12 +2,11 @@
 
 use firmware::compensation::limits;
 use model::effects::Tilt;
-use model::vector::Vector3;
-use model::{Posture, Robot};
 
 use crate::effects::{
     Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
 };
+use crate::plant::Plant;
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "base_tilt",
@@ -66,6 +65,22 @@ pub(super) const DEFINITION: Definition = Definition {
     build: |_, values| Box::new(BaseTilt { tilt: tilt(values) }),
 };
 
+/// On an arm of any kind, whose links hold all moments.
+pub(super) const OF_ARM: Definition = Definition {
+    words: "the base leans, so gravity comes from another side",
+    equation: "gravity (0, 0, -g) becomes g (sin b, -sin a cos b, -cos a cos b) in the base frame",
+    parameters: &[
+        Parameter::new("tilt_x_rad", Kind::Rotation, -0.5, 0.5),
+        Parameter::new("tilt_y_rad", Kind::Rotation, -0.5, 0.5),
+    ],
+    search: Search::From(|_| {
+        [[0.02, 0.02], [0.02, 1e-4], [1e-4, 0.02], [0.02, -0.02]].map(|tilt| tilt.to_vec()).to_vec()
+    }),
+    compensation: Compensation::None("the board drives another arm"),
+    build: |_, values| Box::new(BaseTilt { tilt: Tilt::new(values[0], values[1], [0.0; 2]) }),
+    ..DEFINITION
+};
+
 fn tilt(values: &[f64]) -> Tilt<f64> {
     Tilt::new(values[0], values[1], [values[2], values[3]])
 }
@@ -77,12 +92,7 @@ struct BaseTilt {
 
 impl Effect for BaseTilt {
     /// What gravity does beyond what it does to a level base.
-    fn add_torque(&self, state: &JointState, robot: &Robot<f64>, torque_nm: &mut Vector3<f64>) {
-        let [q1, q2, q3] = state.q_rad;
-        let Robot { base, geometry, .. } = robot;
-        let leaning = self.tilt.torque(q1.sin_cos(), &Posture::new(q2, q3), base, geometry);
-        for joint in 0..3 {
-            torque_nm[joint] += leaning[joint];
-        }
+    fn add_torque(&self, state: &JointState, plant: &Plant, torque_nm: &mut [f64]) {
+        plant.body.add_tilt(state.q_rad, &self.tilt, torque_nm);
     }
 }

@@ -3,7 +3,6 @@
 use firmware::compensation::{Feedforward, limits};
 use model::HANGING_RAD;
 use model::effects::cable_spring_v;
-use model::vector::Vector3;
 
 use crate::effects::{
     Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
@@ -62,7 +61,7 @@ struct CableSpring {
 }
 
 impl Effect for CableSpring {
-    fn add_voltage(&self, state: &JointState, voltage_v: &mut Vector3<f64>) {
+    fn add_voltage(&self, state: &JointState, voltage_v: &mut [f64]) {
         let q_rad = state.q_rad[self.joint];
         voltage_v[self.joint] += cable_spring_v(self.stiffness_v_per_rad, q_rad, self.rest_rad);
     }

@@ -2,12 +2,12 @@
 
 use firmware::compensation::{Feedforward, limits};
 use model::effects::{AngularHarmonic, cogging_v};
-use model::vector::Vector3;
 
 use crate::effects::{
     Carrier, Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search,
     Size, Touches, harmonic, turn_wave,
 };
+use crate::plant::Gear;
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "cogging",
@@ -38,6 +38,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Box::new(Cogging {
             joint: usize::from(joint) - 1,
             amplitude_v: values[0],
+            motor_turns: 1.0,
             wave: AngularHarmonic { order: values[1], phase_rad: values[2] },
         })
     },
@@ -47,12 +48,18 @@ pub(super) const DEFINITION: Definition = Definition {
 struct Cogging {
     joint: usize,
     amplitude_v: f64,
+    /// Turns of the motor per turn of the joint.
+    motor_turns: f64,
     wave: AngularHarmonic<f64>,
 }
 
 impl Effect for Cogging {
-    fn add_voltage(&self, state: &JointState, voltage_v: &mut Vector3<f64>) {
-        let sine = self.wave.sine(state.q_rad[self.joint]);
+    fn set_gears(&mut self, gears: &[Gear]) {
+        self.motor_turns = gears[self.joint].motor;
+    }
+
+    fn add_voltage(&self, state: &JointState, voltage_v: &mut [f64]) {
+        let sine = self.wave.sine(self.motor_turns * state.q_rad[self.joint]);
         voltage_v[self.joint] += cogging_v(self.amplitude_v, sine);
     }
 }

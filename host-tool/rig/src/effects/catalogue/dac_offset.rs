@@ -1,7 +1,6 @@
 //! An offset of the converter or the amplifier.
 
 use firmware::compensation::{InputInverse, limits};
-use model::vector::Vector3;
 
 use crate::effects::{
     Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
@@ -48,7 +47,7 @@ struct DacOffset {
 }
 
 impl Effect for DacOffset {
-    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut [f64]) {
         command_v[self.joint] += self.offset_v;
     }
 }

@@ -2,7 +2,6 @@
 
 use firmware::compensation::{InputInverse, limits};
 use model::effects::dead_zone;
-use model::vector::Vector3;
 
 use crate::effects::{
     Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
@@ -48,7 +47,7 @@ struct DeadZone {
 }
 
 impl Effect for DeadZone {
-    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut [f64]) {
         command_v[self.joint] = dead_zone(command_v[self.joint], self.half_width_v);
     }
 }

@@ -2,8 +2,6 @@
 
 use std::collections::VecDeque;
 
-use model::vector::Vector3;
-
 use crate::effects::{
     Compensation, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
 };
@@ -50,7 +48,7 @@ impl Effect for Delay {
     }
 
     /// The mean over the step of the delayed command, which changes once within it.
-    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut [f64]) {
         self.waiting_v.push_back(command_v[self.joint]);
         let older_v = self.waiting_v.pop_front().unwrap_or_default();
         let newer_v = self.waiting_v.front().copied().unwrap_or_default();

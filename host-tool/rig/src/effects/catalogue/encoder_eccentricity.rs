@@ -1,10 +1,9 @@
 //! An encoder disc that runs out of true.
 
-use model::vector::Vector3;
-
 use crate::effects::{
     Compensation, Confusion, Definition, Effect, Kind, Parameter, Search, Size, Touches,
 };
+use crate::plant::Gear;
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "encoder_eccentricity",
@@ -32,6 +31,7 @@ pub(super) const DEFINITION: Definition = Definition {
             joint: usize::from(joint) - 1,
             amplitude_rad: values[0],
             phase_rad: values[1],
+            encoder_turns: 1.0,
         })
     },
 };
@@ -41,11 +41,17 @@ struct EncoderEccentricity {
     joint: usize,
     amplitude_rad: f64,
     phase_rad: f64,
+    /// Turns of the encoder's shaft per turn of the joint.
+    encoder_turns: f64,
 }
 
 impl Effect for EncoderEccentricity {
-    fn change_reading(&self, q_rad: &mut Vector3<f64>) {
-        let angle = q_rad[self.joint] + self.phase_rad;
-        q_rad[self.joint] += self.amplitude_rad * angle.sin();
+    fn set_gears(&mut self, gears: &[Gear]) {
+        self.encoder_turns = gears[self.joint].encoder;
+    }
+
+    fn change_reading(&self, q_rad: &mut [f64]) {
+        let angle = self.encoder_turns * q_rad[self.joint] + self.phase_rad;
+        q_rad[self.joint] += self.amplitude_rad / self.encoder_turns * angle.sin();
     }
 }

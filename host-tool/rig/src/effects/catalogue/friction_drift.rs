@@ -44,7 +44,7 @@ struct FrictionDrift {
 }
 
 impl Effect for FrictionDrift {
-    fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>; 3]) {
+    fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>]) {
         let warmed = -(-state.time_s / self.time_constant_s).exp_m1();
         let factor = 1.0 + self.relative_change * warmed;
         scale[self.joint].level *= factor;

@@ -40,7 +40,7 @@ impl Effect for LoadFriction {
         true
     }
 
-    fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>; 3]) {
+    fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>]) {
         scale[self.joint].added_v += self.coefficient_v_per_nm * state.load_nm[self.joint].abs();
     }
 }

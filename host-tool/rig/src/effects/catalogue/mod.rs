@@ -21,7 +21,7 @@ mod tip_force;
 mod torque_constant;
 mod torque_ripple;
 
-use super::definition::Definition;
+use super::definition::{BOARD_JOINTS, Definition};
 
 /// The project's effects, in the order in which files and reports list them.
 const STANDARD: [&Definition; 20] = [
@@ -47,16 +47,35 @@ const STANDARD: [&Definition; 20] = [
     &quadratic_drag::DEFINITION,
 ];
 
+/// Those that are others on an arm of any kind.
+const OF_ARM: [&Definition; 2] = [&payload::OF_ARM, &base_tilt::OF_ARM];
+
 /// Effects, looked up by their names.
 #[derive(Clone, Debug)]
 pub struct Catalogue {
     definitions: Vec<&'static Definition>,
+    joints: u8,
 }
 
 impl Catalogue {
     /// The project's effects.
     pub fn standard() -> Self {
-        Self { definitions: STANDARD.to_vec() }
+        Self { definitions: STANDARD.to_vec(), joints: BOARD_JOINTS }
+    }
+
+    /// The project's effects on an arm of so many joints, in terms of its last link and of its
+    /// gravity where they are those of the whole robot.
+    pub fn of_arm(joints: usize) -> Self {
+        let general = |definition: &&'static Definition| {
+            let of_arm = OF_ARM.iter().find(|general| general.name == definition.name);
+            of_arm.copied().unwrap_or(definition)
+        };
+        Self { definitions: STANDARD.iter().map(general).collect(), joints: joints as u8 }
+    }
+
+    /// Of how many joints the robot is.
+    pub fn joints(&self) -> u8 {
+        self.joints
     }
 
     /// The same effects and one more.

@@ -1,11 +1,11 @@
 //! A point mass at the tip.
 
-use model::Robot;
-use model::effects::with_payload;
+use model::vector::Vector3;
 
 use crate::effects::{
     Compensation, Confusion, Definition, Effect, Kind, Parameter, Search, Size, Touches,
 };
+use crate::plant::Plant;
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "payload",
@@ -29,16 +29,45 @@ pub(super) const DEFINITION: Definition = Definition {
         Ok(())
     }),
     experiment: "`rrr run excitation`, which accelerates the tip",
-    build: |_, values| Box::new(Payload { mass_kg: values[0] }),
+    build: |_, values| Box::new(Payload { mass_kg: values[0], at_m: [0.0; 3] }),
 };
+
+/// On an arm of any kind: a mass anywhere in the last link's frame, negative where the model
+/// carries more than the robot.
+pub(super) const OF_ARM: Definition = Definition {
+    equation: "point mass m at c in the frame of the last link",
+    parameters: &[
+        Parameter::new("mass_kg", Kind::Mass, -50.0, 50.0),
+        PLACE.optional(),
+        PLACE.optional(),
+        PLACE.optional(),
+    ],
+    // Sizes are parts of what moves; places from the link's frame outwards, in every direction.
+    search: Search::From(|_| {
+        let places = [[0.05, 0.05, 0.05], [0.3, 0.02, 0.02], [0.02, 0.3, 0.02], [0.02, 0.02, 0.3]];
+        let others = [[-0.3, 0.02, 0.02], [0.02, -0.3, 0.02], [0.02, 0.02, -0.3]];
+        let start = |at: [f64; 3]| vec![0.1, at[0], at[1], at[2]];
+        places.into_iter().chain(others).map(start).collect()
+    }),
+    compensation: Compensation::None("the board drives another arm"),
+    build: |_, values| {
+        Box::new(Payload { mass_kg: values[0], at_m: [values[1], values[2], values[3]] })
+    },
+    ..DEFINITION
+};
+
+/// A component of where the mass is.
+const PLACE: Parameter = Parameter::new("com_m", Kind::Place, -2.0, 2.0);
 
 #[derive(Clone, Debug)]
 struct Payload {
     mass_kg: f64,
+    /// Where it is in the frame of the last link.
+    at_m: Vector3<f64>,
 }
 
 impl Effect for Payload {
-    fn change_robot(&self, robot: &mut Robot<f64>) {
-        robot.base = with_payload(&robot.base, &robot.geometry, self.mass_kg);
+    fn change_robot(&self, plant: &mut Plant) {
+        plant.body.add_payload(self.mass_kg, self.at_m);
     }
 }

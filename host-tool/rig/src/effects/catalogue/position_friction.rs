@@ -53,7 +53,7 @@ struct PositionFriction {
 }
 
 impl Effect for PositionFriction {
-    fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>; 3]) {
+    fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>]) {
         let sine = self.wave.sine(state.q_rad[self.joint]);
         scale_position_friction(&mut scale[self.joint], self.relative_amplitude, sine);
     }

@@ -2,7 +2,6 @@
 
 use firmware::compensation::{Feedforward, limits};
 use model::effects::quadratic_drag_v;
-use model::vector::Vector3;
 
 use crate::effects::{
     Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
@@ -57,7 +56,7 @@ struct QuadraticDrag {
 }
 
 impl Effect for QuadraticDrag {
-    fn add_voltage(&self, state: &JointState, voltage_v: &mut Vector3<f64>) {
+    fn add_voltage(&self, state: &JointState, voltage_v: &mut [f64]) {
         let speed = state.qd_rad_per_s[self.joint];
         voltage_v[self.joint] += quadratic_drag_v(self.coefficient_v_s2_per_rad2, speed);
     }

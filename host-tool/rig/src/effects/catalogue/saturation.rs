@@ -1,7 +1,5 @@
 //! An amplifier that gives less than the model's limit.
 
-use model::vector::Vector3;
-
 use crate::effects::{
     Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
 };
@@ -40,7 +38,7 @@ struct Saturation {
 }
 
 impl Effect for Saturation {
-    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut [f64]) {
         command_v[self.joint] = command_v[self.joint].clamp(-self.limit_v, self.limit_v);
     }
 }

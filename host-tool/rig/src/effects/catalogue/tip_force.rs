@@ -2,12 +2,12 @@
 
 use firmware::compensation::limits;
 use model::vector::Vector3;
-use model::{Posture, Robot};
 
 use crate::effects::{
     ArmLoad, Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search,
     Size, Touches,
 };
+use crate::plant::Plant;
 
 const COMPONENT: Parameter = Parameter::of_board("force_N", Kind::Force, limits::TIP_FORCE_N);
 
@@ -55,12 +55,7 @@ struct TipForce {
 }
 
 impl Effect for TipForce {
-    fn add_torque(&self, state: &JointState, robot: &Robot<f64>, torque_nm: &mut Vector3<f64>) {
-        let [q1, q2, q3] = state.q_rad;
-        let posture = Posture::new(q2, q3);
-        let pushed = posture.tip_force_torque(q1.sin_cos(), &robot.geometry, &self.force_n);
-        for joint in 0..3 {
-            torque_nm[joint] += pushed[joint];
-        }
+    fn add_torque(&self, state: &JointState, plant: &Plant, torque_nm: &mut [f64]) {
+        plant.body.add_tip_force(state.q_rad, &self.force_n, torque_nm);
     }
 }

@@ -2,7 +2,6 @@
 
 use firmware::compensation::{InputInverse, limits};
 use model::effects::torque_constant_factor;
-use model::vector::Vector3;
 
 use crate::effects::{
     Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search, Size, Touches,
@@ -44,7 +43,7 @@ struct TorqueConstant {
 }
 
 impl Effect for TorqueConstant {
-    fn change_command(&mut self, _: &JointState, command_v: &mut Vector3<f64>) {
+    fn change_command(&mut self, _: &JointState, command_v: &mut [f64]) {
         command_v[self.joint] *= torque_constant_factor(self.relative_error);
     }
 }

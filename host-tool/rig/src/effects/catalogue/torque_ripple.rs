@@ -2,12 +2,12 @@
 
 use firmware::compensation::{InputInverse, limits};
 use model::effects::{AngularHarmonic, ripple_factor};
-use model::vector::Vector3;
 
 use crate::effects::{
     Carrier, Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search,
     Size, Touches, harmonic, turn_wave,
 };
+use crate::plant::Gear;
 
 pub(super) const DEFINITION: Definition = Definition {
     name: "torque_ripple",
@@ -39,6 +39,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Box::new(TorqueRipple {
             joint: usize::from(joint) - 1,
             relative_amplitude: values[0],
+            motor_turns: 1.0,
             wave: AngularHarmonic { order: values[1], phase_rad: values[2] },
         })
     },
@@ -48,12 +49,18 @@ pub(super) const DEFINITION: Definition = Definition {
 struct TorqueRipple {
     joint: usize,
     relative_amplitude: f64,
+    /// Turns of the motor per turn of the joint.
+    motor_turns: f64,
     wave: AngularHarmonic<f64>,
 }
 
 impl Effect for TorqueRipple {
-    fn change_command(&mut self, state: &JointState, command_v: &mut Vector3<f64>) {
-        let sine = self.wave.sine(state.q_rad[self.joint]);
+    fn set_gears(&mut self, gears: &[Gear]) {
+        self.motor_turns = gears[self.joint].motor;
+    }
+
+    fn change_command(&mut self, state: &JointState, command_v: &mut [f64]) {
+        let sine = self.wave.sine(self.motor_turns * state.q_rad[self.joint]);
         command_v[self.joint] *= ripple_factor(self.relative_amplitude, sine);
     }
 }

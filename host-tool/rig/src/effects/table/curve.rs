@@ -4,6 +4,7 @@ use firmware::compensation::limits::{self, Bounds};
 
 use super::axis::TableAxis;
 use super::names::{KNOTS, NAME, VALUES_V};
+use crate::effects::definition::BOARD_JOINTS;
 use crate::effects::effect::JointState;
 use crate::effects::error::EffectError;
 
@@ -15,7 +16,7 @@ pub const MAX_TABLE_KNOTS: usize = 64;
 /// A curve over one axis that is added to the voltage of a joint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
-    /// Joint, 1 to 3.
+    /// Joint, from 1.
     pub joint: u8,
     /// Over what the curve lies.
     pub axis: TableAxis,
@@ -45,9 +46,9 @@ impl Table {
         }
     }
 
-    /// Its joint as an index, 0 to 2.
+    /// Its joint as an index.
     pub(super) fn index(&self) -> usize {
-        usize::from(self.joint).clamp(1, 3) - 1
+        usize::from(self.joint.max(1)) - 1
     }
 
     /// The same table, if it is one.
@@ -56,8 +57,16 @@ impl Table {
     /// A joint that is none, knots that do not increase or are out of bounds, values out of
     /// bounds, or not as many of them as knots.
     pub fn checked(self) -> Result<Self, EffectError> {
-        if !(1..=3).contains(&self.joint) {
-            let right = "joint 1, 2 or 3";
+        self.checked_on_one_of(BOARD_JOINTS)
+    }
+
+    /// The same on an arm of so many joints.
+    pub(super) fn checked_on_one_of(self, joints: u8) -> Result<Self, EffectError> {
+        if !(1..=joints).contains(&self.joint) {
+            let right = match joints {
+                BOARD_JOINTS => "joint 1, 2 or 3",
+                _ => "a joint of the arm",
+            };
             return Err(EffectError::Joint { effect: NAME, right, joint: self.joint });
         }
         let (knots, values) = (self.knots.len(), self.values_v.len());

@@ -20,6 +20,18 @@ impl Table {
     /// Another effect, parameters that are not `axis`, `knots` and `values_V`, or a curve that is
     /// none: see [`Table::checked`].
     pub fn of(table: &EffectTable) -> Result<Self, EffectError> {
+        Self::read(table)?.checked()
+    }
+
+    /// The same on an arm of so many joints.
+    ///
+    /// # Errors
+    /// Those of [`Self::of`].
+    pub fn on_one_of(joints: u8, table: &EffectTable) -> Result<Self, EffectError> {
+        Self::read(table)?.checked_on_one_of(joints)
+    }
+
+    fn read(table: &EffectTable) -> Result<Self, EffectError> {
         if !Self::is_in(table) {
             let (name, known) = (table.effect.clone(), NAME.to_owned());
             return Err(EffectError::Unknown { name, known });
@@ -31,7 +43,7 @@ impl Table {
             known.then_some((axis, numbers(given.get(KNOTS)?)?, numbers(given.get(VALUES_V)?)?))
         };
         let (axis, knots, values_v) = parameters().ok_or_else(|| wrong_parameters(given))?;
-        Self { joint: table.joint, axis: axis_named(axis)?, knots, values_v }.checked()
+        Ok(Self { joint: table.joint, axis: axis_named(axis)?, knots, values_v })
     }
 
     /// The same as an `[[effect]]` of a model file.
@@ -143,9 +155,9 @@ mod tests {
         use crate::effects::{Effect, JointState};
         let state = JointState {
             time_s: 0.1,
-            q_rad: [0.0, 0.2, 0.0],
-            qd_rad_per_s: [0.0, 0.3, 0.0],
-            load_nm: [0.0, 0.4, 0.0],
+            q_rad: &[0.0, 0.2, 0.0],
+            qd_rad_per_s: &[0.0, 0.3, 0.0],
+            load_nm: &[0.0, 0.4, 0.0],
         };
         let found = TableAxis::ALL.map(|axis| {
             let (knots, values_v) = (vec![-1.0, 1.0], vec![-1.0, 1.0]);

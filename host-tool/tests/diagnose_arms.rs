@@ -1,0 +1,232 @@
+//! Arms of any kind under diagnosis: a pendulum of two links with voltages, a geared arm of six joints
+//! with currents, and the three-joint robot as a chain, which must be judged as its closed form is.
+
+mod arms;
+
+use arms::{AXIS, PENDULUM, parse, recorded, six_joints};
+use diagnosis::{Criteria, Diagnosis, Report, Verdict};
+use files::{ArmFile, RobotFile};
+use model::links::{Link, base_parameters};
+use model::reference_robot::reference_robot;
+use model::{Geometry, Robot};
+use recordings::{ArmCampaign, Campaign};
+use rig::effects::Catalogue;
+
+fn diagnosed(campaign: &ArmCampaign) -> Diagnosis {
+    let catalogue = Catalogue::of_arm(campaign.arm.joints.len());
+    let found =
+        diagnosis::diagnose_arm(campaign, &catalogue, &Criteria::default(), &|_| ()).unwrap();
+    eprintln!("{}", host_tool::commands::diagnose::in_words(&found));
+    found
+}
+
+fn of_pendulum(hidden: &[&str]) -> Report {
+    diagnosed(&recorded(&parse(PENDULUM), 500.0, 15.0, hidden)).report
+}
+
+fn of_six_joints(hidden: &[&str]) -> Report {
+    diagnosed(&recorded(&six_joints(), 250.0, 12.0, hidden)).report
+}
+
+/// The one cause that is named, with its size within this part of the truth.
+fn names(report: &Report, effect: &str, joint: u8, size: (&str, f64), within: f64) {
+    let named: Vec<_> = report.causes.iter().map(|c| (c.effect.as_str(), c.joint)).collect();
+    assert_eq!(named, [(effect, joint)]);
+    let found = match &report.causes[0].parameters[size.0] {
+        diagnosis::Value::Number(found) => *found,
+        other => panic!("{other:?}"),
+    };
+    assert!((found / size.1 - 1.0).abs() < within, "{found} rather than {}", size.1);
+}
+
+#[test]
+fn a_pendulum_as_its_model_has_no_gap() {
+    let report = of_pendulum(&[]);
+    assert_eq!((report.verdict, report.causes.len()), (Verdict::None, 0));
+}
+
+#[test]
+fn single_causes_of_a_pendulum_are_named_with_joint_and_size() {
+    let cases: [(&str, &str, u8, (&str, f64), f64); 7] = [
+        ("payload:mass_kg=0.2,com_m=0.25 0 0", "payload", 0, ("mass_kg", 0.2), 0.1),
+        (
+            "cogging:1:amplitude_V=0.08,harmonic=7,phase_rad=0.4",
+            "cogging",
+            1,
+            ("amplitude_V", 0.08),
+            0.05,
+        ),
+        ("dac_offset:2:offset_V=0.05", "dac_offset", 2, ("offset_V", 0.05), 0.05),
+        (
+            "torque_constant:1:relative_error=0.1",
+            "torque_constant",
+            1,
+            ("relative_error", 0.1),
+            0.1,
+        ),
+        (
+            "asymmetric_friction:2:relative_asymmetry=0.25",
+            "asymmetric_friction",
+            2,
+            ("relative_asymmetry", 0.25),
+            0.1,
+        ),
+        ("delay:1:delay_s=0.003", "delay", 1, ("delay_s", 0.003), 0.1),
+        (
+            "load_friction:1:coefficient_V_per_Nm=0.05",
+            "load_friction",
+            1,
+            ("coefficient_V_per_Nm", 0.05),
+            0.1,
+        ),
+    ];
+    for (hidden, effect, joint, size, within) in cases {
+        names(&of_pendulum(&[hidden]), effect, joint, size, within);
+    }
+}
+
+#[test]
+fn an_amplifier_that_gives_less_is_named() {
+    names(&of_pendulum(&["saturation:1:limit_V=3"]), "saturation", 1, ("limit_V", 3.0), 0.05);
+}
+
+#[test]
+fn a_sliding_axis_is_judged_in_its_own_units() {
+    let campaign = recorded(&parse(AXIS), 500.0, 15.0, &["dac_offset:1:offset_V=3"]);
+    let found = diagnosed(&campaign);
+    names(&found.report, "dac_offset", 1, ("offset_V", 3.0), 0.05);
+    let said = host_tool::commands::diagnose::in_words(&found);
+    assert!(said.contains("3 N") && !said.contains(" V"), "{said}");
+}
+
+#[test]
+fn a_geared_arm_as_its_model_has_no_gap() {
+    let report = diagnosed(&recorded(&six_joints(), 500.0, 15.0, &[])).report;
+    assert_eq!((report.verdict, report.causes.len()), (Verdict::None, 0));
+}
+
+#[test]
+fn single_causes_of_a_geared_arm_are_named_with_joint_and_size() {
+    let cases: [(&str, &str, u8, (&str, f64), f64); 5] = [
+        ("payload:mass_kg=0.5,com_m=0.05 0 0.1", "payload", 0, ("mass_kg", 0.5), 0.1),
+        (
+            "cogging:2:amplitude_V=0.05,harmonic=2,phase_rad=0.4",
+            "cogging",
+            2,
+            ("amplitude_V", 0.05),
+            0.1,
+        ),
+        ("dac_offset:3:offset_V=0.1", "dac_offset", 3, ("offset_V", 0.1), 0.1),
+        (
+            "asymmetric_friction:5:relative_asymmetry=0.2",
+            "asymmetric_friction",
+            5,
+            ("relative_asymmetry", 0.2),
+            0.15,
+        ),
+        (
+            "torque_constant:2:relative_error=0.12",
+            "torque_constant",
+            2,
+            ("relative_error", 0.12),
+            0.2,
+        ),
+    ];
+    for (hidden, effect, joint, size, within) in cases {
+        names(&of_six_joints(&[hidden]), effect, joint, size, within);
+    }
+}
+
+/// Links whose base parameters make a robot about the size of the reference robot.
+fn links() -> [Link<f64>; 3] {
+    let link = |mass_kg: f64, centre_m: [f64; 3], own: [f64; 3]| Link {
+        mass_kg,
+        centre_m,
+        inertia_diagonal_kg_m2: own,
+        inertia_products_kg_m2: [0.0; 3],
+    };
+    [
+        link(6.0, [0.0, 0.0, 0.0], [0.05, 0.06, 0.06]),
+        link(4.0, [-0.1, 0.01, -0.03], [0.01, 0.03, 0.03]),
+        link(1.5, [-0.25, 0.02, 0.01], [0.004, 0.02, 0.02]),
+    ]
+}
+
+const ROTORS_KG_M2: [f64; 3] = [0.2, 0.1, 0.01];
+
+fn robot() -> Robot<f64> {
+    let reference: Robot<f64> = reference_robot();
+    let base = base_parameters(&links(), &ROTORS_KG_M2, &reference.geometry);
+    Robot { base, ..reference }
+}
+
+/// The same robot as a chain: joint i + 1 stands in link i where the distal frame i of Table 1 does.
+fn robot_as_chain() -> ArmFile {
+    let robot = robot();
+    let Geometry { d1_m, d2_m, a2_m, d3_m, a3_m, .. } = robot.geometry;
+    let origins = [[0.0; 3], [0.0, 0.0, d1_m], [a2_m, 0.0, d2_m]];
+    let distal = [[0.0, 0.0, d1_m], [a2_m, 0.0, d2_m], [a3_m, 0.0, d3_m]];
+    let mut text = "format = 2\n[robot]\ngravity_m_s2 = [0.0, 0.0, -9.81]\n".to_owned();
+    for (k, link) in links().iter().enumerate() {
+        let [x, y, z] = link.centre_m;
+        // The first distal frame is turned about x by a quarter.
+        let turned = if k == 0 { [x, -z, y] } else { [x, y, z] };
+        let at: Vec<f64> = (0..3).map(|i| turned[i] + distal[k][i]).collect();
+        let [xx, yy, zz] = link.inertia_diagonal_kg_m2;
+        let roll = if k == 1 { std::f64::consts::FRAC_PI_2 } else { 0.0 };
+        let f = &robot.friction[k];
+        text += &format!(
+            "[[joint]]\nkind = \"revolute\"\naxis = [0.0, 0.0, 1.0]\norigin_xyz_m = {:?}\n\
+             origin_rpy_rad = [{roll:?}, 0.0, 0.0]\nmass_kg = {:?}\ncom_m = {at:?}\n\
+             inertia_kg_m2 = [{xx:?}, 0.0, 0.0, {yy:?}, 0.0, {zz:?}]\narmature_kg_m2 = {:?}\n\
+             drive = {{ kind = \"voltage\", torque_constant_Nm_per_V = {:?} }}\n\
+             encoder = {{ counts_per_rev = 655360 }}\n\
+             friction = {{ alpha0_V = {:?}, alpha1_V = {:?}, stribeck_velocity_rad_per_s = {:?}, \
+             alpha2_V_s_per_rad = {:?}, sigma0_V_per_rad = {:?}, sigma1_V_s_per_rad = {:?} }}\n",
+            origins[k],
+            link.mass_kg,
+            ROTORS_KG_M2[k],
+            robot.torque_constant_nm_per_v[k],
+            f.alpha0_v,
+            f.alpha1_v,
+            f.stribeck_velocity_rad_per_s,
+            f.alpha2_v_s_per_rad,
+            f.sigma0_v_per_rad,
+            f.sigma1_v_s_per_rad,
+        );
+    }
+    parse(&text)
+}
+
+/// The same logs, judged by the closed form.
+fn diagnosed_in_closed_form(campaign: &ArmCampaign) -> Report {
+    let traces = campaign.recordings.iter().map(|log| log.trace(&campaign.arm)).collect();
+    let file = RobotFile::from_robot(&robot());
+    let campaign = Campaign::new(file, Some(655_360.0), traces).unwrap();
+    let (catalogue, criteria) = (Catalogue::standard(), Criteria::default());
+    diagnosis::diagnose(&campaign, &catalogue, &criteria, &|_| ()).unwrap().report
+}
+
+#[test]
+fn a_chain_is_judged_as_its_closed_form() {
+    let arm = robot_as_chain();
+    let cases = [
+        None,
+        Some("cogging:3:amplitude_V=0.11,harmonic=8,phase_rad=0.9"),
+        Some("asymmetric_friction:2:relative_asymmetry=0.2"),
+        Some("payload:mass_kg=0.4,com_m=0.415 0 0.09"),
+    ];
+    for hidden in cases {
+        let hidden: Vec<&str> = hidden.into_iter().collect();
+        let campaign = recorded(&arm, 500.0, 12.0, &hidden);
+        let (chain, closed) = (diagnosed(&campaign).report, diagnosed_in_closed_form(&campaign));
+        assert_eq!(chain.verdict, closed.verdict, "{hidden:?}");
+        let places = |report: &Report| -> Vec<(String, u8)> {
+            report.causes.iter().map(|c| (c.effect.clone(), c.joint)).collect()
+        };
+        assert_eq!(places(&chain), places(&closed), "{hidden:?}");
+        for (a, b) in chain.gap.with_effects_v.iter().zip(&closed.gap.with_effects_v) {
+            assert!((a / b - 1.0).abs() < 0.2, "{hidden:?}: {:?} {:?}", chain.gap, closed.gap);
+        }
+    }
+}
