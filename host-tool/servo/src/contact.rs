@@ -93,11 +93,21 @@ pub fn cut(judged: &mut Judged, contacts: &[Contact]) {
     }
 }
 
-/// Deviations of all joints over logs, from what models leave.
+/// Deviations of all joints over logs, from what models leave; none so small that a joint that
+/// rests elsewhere within its friction is an outlier, though it stood still in most logs.
 pub fn deviations(logs: &[&Judged], servos: &[ServoJoint], step_s: f64) -> Vec<f64> {
     let of = |(joint, servo): (usize, &ServoJoint)| {
         let left = logs.iter().flat_map(|log| crate::fit::errors(servo, log, joint, step_s));
-        robust_deviation(&mut left.map(f64::abs).collect::<Vec<_>>())
+        let found = robust_deviation(&mut left.map(f64::abs).collect::<Vec<_>>());
+        let rest = PART_OF_REST * servo.coulomb / servo.stiffness.max(1e-9);
+        found.max(rest).max(LEAST_DEVIATION)
     };
     servos.iter().enumerate().map(of).collect()
 }
+
+/// A deviation is at least this part of how far from its goal friction holds a joint: four of them
+/// are half of that.
+const PART_OF_REST: f64 = 0.125;
+
+/// The least deviation [rad]: less than two steps of a hobby servo's encoder.
+const LEAST_DEVIATION: f64 = 2.5e-3;

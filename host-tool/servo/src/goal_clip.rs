@@ -16,9 +16,15 @@ pub struct GoalClip {
     pub side: f64,
 }
 
-/// Clipped goals of a log, by the joints' deviations: wherever the goal is far beyond the joint's
-/// furthest position, the joint stands just there.
-pub fn goal_clips(judged: &Judged, deviations: &[f64], settings: &Settings) -> Vec<GoalClip> {
+/// Clipped goals of a log, from `errors[joint][row]`, measured less simulated, and the joints'
+/// deviations: wherever goal and model go far beyond the joint's furthest position, the joint
+/// stands just there.
+pub fn goal_clips(
+    judged: &Judged,
+    errors: &[Vec<f64>],
+    deviations: &[f64],
+    settings: &Settings,
+) -> Vec<GoalClip> {
     /// A second at 50 Hz.
     const FEWEST_ROWS: usize = 50;
     let mut found = Vec::new();
@@ -27,7 +33,9 @@ pub fn goal_clips(judged: &Judged, deviations: &[f64], settings: &Settings) -> V
         for side in [-1.0, 1.0] {
             let end = track.position.iter().map(|q| side * q).fold(f64::NEG_INFINITY, f64::max);
             let beyond = |row: &usize| {
-                judged.counts[joint][*row] && side * track.goal[*row] > end + 5.0 * near
+                judged.counts[joint][*row]
+                    && -side * errors[joint][*row] > near
+                    && side * track.goal[*row] > end + 5.0 * near
             };
             let rows: Vec<usize> = (0..judged.record.len()).filter(beyond).collect();
             let stands = rows.iter().filter(|row| side * track.position[**row] > end - 0.5 * near);

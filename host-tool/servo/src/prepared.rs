@@ -112,13 +112,14 @@ impl Prepared {
         let contacts_of = |log: &Judged| {
             let left = |(joint, servo)| errors(servo, log, joint, settings.search_step_s);
             let left: Vec<Vec<f64>> = servos.iter().enumerate().map(left).collect();
-            contacts(log, &left, &deviations, settings)
+            (contacts(log, &left, &deviations, settings), left)
         };
-        let found: Vec<Vec<Contact>> = self.logs.par_iter().map(contacts_of).collect();
+        let found: Vec<(Vec<Contact>, Vec<Vec<f64>>)> =
+            self.logs.par_iter().map(contacts_of).collect();
         let before = self.cut_rows();
-        for (log, contacts) in self.logs.iter_mut().zip(found) {
+        for (log, (contacts, left)) in self.logs.iter_mut().zip(found) {
             cut(log, &contacts);
-            let clips = goal_clips(log, &deviations, settings);
+            let clips = goal_clips(log, &left, &deviations, settings);
             goal_clip::cut(log, &clips, settings);
             self.contacts.extend(contacts);
             self.clips.extend(clips);
