@@ -8,27 +8,34 @@ pub struct Settings {
     pub deviations: f64,
     /// Samples to either side that tell how far that is.
     pub around: usize,
-    /// It is off by so many encoder steps at least.
-    pub least_steps: f64,
 }
 
 impl Default for Settings {
     /// Twelve deviations are no chance, and no impact either: that bends a motion for longer than a
-    /// sample. A hundred samples are a piece of motion, and steps of the encoder are no error.
+    /// sample. A hundred samples are a piece of motion.
     fn default() -> Self {
-        Self { deviations: 12.0, around: 100, least_steps: 4.0 }
+        Self { deviations: 12.0, around: 100 }
     }
 }
 
-/// Corrects positions [rad] at times [s] of an encoder of this step [rad]; the places of those that
-/// were wrong. The two first and last samples are left as they are.
+/// What no joint can do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impossible {
+    /// More than the encoder's steps [rad].
+    pub steps_rad: f64,
+    /// More than its motor can accelerate the joint [rad/s^2].
+    pub acceleration_rad_per_s2: f64,
+}
+
+/// Corrects positions [rad] at times [s]; the places of those that were wrong, by more than a joint
+/// can do. The two first and last samples are left as they are.
 pub fn correct(
     time_s: &[f64],
     q_rad: &mut [f64],
-    step_rad: f64,
+    impossible: &Impossible,
     settings: &Settings,
 ) -> Vec<usize> {
-    let mut places = suspects(time_s, q_rad, step_rad, settings);
+    let mut places = suspects(time_s, q_rad, impossible, settings);
     // The worst first, for it makes its neighbours look wrong as well.
     places.sort_by(|a, b| b.1.total_cmp(&a.1));
     let mut corrected: Vec<usize> = Vec::new();
@@ -47,7 +54,7 @@ pub fn correct(
 fn suspects(
     time_s: &[f64],
     q_rad: &[f64],
-    step_rad: f64,
+    impossible: &Impossible,
     settings: &Settings,
 ) -> Vec<(usize, f64, f64)> {
     let count = q_rad.len();
@@ -67,7 +74,10 @@ fn suspects(
         let own = square(k - 2, k + 3);
         let others = (to - from).saturating_sub(5).max(1) as f64;
         let rms_rad = ((square(from, to) - own).max(0.0) / others).sqrt();
-        let least_rad = (settings.deviations * rms_rad).max(settings.least_steps * step_rad);
+        let spacing_s = (time_s[k + 2] - time_s[k - 2]) / 4.0;
+        let least_rad = (settings.deviations * rms_rad)
+            .max(impossible.steps_rad)
+            .max(impossible.acceleration_rad_per_s2 * spacing_s * spacing_s);
         let ratio = off_rad[k].abs() / least_rad.max(f64::MIN_POSITIVE);
         (ratio > 1.0).then_some((k, ratio, least_rad))
     };
@@ -88,6 +98,8 @@ fn deviation(time_s: &[f64], q_rad: &[f64], k: usize) -> f64 {
 mod tests {
     use super::*;
 
+    const JOINT: Impossible = Impossible { steps_rad: 4e-5, acceleration_rad_per_s2: 100.0 };
+
     fn swing(count: usize) -> (Vec<f64>, Vec<f64>) {
         const STEP_RAD: f64 = 1e-5;
         let time_s: Vec<f64> = (0..count).map(|k| 1e-3 * k as f64).collect();
@@ -103,7 +115,7 @@ mod tests {
         for (k, off) in [(500, 0.02), (501, -0.004), (1200, 3e-4), (3000, -0.2)] {
             q_rad[k] += off;
         }
-        let places = correct(&time_s, &mut q_rad, 1e-5, &Settings::default());
+        let places = correct(&time_s, &mut q_rad, &JOINT, &Settings::default());
         for k in [500, 1200, 3000] {
             assert!(places.contains(&k), "{k} not in {places:?}");
         }
@@ -121,7 +133,7 @@ mod tests {
             q_rad[k] = q_rad[k - 1] + 1e-3 * speed * left;
         }
         let before = q_rad.clone();
-        let places = correct(&time_s, &mut q_rad, 1e-5, &Settings::default());
+        let places = correct(&time_s, &mut q_rad, &JOINT, &Settings::default());
         let moved = before.iter().zip(&q_rad).map(|(a, b)| (a - b).abs()).fold(0.0_f64, f64::max);
         assert!(places.len() <= 2 && moved < 2e-3, "{places:?}, {moved}");
     }

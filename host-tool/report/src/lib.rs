@@ -12,6 +12,7 @@ pub mod identification_summary;
 pub mod one_joint_page;
 pub mod page;
 pub mod series;
+pub mod servo_page;
 pub mod share_bars;
 pub mod step_page;
 mod svg;

@@ -138,14 +138,18 @@ impl From<DiagnosisError> for Failure {
     }
 }
 
-const REPORT: &str = "report.json";
+/// The report's name for programs.
+pub const REPORT: &str = "report.json";
 /// The report's name in the directory of a diagnosis.
 pub const PAGE: &str = "report.html";
 /// The amended model's.
 pub const MODEL: &str = "model.toml";
 
 /// The amended model must not take the place of the one that is judged.
-fn refuse_to_replace(model: &Path, amended: &Path) -> Result<(), Failure> {
+///
+/// # Errors
+/// It would.
+pub fn refuse_to_replace(model: &Path, amended: &Path) -> Result<(), Failure> {
     let same = match (model.canonicalize(), amended.canonicalize()) {
         (Ok(model), Ok(amended)) => model == amended,
         _ => false,

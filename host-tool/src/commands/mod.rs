@@ -15,6 +15,7 @@ pub mod connect;
 pub mod demo;
 pub mod design_excitation;
 pub mod diagnose;
+pub mod diagnose_servos;
 pub mod download;
 pub mod export_block;
 pub mod flash;
@@ -104,7 +105,10 @@ impl Command {
             Self::Validate(arguments) => validate::run(&arguments),
             Self::Simulate(arguments) => simulate::run(&arguments),
             Self::SimulateBoard(arguments) => simulate_board::run(&arguments),
-            Self::Diagnose(arguments) => diagnose::run(&arguments),
+            Self::Diagnose(choice) => match diagnose_servos::wanted(&choice) {
+                Some(arguments) => diagnose_servos::run(arguments),
+                None => diagnose::run(&choice),
+            },
             Self::DesignExcitation(arguments) => design_excitation::run(&arguments),
             Self::BlindTrial(arguments) => blind_trial::run(&arguments),
             Self::Connect(arguments) => connect::run(&arguments),

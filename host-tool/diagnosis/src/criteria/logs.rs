@@ -18,8 +18,15 @@ criteria! {
         rounding_part: f64 = 1e-3,
         /// A jump is the wrap of an encoder if it is this close to a whole turn [rad].
         wrap_tolerance_rad: f64 = 0.5,
+        /// A position is wrong that is off by so many encoder steps at least.
+        least_wrong_steps: f64 = 4.0,
         /// Samples that miss an even clock by less than this part of a period count as even.
         even_part: f64 = 0.02,
+        /// Samples were taken by an even clock, whatever their times say, if the motion is rough
+        /// over that clock by less than this part of what it is over the times, for most joints;
+        smoother_part: f64 = 0.7,
+        /// such a clock keeps its rate for so long [s].
+        clock_wander_s: f64 = 2.5,
         /// Samples further apart than so many periods lack one between them. Under driven noise
         /// that ends a stretch: what was put out then is not known.
         missing_sample_periods: f64 = 1.6,

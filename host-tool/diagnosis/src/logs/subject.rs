@@ -64,6 +64,17 @@ impl Subject {
         self.plant.body.inertia(joint, &vec![0.0; self.plant.joints()])
     }
 
+    /// The most that a motor accelerates the joint of this number in files [rad/s^2; m/s^2], the arm
+    /// stretched: at its limit, or with twice the largest of its commands where it has none.
+    pub fn fastest_rad_per_s2(&self, number: u8, largest_v: f64) -> f64 {
+        let limit_v = self.command_limit_v(number);
+        let most_v = if limit_v.is_finite() { limit_v } else { 2.0 * largest_v };
+        let of_joint = |joint: usize| {
+            self.plant.torque_constant_nm_per_v[joint] * most_v / self.inertia_kg_m2(joint)
+        };
+        self.place_of(number).map_or(0.0, of_joint)
+    }
+
     /// The number in files of a joint as effects here count it (from 1, 0 for the whole robot).
     pub fn outer_joint(&self, inner: u8) -> u8 {
         if self.one_joint && inner > 0 { self.numbers[0] } else { inner }

@@ -1,5 +1,6 @@
 //! Which logs a diagnosis can use, and what must be said of them.
 
+use super::stamps::evened_where_smoother;
 use super::stretch::Stretch;
 use super::subject::Subject;
 use crate::criteria::LogCriteria;
@@ -7,6 +8,7 @@ use crate::logs::checks::{cannot_be_judged, others_move};
 use files::Role;
 use recordings::campaign::JointTrace;
 use recordings::plausibility::examine;
+use recordings::wrong_positions::Impossible;
 use recordings::{StepError, Trace, wrong_positions};
 
 /// The stretches that can be used, and remarks on the logs.
@@ -67,6 +69,7 @@ impl Usable {
                 self.remarks.extend(unwrap(&trace.file, joint, &subject.criteria.logs));
             }
         }
+        self.remarks.extend(put_on_even_clock(&mut trace, &subject.criteria.logs));
         self.remarks.extend(put_right(&mut trace, subject));
         let remarks = examine(&trace, &subject.known)?;
         if let Some(why) = cannot_be_judged(&trace, subject) {
@@ -123,13 +126,29 @@ fn no_log(traces: &[Trace]) -> StepError {
     StepError::Numerical { step: "diagnosis", what: format!("{what}; list one in dataset.toml") }
 }
 
+/// Takes an even clock for times that jitter more than the samples do, and says so.
+fn put_on_even_clock(trace: &mut Trace, criteria: &LogCriteria) -> Option<String> {
+    let angles: Vec<&[f64]> = trace.joints.iter().map(|joint| &joint.q_rad[..]).collect();
+    let even_s = evened_where_smoother(&trace.time_s, trace.period_s, &angles, criteria)?;
+    trace.time_s = even_s;
+    Some(format!(
+        "{}: the motion is smoother over an even clock than over t_s: the times jitter, not the \
+         samples, and the even clock was taken",
+        trace.file
+    ))
+}
+
 /// Puts right positions that are wrong for one sample, and says so.
 fn put_right(trace: &mut Trace, subject: &Subject) -> Vec<String> {
+    let least_steps = subject.criteria.logs.least_wrong_steps;
     let Trace { file, time_s, joints, .. } = trace;
     let of_joint = |joint: &mut JointTrace| {
-        let step_rad = subject.encoder_step_rad(joint.number);
-        let places =
-            wrong_positions::correct(time_s, &mut joint.q_rad, step_rad, &Default::default());
+        let largest_v = joint.command_v.iter().fold(0.0_f64, |most, u| most.max(u.abs()));
+        let acceleration_rad_per_s2 = subject.fastest_rad_per_s2(joint.number, largest_v);
+        let steps_rad = least_steps * subject.encoder_step_rad(joint.number);
+        let impossible = Impossible { steps_rad, acceleration_rad_per_s2 };
+        let settings = Default::default();
+        let places = wrong_positions::correct(time_s, &mut joint.q_rad, &impossible, &settings);
         let first_s = time_s[*places.first()?];
         Some(format!(
             "{file}: {} of the positions of joint {} are wrong, the first at {first_s:.3} s; they were \

@@ -14,6 +14,9 @@ use crate::terminal::progress::Steps;
 /// Files that cannot be used, or logs that do not determine a model.
 pub fn run(arguments: &Whole, steps: &Steps) -> Result<(), Failure> {
     let arm = ArmFile::read(&arguments.robot)?;
+    if servo::is_servo_arm(&arm) {
+        return super::servos::run(arguments, arm, steps);
+    }
     let campaign = ArmCampaign::read(&Dataset::read(&arguments.dataset)?, arm)?;
     steps.at("fitting links, rotors and friction");
     let found = identify(&campaign, &Settings::default())?;

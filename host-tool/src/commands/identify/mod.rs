@@ -1,6 +1,7 @@
 //! `rrr identify`: the model of an unknown robot from its recorded experiments.
 
 mod arm;
+mod servos;
 mod steps;
 mod whole;
 

@@ -1,0 +1,148 @@
+//! What the rigid body asks of every joint along a measured motion.
+//!
+//! A joint's own position enters its gravity alone, as C + P cos x + S sin x of the distance x from
+//! where it was measured; the inertia about it depends on the joints behind it. So one joint can be
+//! simulated while the others move as measured.
+
+use model::chain::SerialChain;
+use model::mechanism::{JointKind, Mechanism};
+
+use crate::record::Record;
+use crate::step::Load;
+
+/// The rigid body along one joint at one row.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AlongRow {
+    /// The links' inertia about the joint [kg m^2; kg].
+    pub inertia: f64,
+    /// Gravity's torque where the joint was measured, less the part that stays when it turns [Nm].
+    pub gravity: f64,
+    /// Its slope there [Nm/rad].
+    pub slope: f64,
+    /// The part of gravity that stays when the joint turns [Nm; N].
+    pub constant: f64,
+    /// Coriolis torque, and what the other joints' accelerations ask [Nm; N].
+    pub coupling: f64,
+}
+
+impl AlongRow {
+    /// The load at a distance from where the joint was measured, gravity multiplied.
+    #[inline]
+    pub fn load(&self, distance: f64, gravity: f64) -> Load {
+        let (sine, cosine) = small_sin_cos(distance);
+        let turned = self.gravity * cosine + self.slope * sine;
+        Load {
+            inertia: self.inertia,
+            torque: gravity * (self.constant + turned) + self.coupling,
+            slope: gravity * (self.slope * cosine - self.gravity * sine),
+        }
+    }
+}
+
+/// Sine and cosine, by polynomials where the angle is small.
+#[inline]
+fn small_sin_cos(x: f64) -> (f64, f64) {
+    if x.abs() > 0.3 {
+        return x.sin_cos();
+    }
+    let s = x * x;
+    (x * (1.0 - s / 6.0 * (1.0 - s / 20.0)), 1.0 - s / 2.0 * (1.0 - s / 12.0 * (1.0 - s / 30.0)))
+}
+
+/// The chain without rotors, which are the joints' own.
+pub fn without_rotors(chain: &SerialChain<f64>) -> SerialChain<f64> {
+    let mut links = *chain;
+    for joint in 0..chain.joints().count() {
+        *links.link_mut(joint).1 = 0.0;
+    }
+    links
+}
+
+/// The rigid body along a record: by joint, then by row. `links` has no rotors.
+pub fn along(links: &SerialChain<f64>, record: &Record) -> Vec<Vec<AlongRow>> {
+    let n = record.joints.len();
+    let mut found = vec![Vec::with_capacity(record.len()); n];
+    let mut scratch = Scratch::of(n);
+    for row in 0..record.len() {
+        for (joint, along) in scratch.row(links, record, row).enumerate() {
+            found[joint].push(along);
+        }
+    }
+    found
+}
+
+/// Memory for one row.
+struct Scratch {
+    q: Vec<f64>,
+    qd: Vec<f64>,
+    qdd: Vec<f64>,
+    gravity: Vec<f64>,
+    torque: Vec<f64>,
+    turned: Vec<f64>,
+    mass: Vec<f64>,
+    rows: Vec<AlongRow>,
+}
+
+impl Scratch {
+    fn of(n: usize) -> Self {
+        let zeros = || vec![0.0; n];
+        Self {
+            q: zeros(),
+            qd: zeros(),
+            qdd: zeros(),
+            gravity: zeros(),
+            torque: zeros(),
+            turned: zeros(),
+            mass: vec![0.0; n * n],
+            rows: vec![AlongRow::default(); n],
+        }
+    }
+
+    fn row(
+        &mut self,
+        links: &SerialChain<f64>,
+        record: &Record,
+        row: usize,
+    ) -> impl Iterator<Item = AlongRow> + '_ {
+        for (joint, track) in record.joints.iter().enumerate() {
+            self.q[joint] = track.position[row];
+            self.qd[joint] = track.velocity[row];
+            self.qdd[joint] = track.acceleration[row];
+        }
+        links.gravity(&self.q, &mut self.gravity);
+        links.inverse_dynamics(&self.q, &self.qd, &self.qdd, &mut self.torque);
+        links.mass_matrix(&self.q, &mut self.mass);
+        for joint in 0..self.q.len() {
+            self.rows[joint] = self.joint(links, joint);
+        }
+        self.rows.iter().copied()
+    }
+
+    fn joint(&mut self, links: &SerialChain<f64>, joint: usize) -> AlongRow {
+        let n = self.q.len();
+        let (inertia, here) = (self.mass[joint * n + joint], self.gravity[joint]);
+        let coupling = self.torque[joint] - here - inertia * self.qdd[joint];
+        if links.kind(joint) == JointKind::Prismatic {
+            return AlongRow { inertia, constant: here, coupling, ..AlongRow::default() };
+        }
+        let opposite = self.gravity_at(links, joint, std::f64::consts::PI);
+        let quarter = self.gravity_at(links, joint, std::f64::consts::FRAC_PI_2);
+        let constant = 0.5 * (here + opposite);
+        AlongRow {
+            inertia,
+            gravity: here - constant,
+            slope: quarter - constant,
+            constant,
+            coupling,
+        }
+    }
+
+    /// Gravity's torque with the joint turned by an angle.
+    fn gravity_at(&mut self, links: &SerialChain<f64>, joint: usize, angle: f64) -> f64 {
+        let here = self.q[joint];
+        self.q[joint] = here + angle;
+        links.gravity(&self.q, &mut self.turned);
+        self.q[joint] = here;
+        self.turned[joint]
+    }
+}

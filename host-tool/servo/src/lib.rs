@@ -1,0 +1,80 @@
+//! Arms of position servos: simulated from their goals, refitted and diagnosed on motion.
+//!
+//! A position servo makes u = K (goal - q) - D qd itself, so its log holds goals and positions and
+//! no command. What a model leaves is therefore a distance of positions: measured ones and those
+//! that the model, simulated without feedback from the recorded goals, takes over whole logs.
+//!
+//! | module | what it holds, in the order in which data flow |
+//! | --- | --- |
+//! | [`settings`] | every choice with its reason |
+//! | [`joint`], [`step`] | a joint under its servo, and one step of it, friction as a set-valued law |
+//! | [`record`], [`motion`], [`pieces`] | logs as stretches; smoothed velocity; pieces to leave out |
+//! | [`along`], [`judged`] | what the rigid body asks of each joint along a log |
+//! | [`replay`], [`arm_replay`] | one joint simulated while the others move as measured; the whole arm |
+//! | [`fit`], [`base`] | parameters fitted to whole logs; those that are fitted before any effect |
+//! | [`contact`], [`goal_clip`], [`prepared`] | seconds that are no free motion, found and cut |
+//! | [`candidates`], [`cogging_orders`], [`cross`], [`selection`] | effects on one joint |
+//! | [`pooled`] | servos of one type, load friction in common |
+//! | [`whole_arm`], [`whole_normal`], [`whole_cause`] | a payload, a force, a base that leans |
+//! | [`confirm`], [`verdict`], [`joint_effects`], [`outcome`] | what stands on logs that chose nothing |
+//! | [`effect_table`], [`whole_table`], [`model_file`], [`identified`] | what goes into model files |
+//! | [`report`] and those behind it | `report.json` |
+//! | [`synthetic`] | servo arms for tests and trials |
+#![forbid(unsafe_code)]
+
+pub mod along;
+pub mod arm_replay;
+pub mod base;
+pub mod candidates;
+pub mod cogging_orders;
+pub mod confirm;
+pub mod contact;
+pub mod cross;
+pub mod effect_table;
+pub mod error;
+pub mod fit;
+pub mod goal_clip;
+pub mod identified;
+pub mod joint;
+pub mod joint_effects;
+pub mod judged;
+pub mod model_file;
+pub mod motion;
+pub mod outcome;
+pub mod pieces;
+pub mod pooled;
+pub mod prepared;
+pub mod record;
+pub mod replay;
+pub mod report;
+pub mod report_changes;
+pub mod report_gap;
+pub mod report_intervals;
+pub mod report_places;
+pub mod report_remarks;
+pub mod report_types;
+pub mod selection;
+pub mod settings;
+pub mod spread;
+pub mod step;
+pub mod synthetic;
+pub mod verdict;
+pub mod whole_arm;
+pub mod whole_cause;
+pub mod whole_normal;
+pub mod whole_table;
+
+pub use error::ServoError;
+pub use identified::Identified;
+pub use joint::ServoJoint;
+pub use outcome::Outcome;
+pub use settings::Settings;
+
+/// Whether all drives of an arm are position servos.
+pub fn is_servo_arm(arm: &files::ArmFile) -> bool {
+    let is_servo = |joint: &files::ArmJoint| {
+        let kind = joint.drive.as_ref().map(|drive| drive.kind);
+        kind == Some(files::arm_file::DriveKind::PositionServo)
+    };
+    !arm.joints.is_empty() && arm.joints.iter().all(is_servo)
+}

@@ -1,0 +1,118 @@
+//! The procedure: from a campaign to what its report says.
+
+use files::{ArmFile, Role};
+use recordings::ArmCampaign;
+
+use crate::arm_replay::arm_replay;
+use crate::base::{Base, Frame, refit};
+use crate::error::ServoError;
+use crate::joint::ServoJoint;
+use crate::joint_effects::{JointEffects, PooledCauses};
+use crate::judged::Judged;
+use crate::prepared::Prepared;
+use crate::selection::{Model, Selected};
+use crate::settings::Settings;
+use crate::verdict::JointCause;
+use crate::whole_cause::{WholeCause, find};
+
+/// What a diagnosis found.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// The arm as given.
+    pub arm: ArmFile,
+    /// Logs, contacts, refitted joints.
+    pub prepared: Prepared,
+    /// Effects of the whole arm that were tried, best first.
+    pub whole: Vec<WholeCause>,
+    /// What was selected, joint by joint.
+    pub selected: Vec<Selected>,
+    /// Effects on joints, named or not.
+    pub causes: Vec<JointCause>,
+    /// Load friction of servos of one type, where it was found.
+    pub pooled: Vec<PooledCauses>,
+    /// The joints with what is named.
+    pub models: Vec<Model>,
+    /// Positions on the confirming logs: as given, refitted, with effects, by log and joint.
+    pub motions: Vec<Motions>,
+    /// The choices.
+    pub settings: Settings,
+}
+
+/// Simulated positions of a log, by joint and row.
+#[derive(Clone, Debug)]
+pub struct Motions {
+    /// Which of the prepared logs.
+    pub log: usize,
+    /// As given, refitted, with effects.
+    pub stages: [Vec<Vec<f64>>; 3],
+}
+
+impl Outcome {
+    /// Diagnoses a campaign; `progress` hears what is under way.
+    ///
+    /// # Errors
+    /// Drives, links or logs that cannot be used.
+    pub fn of(
+        campaign: &ArmCampaign,
+        settings: &Settings,
+        progress: &dyn Fn(&str),
+    ) -> Result<Self, ServoError> {
+        progress("refitting the joints, looking for contact");
+        let mut prepared = Prepared::of(campaign, settings)?;
+        let refitted = prepared.bases.clone();
+        let mut joints = JointEffects::of(&prepared, &campaign.arm, settings, progress);
+        progress("trying a payload, a force, a base that leans");
+        let whole = find(&prepared, &joints.as_bases(&prepared), settings);
+        if let Some(cause) = whole.first().filter(|cause| cause.is_named) {
+            take_up(&mut prepared, cause, settings);
+            joints = JointEffects::of(&prepared, &campaign.arm, settings, progress);
+        }
+        let JointEffects { selected, causes, pooled, models } = joints;
+        let servos = [
+            prepared.given.clone(),
+            refitted.iter().map(|base| base.fitted.servo).collect(),
+            models.iter().map(|model| model.fitted.servo).collect(),
+        ];
+        progress("simulating the arm");
+        let motions = motions(&prepared, whole.first(), &servos, settings);
+        let (arm, settings) = (campaign.arm.clone(), settings.clone());
+        Ok(Self { arm, prepared, whole, selected, causes, pooled, models, motions, settings })
+    }
+}
+
+/// Puts an effect of the whole arm into the logs, and refits the joints with it.
+fn take_up(prepared: &mut Prepared, cause: &WholeCause, settings: &Settings) {
+    let (effect, values) = (cause.fit.effect, &cause.fit.values);
+    let applied = |log: &Judged| effect.applied(&prepared.links, log, values);
+    prepared.logs = prepared.logs.iter().map(applied).collect();
+    let train: Vec<&Judged> =
+        prepared.logs.iter().filter(|log| log.record.role == Role::Train).collect();
+    let frame = Frame { logs: &train, period_s: prepared.period_s, settings };
+    let bases: Vec<Base> = refit(&frame, &prepared.given, &cause.fit.servos, false);
+    prepared.bases = bases;
+}
+
+fn motions(
+    prepared: &Prepared,
+    whole: Option<&WholeCause>,
+    servos: &[Vec<ServoJoint>; 3],
+    settings: &Settings,
+) -> Vec<Motions> {
+    use rayon::prelude::*;
+    let loaded = match whole.filter(|cause| cause.is_named) {
+        Some(cause) => cause.fit.effect.links(&prepared.links, &cause.fit.values),
+        None => prepared.links,
+    };
+    let links = [prepared.links, prepared.links, loaded];
+    let of = |(number, log): (usize, &Judged)| {
+        let record = &log.record;
+        let stage = |k: usize| -> Vec<Vec<f64>> {
+            let found = arm_replay(&links[k], &servos[k], record, settings.step_s);
+            let pairs = found.iter().zip(&servos[k]);
+            pairs.map(|(joint, s)| joint.read(&record.time_s, s.read_after_s, s.gap)).collect()
+        };
+        Motions { log: number, stages: [stage(0), stage(1), stage(2)] }
+    };
+    let logs = prepared.logs.par_iter().enumerate();
+    logs.filter(|(_, log)| log.record.role == Role::Holdout).map(of).collect()
+}

@@ -1,0 +1,229 @@
+//! Effects of one joint, one after the other, by what they leave of logs left out.
+
+use rayon::prelude::*;
+
+use crate::base::{Base, Frame};
+use crate::candidates::{Candidate, Typical, of_joint};
+use crate::cogging_orders::cogging_orders;
+use crate::cross::{Gain, LeftOut, cross_validate};
+use crate::fit::{Fitted, Problem, Unknown, fit};
+use crate::judged::Judged;
+use crate::settings::Settings;
+
+/// A model of a joint with effects.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// The effects, in the order in which they were added.
+    pub effects: Vec<Candidate>,
+    /// All that is fitted: the base's, then the effects'.
+    pub unknowns: Vec<Unknown>,
+    /// Fitted to all logs.
+    pub fitted: Fitted,
+    /// What is left of the logs that it is fitted to.
+    pub left: LeftOut,
+}
+
+/// An effect that was tried.
+#[derive(Clone, Debug)]
+pub struct Tried {
+    /// Its name.
+    pub effect: &'static str,
+    /// Its fields' values.
+    pub values: Vec<f64>,
+    /// What it gains.
+    pub gain: Gain,
+}
+
+/// What was selected for a joint.
+#[derive(Clone, Debug)]
+pub struct Selected {
+    /// Without effects.
+    pub base: Model,
+    /// With those that were added.
+    pub model: Model,
+    /// What each gained on logs left out, in the model's order.
+    pub added: Vec<Gain>,
+    /// Effects that would come next and do the same, so that none of them is added.
+    pub undecided: Vec<Tried>,
+    /// All effects over the base alone, best first.
+    pub tried: Vec<Tried>,
+}
+
+impl Model {
+    /// The base without effects.
+    pub fn of_base(frame: &Frame, joint: usize, base: &Base) -> Self {
+        let problem = frame.problem(joint, &base.unknowns, base.scale);
+        let left = LeftOut::of_fit(&base.fitted, &problem);
+        let (unknowns, fitted) = (base.unknowns.clone(), base.fitted.clone());
+        Self { effects: Vec::new(), unknowns, fitted, left }
+    }
+
+    /// With an effect more, from the best of its starts; none where it has no start.
+    pub fn with(
+        &self,
+        frame: &Frame,
+        joint: usize,
+        scale: f64,
+        effect: &Candidate,
+    ) -> Option<Self> {
+        let mut unknowns = self.unknowns.clone();
+        let is_kept = |known: &Unknown| effect.fields().all(|new| !new.overlaps(known.field));
+        unknowns.retain(is_kept);
+        unknowns.extend(effect.unknowns.iter().copied());
+        let problem = Problem { iterations: 7, ..frame.problem(joint, &unknowns, scale) };
+        let starts = effect.starts.iter().map(|values| effect.start(&self.fitted.servo, values));
+        let cost = |fitted: &Fitted| fitted.normals.iter().map(|log| log.robust).sum::<f64>();
+        let fits = starts.map(|start| fit(&problem, &start));
+        let fitted = fits.min_by(|a, b| cost(a).total_cmp(&cost(b)))?;
+        let left = LeftOut::of_fit(&fitted, &problem);
+        let effects = self.effects.iter().chain([effect]).cloned().collect();
+        Some(Self { effects, unknowns, fitted, left })
+    }
+
+    /// Fitted until nothing changes.
+    fn polish(&mut self, frame: &Frame, joint: usize, scale: f64) {
+        let problem = Problem { iterations: 30, ..frame.problem(joint, &self.unknowns, scale) };
+        self.fitted = fit(&problem, &self.fitted.servo);
+        self.left = LeftOut::of_fit(&self.fitted, &problem);
+    }
+
+    /// Without one of its effects, all else fitted again.
+    pub fn without(&self, frame: &Frame, joint: usize, base: &Base, effect: usize) -> Self {
+        let mut effects = self.effects.clone();
+        let gone = effects.remove(effect);
+        let mut servo = self.fitted.servo;
+        for (field, neutral) in gone.fields().map(|field| (field, field.of(&base.given))) {
+            field.set(&mut servo, neutral);
+        }
+        let mut unknowns = base.unknowns.clone();
+        for unknown in effects.iter().flat_map(|effect| &effect.unknowns) {
+            unknowns.retain(|known| !unknown.field.overlaps(known.field));
+            unknowns.push(*unknown);
+        }
+        let fitted = fit(&frame.problem(joint, &unknowns, base.scale), &servo);
+        let left = LeftOut::of_fit(&fitted, &frame.problem(joint, &unknowns, base.scale));
+        Self { effects, unknowns, fitted, left }
+    }
+
+    /// What is left of logs left out.
+    pub fn left_out(&self, frame: &Frame, joint: usize, scale: f64) -> LeftOut {
+        let problem = frame.problem(joint, &self.unknowns, scale);
+        cross_validate(&problem, &self.fitted, frame.settings.folds)
+    }
+}
+
+/// Whether a gain is enough.
+pub fn suffices(gain: &Gain, settings: &Settings) -> bool {
+    let halves = gain.halves.iter().all(|half| *half >= settings.least_half_shrinkage);
+    gain.part >= settings.least_gain && gain.certainty >= settings.least_certainty && halves
+}
+
+/// Effects of a joint, from 0.
+pub fn select(frame: &Frame, joint: usize, base: &Base) -> Selected {
+    let first = Model::of_base(frame, joint, base);
+    let typical = Typical::of(base, frame.logs, joint);
+    let orders = cogging_orders(frame, joint, &base.fitted.servo);
+    let mut open = of_joint(base, &typical, &orders);
+    let (mut model, mut added, mut tried) = (first.clone(), Vec::new(), Vec::new());
+    let mut undecided = Vec::new();
+    while model.effects.len() < frame.settings.most_effects {
+        let with = |effect: &Candidate| {
+            let with = model.with(frame, joint, base.scale, effect)?;
+            let gain = Gain::of(&with.left, &model.left);
+            Some((effect.clone(), with, gain))
+        };
+        let promising = promising(frame, joint, base, &model, &open);
+        let mut found: Vec<_> = promising.par_iter().filter_map(with).collect();
+        found.sort_by(|a, b| b.2.part.total_cmp(&a.2.part));
+        let all: Vec<Tried> = found.iter().map(as_tried).collect();
+        if tried.is_empty() {
+            tried.clone_from(&all);
+        }
+        let Some((best, gain)) = confirmed(frame, joint, base.scale, &model, &found) else {
+            break;
+        };
+        let (effect, mut next, _) = found.swap_remove(best);
+        next.polish(frame, joint, base.scale);
+        let near = frame.settings.rival_part * gain.part;
+        let is_rival = |other: &&Tried| other.effect != effect.effect && other.gain.part >= near;
+        let rivals: Vec<Tried> = all.iter().filter(is_rival).cloned().collect();
+        if !rivals.is_empty() {
+            undecided = rivals;
+            undecided.insert(0, all[best].clone());
+            break;
+        }
+        added.push(gain);
+        // What did nothing over the base does nothing beside an effect, either.
+        open.retain(|other| {
+            let gains = |t: &Tried| {
+                t.effect == other.effect && t.gain.part > 0.25 * frame.settings.least_gain
+            };
+            other.effect != effect.effect && all.iter().any(gains)
+        });
+        model = next;
+    }
+    Selected { base: first, model, added, undecided, tried }
+}
+
+/// The logs of which a model leaves most, up to a length in all.
+fn worst<'a>(frame: &Frame<'a>, left: &LeftOut) -> Vec<&'a Judged> {
+    let mut order: Vec<usize> = (0..frame.logs.len()).collect();
+    order.sort_by(|a, b| left.robust[*b].total_cmp(&left.robust[*a]));
+    let mut seconds = 0.0;
+    let within = |log: &&Judged| {
+        let enough = seconds < frame.settings.screened_s;
+        seconds += log.record.time_s.last().unwrap_or(&0.0) - log.record.time_s[0];
+        enough
+    };
+    order.into_iter().map(|k| frame.logs[k]).take_while(within).collect()
+}
+
+/// The effects that gain most on the logs of which the model leaves most.
+fn promising(
+    frame: &Frame,
+    joint: usize,
+    base: &Base,
+    model: &Model,
+    open: &[Candidate],
+) -> Vec<Candidate> {
+    let settings = frame.settings;
+    let logs = worst(frame, &model.left);
+    let short = Frame { logs: &logs, ..*frame };
+    let problem = short.problem(joint, &model.unknowns, base.scale);
+    let fitted = fit(&Problem { iterations: 3, ..problem }, &model.fitted.servo);
+    let left = LeftOut::of_fit(&fitted, &problem);
+    let model = Model { fitted, left, ..model.clone() };
+    let gain = |effect: &Candidate| {
+        let with = model.with(&short, joint, base.scale, effect)?;
+        Some((effect.clone(), Gain::of(&with.left, &model.left).part))
+    };
+    let mut found: Vec<_> = open.par_iter().filter_map(gain).collect();
+    found.sort_by(|a, b| b.1.total_cmp(&a.1));
+    found.truncate(settings.screened);
+    let enough = |found: &(Candidate, f64)| found.1 > 0.5 * settings.least_gain;
+    found.into_iter().filter(enough).map(|found| found.0).collect()
+}
+
+/// The best effect whose gain stands on logs left out, too, and its gain there.
+fn confirmed(
+    frame: &Frame,
+    joint: usize,
+    scale: f64,
+    before: &Model,
+    found: &[(Candidate, Model, Gain)],
+) -> Option<(usize, Gain)> {
+    let promising = |k: &usize| suffices(&found[*k].2, frame.settings);
+    let mut promising = (0..found.len()).filter(promising).peekable();
+    promising.peek()?;
+    let other = before.left_out(frame, joint, scale);
+    promising.find_map(|k| {
+        let gain = Gain::of(&found[k].1.left_out(frame, joint, scale), &other);
+        suffices(&gain, frame.settings).then_some((k, gain))
+    })
+}
+
+fn as_tried((effect, model, gain): &(Candidate, Model, Gain)) -> Tried {
+    let value = |unknown: &Unknown| unknown.field.of(&model.fitted.servo);
+    let values = effect.unknowns.iter().map(value).collect();
+    Tried { effect: effect.effect, values, gain: gain.clone() }
+}

@@ -1,0 +1,249 @@
+//! Effects of the whole arm: a payload, a force at the tip, a base that leans.
+//!
+//! They change what the rigid body asks along the logs, so that is computed anew for each. Their
+//! parameters are fitted with everything of every joint, but gravity's scale, which stays one: a
+//! scale and a payload are one thing under two names where a joint is alone.
+
+use rayon::prelude::*;
+
+use model::chain::{Body, SerialChain};
+use model::mechanism::Mechanism;
+use nalgebra::{DMatrix, DVector};
+
+use crate::base::{Base, Frame};
+use crate::fit::{Field, Problem, Unknown, errors, fit};
+use crate::joint::ServoJoint;
+use crate::judged::Judged;
+use crate::whole_normal::{STEP_PART, normal};
+
+/// An effect of the whole arm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Whole {
+    /// Mass and the place of its centre in the last link.
+    Payload,
+    /// A force on the tip, base frame.
+    TipForce,
+    /// The base leans about x and y.
+    BaseTilt,
+}
+
+impl Whole {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Payload, Self::TipForce, Self::BaseTilt];
+
+    /// Its name in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Payload => "payload",
+            Self::TipForce => "tip_force",
+            Self::BaseTilt => "base_tilt",
+        }
+    }
+
+    /// Values without the effect; where a payload's centre is likely: that of the last link.
+    fn start(self, links: &SerialChain<f64>) -> Vec<f64> {
+        match self {
+            Self::Payload => {
+                let centre = last_centre(links);
+                vec![0.0, centre[0], centre[1], centre[2]]
+            }
+            Self::TipForce => vec![0.0; 3],
+            Self::BaseTilt => vec![0.0; 2],
+        }
+    }
+
+    /// Deviations before the logs are seen, and steps of slopes, from the arm's own size.
+    fn doubts(self, links: &SerialChain<f64>) -> Vec<f64> {
+        let mass = links.joints().map(|joint| joint.body.mass_kg).sum::<f64>().max(1e-3);
+        match self {
+            Self::Payload => {
+                // A load sits about where the last link's own mass does.
+                let far = last_centre(links).iter().map(|x| x * x).sum::<f64>().sqrt();
+                let doubt = (PLACE_DOUBT * far).max(1e-3);
+                vec![mass, doubt, doubt, doubt]
+            }
+            Self::TipForce => vec![9.81 * mass; 3],
+            Self::BaseTilt => vec![0.2; 2],
+        }
+    }
+
+    /// A log with the effect.
+    pub fn applied(self, links: &SerialChain<f64>, log: &Judged, values: &[f64]) -> Judged {
+        let changed = self.links(links, values);
+        let mut found = Judged { along: crate::along::along(&changed, &log.record), ..log.clone() };
+        if self == Self::TipForce {
+            add_force(&changed, &mut found, values);
+        }
+        found
+    }
+
+    /// The chain with the effect, a force aside.
+    pub fn links(self, links: &SerialChain<f64>, values: &[f64]) -> SerialChain<f64> {
+        match self {
+            Self::Payload => {
+                links.with_payload(&Body::point(values[0], [values[1], values[2], values[3]]))
+            }
+            Self::TipForce => *links,
+            Self::BaseTilt => {
+                let (sa, ca) = values[0].sin_cos();
+                let (sb, cb) = values[1].sin_cos();
+                let size = links.gravity_m_s2().iter().map(|g| g * g).sum::<f64>().sqrt();
+                links.with_gravity([size * sb, -size * sa * cb, -size * ca * cb])
+            }
+        }
+    }
+}
+
+/// How far from the last link's own centre a load may sit, in parts of that centre's distance.
+const PLACE_DOUBT: f64 = 0.03;
+
+fn last_centre(links: &SerialChain<f64>) -> [f64; 3] {
+    let Some(last) = links.joints().last() else { return [0.0; 3] };
+    last.body.moment_kg_m.map(|moment| moment / last.body.mass_kg.max(1e-9))
+}
+
+/// Adds what a force on the tip asks of each joint: torque = -J^T F.
+fn add_force(links: &SerialChain<f64>, log: &mut Judged, force: &[f64]) {
+    let n = log.record.joints.len();
+    let (mut q, mut rows) = (vec![0.0; n], vec![0.0; 6 * n]);
+    for row in 0..log.record.len() {
+        for joint in 0..n {
+            q[joint] = log.record.joints[joint].position[row];
+        }
+        links.tip_jacobian(&q, &mut rows);
+        for joint in 0..n {
+            let torque: f64 = (0..3).map(|axis| rows[axis * n + joint] * force[axis]).sum();
+            log.along[joint][row].coupling -= torque;
+        }
+    }
+}
+
+/// An effect of the whole arm, fitted.
+#[derive(Clone, Debug)]
+pub struct WholeFit {
+    /// Which.
+    pub effect: Whole,
+    /// Its values.
+    pub values: Vec<f64>,
+    /// Their standard deviations.
+    pub deviations: Vec<f64>,
+    /// The joints, gravity's scale one.
+    pub servos: Vec<ServoJoint>,
+    /// What is left of the logs: sum over joints of squares in those of one row.
+    pub left: Vec<f64>,
+}
+
+/// The unknowns of a joint with gravity's scale as it should be.
+fn rigid(base: &Base) -> Vec<Unknown> {
+    base.unknowns.iter().filter(|unknown| unknown.field != Field::Gravity).copied().collect()
+}
+
+/// Fits an effect to the frame's logs; `None` fits the joints alone, gravity's scale one.
+pub fn fit_whole(
+    frame: &Frame,
+    links: &SerialChain<f64>,
+    bases: &[Base],
+    effect: Option<Whole>,
+) -> WholeFit {
+    const ROUNDS: usize = 4;
+    let kind = effect.unwrap_or(Whole::Payload);
+    let mut values = kind.start(links);
+    let (prior, doubts) = (values.clone(), kind.doubts(links));
+    let mut deviations = vec![0.0; values.len()];
+    let begin = |base: &Base| ServoJoint { gravity: 1.0, ..base.fitted.servo };
+    let mut servos: Vec<ServoJoint> = bases.iter().map(begin).collect();
+    let mut logs: Vec<Judged> = frame.logs.iter().map(|log| (*log).clone()).collect();
+    for round in 0..ROUNDS {
+        let here: Vec<&Judged> = logs.iter().collect();
+        servos = refitted(frame, bases, &here, &servos, if round == 0 { 8 } else { 3 });
+        if effect.is_none() || round + 1 == ROUNDS {
+            break;
+        }
+        let apply = |values: &[f64]| applied(kind, links, frame.logs, values);
+        let step = step_of(frame, bases, &servos, &here, &apply, &values, &prior, &doubts);
+        let Some((moved, found)) = step else { break };
+        deviations = found;
+        values.iter_mut().zip(moved).for_each(|(value, step)| *value += step);
+        logs = apply(&values);
+    }
+    let here: Vec<&Judged> = logs.iter().collect();
+    let left = left(frame, bases, &servos, &here);
+    WholeFit { effect: kind, values, deviations, servos, left }
+}
+
+fn applied(kind: Whole, links: &SerialChain<f64>, logs: &[&Judged], values: &[f64]) -> Vec<Judged> {
+    logs.par_iter().map(|log| kind.applied(links, log, values)).collect()
+}
+
+fn refitted(
+    frame: &Frame,
+    bases: &[Base],
+    logs: &[&Judged],
+    servos: &[ServoJoint],
+    iterations: usize,
+) -> Vec<ServoJoint> {
+    let of = |(joint, base): (usize, &Base)| {
+        let unknowns = rigid(base);
+        let frame = Frame { logs, ..*frame };
+        let problem = Problem { iterations, ..frame.problem(joint, &unknowns, base.scale) };
+        fit(&problem, &servos[joint]).servo
+    };
+    bases.par_iter().enumerate().map(of).collect()
+}
+
+/// What is left of each log, all joints together, in squares of one row.
+fn left(frame: &Frame, bases: &[Base], servos: &[ServoJoint], logs: &[&Judged]) -> Vec<f64> {
+    let step = frame.settings.search_step_s;
+    let of = |log: &&Judged| {
+        let joints = servos.iter().enumerate();
+        let costs = joints.map(|(joint, servo)| {
+            let errors = errors(servo, log, joint, step);
+            crate::fit::robust(&errors, log, joint, bases[joint].scale)
+                / bases[joint].fitted.square_of_one
+        });
+        costs.sum()
+    };
+    logs.par_iter().map(of).collect()
+}
+
+/// A step of the effect's values, the joints' own unknowns moving along, and its deviations.
+#[allow(clippy::too_many_arguments, clippy::type_complexity)]
+fn step_of(
+    frame: &Frame,
+    bases: &[Base],
+    servos: &[ServoJoint],
+    logs: &[&Judged],
+    apply: &dyn Fn(&[f64]) -> Vec<Judged>,
+    values: &[f64],
+    prior: &[f64],
+    doubts: &[f64],
+) -> Option<(Vec<f64>, Vec<f64>)> {
+    let p = values.len();
+    let moved: Vec<Vec<Judged>> = (0..p)
+        .map(|k| {
+            let mut other = values.to_vec();
+            other[k] += STEP_PART * doubts[k];
+            apply(&other)
+        })
+        .collect();
+    let (mut matrix, mut right) = (DMatrix::zeros(p, p), DVector::zeros(p));
+    for k in 0..p {
+        matrix[(k, k)] += doubts[k].powi(-2);
+        right[k] += (prior[k] - values[k]) / doubts[k].powi(2);
+    }
+    for (joint, base) in bases.iter().enumerate() {
+        let unknowns = rigid(base);
+        let problem = Frame { logs, ..*frame }.problem(joint, &unknowns, base.scale);
+        let (full, side) = normal(&problem, &servos[joint], &moved, doubts, base);
+        let own = unknowns.len();
+        let factor = full.view((0, 0), (own, own)).clone_owned().cholesky()?;
+        let across = full.view((0, own), (own, p)).clone_owned();
+        let rest = side.rows(0, own).clone_owned();
+        matrix += full.view((own, own), (p, p)) - across.transpose() * factor.solve(&across);
+        right += side.rows(own, p) - across.transpose() * factor.solve(&rest);
+    }
+    let inverse = matrix.try_inverse()?;
+    let found = &inverse * right;
+    let deviations = (0..p).map(|k| inverse[(k, k)].max(0.0).sqrt()).collect();
+    Some((found.iter().copied().collect(), deviations))
+}
