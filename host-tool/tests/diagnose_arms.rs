@@ -25,7 +25,7 @@ fn of_pendulum(hidden: &[&str]) -> Report {
 }
 
 fn of_six_joints(hidden: &[&str]) -> Report {
-    diagnosed(&recorded(&six_joints(), 250.0, 12.0, hidden)).report
+    diagnosed(&recorded(&six_joints(), 500.0, 20.0, hidden)).report
 }
 
 /// The one cause that is named, with its size within this part of the truth.
@@ -101,7 +101,7 @@ fn a_sliding_axis_is_judged_in_its_own_units() {
 
 #[test]
 fn a_geared_arm_as_its_model_has_no_gap() {
-    let report = diagnosed(&recorded(&six_joints(), 500.0, 15.0, &[])).report;
+    let report = of_six_joints(&[]);
     assert_eq!((report.verdict, report.causes.len()), (Verdict::None, 0));
 }
 

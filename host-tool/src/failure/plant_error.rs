@@ -9,7 +9,7 @@ impl From<PlantError> for Failure {
         let hint = match &error {
             PlantError::File(file) => return Self::from_file(file),
             PlantError::PositionServo { .. } => {
-                "give drives that take voltages, currents or torques; servos are not judged here yet"
+                "give drives of one kind: servos alone, or such that take voltages, currents or torques"
             }
             PlantError::NoTorqueConstant { .. } => {
                 "give it in [joint.drive], as the data sheet tells it: torque_constant_Nm_per_V, say"
