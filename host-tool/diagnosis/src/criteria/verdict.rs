@@ -30,6 +30,8 @@ criteria! {
         highest_probability: f64 = 0.98,
         /// Least probability of a cause that is named.
         least_probability: f64 = 0.5,
+        /// One with a smaller probability takes `most_of_left` of what is left without it.
+        sure_probability: f64 = 0.9,
         /// Least excess that a share is taken of, in parts of the squares of noise: some hundred
         /// independent rows tell squares to a twentieth.
         least_excess: f64 = 0.05,

@@ -26,9 +26,12 @@ fn confirmed(worth: &Worth, criteria: &VerdictCriteria) -> f64 {
     (deviations / criteria.sure_deviations).clamp(0.0, 1.0)
 }
 
-/// Whether a cause is named.
+/// Whether a cause is named. One that is not sure takes half of what is left without it: where most
+/// stays, something else on that joint may be the cause of all of it.
 pub fn is_named(probability: f64, worth: &Worth, criteria: &VerdictCriteria) -> bool {
+    let sure = probability >= criteria.sure_probability;
     probability >= criteria.least_probability
+        && (sure || worth.part_of_left >= criteria.most_of_left)
         && is_large(worth, criteria)
         && worth.share_interval[0] > 0.0
 }
