@@ -108,7 +108,8 @@ fn refitted(campaign: &Campaign) -> Robot<f64> {
     let logs = campaign.traces.iter().enumerate();
     let stretches = logs.flat_map(|(log, trace)| Stretch::of(trace, log, &subject)).collect();
     let (_, free) = prepared(&subject, stretches).unwrap();
-    fit_held(&free.evidence, &subject, &free.linear).unwrap().hypothesis.robot
+    let held = fit_held(&free.evidence, &subject, &free.linear).unwrap();
+    held.hypothesis.plant.as_robot().unwrap()
 }
 
 /// The amended model, through its file.

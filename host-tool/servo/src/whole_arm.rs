@@ -94,8 +94,9 @@ impl Whole {
     }
 }
 
-/// How far from the last link's own centre a load may sit, in parts of that centre's distance.
-const PLACE_DOUBT: f64 = 0.03;
+/// How far from the last link's own centre a load may sit, in parts of that centre's distance: rows hold
+/// fewer independent deviations than are counted, so that a wider doubt lets them place it anywhere.
+const PLACE_DOUBT: f64 = 0.01;
 
 fn last_centre(links: &SerialChain<f64>) -> [f64; 3] {
     let Some(last) = links.joints().last() else { return [0.0; 3] };

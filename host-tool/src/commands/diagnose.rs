@@ -81,12 +81,11 @@ pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
     if let Some(doubt) = arguments.model_doubt {
         (criteria.prior.relative, criteria.prior.widest) = (doubt, doubt);
     }
-    let dataset = Dataset::read(&arguments.dataset)?;
     let steps = Steps::new();
     steps.at("reading the logs");
     let diagnosis = match ArmFile::is_at(&arguments.model) {
-        true => of_arm(&dataset, &arguments.model, &criteria, &steps)?,
-        false => of_robot(&dataset, &arguments.model, &criteria, &steps)?,
+        true => of_arm(arguments, &criteria, &steps)?,
+        false => of_robot(arguments, &criteria, &steps)?,
     };
     steps.at("drawing the pictures");
     write(&diagnosis, &arguments.out)?;
@@ -98,27 +97,22 @@ pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
 
 /// The diagnosis of the three-joint robot, or of a rig of one joint.
 fn of_robot(
-    dataset: &Dataset,
-    model: &Path,
+    arguments: &Arguments,
     criteria: &Criteria,
     steps: &Steps,
 ) -> Result<Diagnosis, Failure> {
-    let campaign = Campaign::read(dataset, RobotFile::read(model)?)?;
+    let model = RobotFile::read(&arguments.model)?;
+    let campaign = Campaign::read(&Dataset::read(&arguments.dataset)?, model)?;
     let catalogue = Catalogue::standard();
     Ok(diagnosis::diagnose(&campaign, &catalogue, criteria, &|what| steps.at(what))?)
 }
 
 /// The diagnosis of an arm of any kind.
-fn of_arm(
-    dataset: &Dataset,
-    model: &Path,
-    criteria: &Criteria,
-    steps: &Steps,
-) -> Result<Diagnosis, Failure> {
-    let arm = ArmFile::read(model)?;
+fn of_arm(arguments: &Arguments, criteria: &Criteria, steps: &Steps) -> Result<Diagnosis, Failure> {
+    let arm = ArmFile::read(&arguments.model)?;
     let catalogue = Catalogue::of_arm(arm.joints.len());
     let mut remarks = arm.remarks();
-    let campaign = ArmCampaign::read(dataset, arm)?;
+    let campaign = ArmCampaign::read(&Dataset::read(&arguments.dataset)?, arm)?;
     let mut diagnosis =
         diagnosis::diagnose_arm(&campaign, &catalogue, criteria, &|what| steps.at(what))?;
     diagnosis.report.remarks.append(&mut remarks);

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::candidate::Candidate;
 use super::candidates::{Start, candidates, places_open, starts};
-use super::policy::{gain, is_accepted, is_physical};
+use super::policy::{gain, is_accepted, is_more_than, is_physical};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
@@ -45,7 +45,22 @@ pub fn finalists(subject: &Subject, before: &FittedModel, now: &Linearisation) -
         let batch = overlooked(subject, before, now, &finalists);
         finalists.extend(refitted(subject, before, now, batch));
     }
-    ranked(before, finalists)
+    let mut finalists = ranked(before, finalists);
+    simpler_first(&mut finalists, policy.least_log_likelihood);
+    finalists
+}
+
+/// Puts an effect behind a simpler one that it contains, where it gains hardly more than that.
+fn simpler_first(finalists: &mut [Finalist], least: f64) {
+    for k in 1..finalists.len() {
+        let before = |at: usize, finalists: &[Finalist]| {
+            is_more_than(&finalists[at].effect, &finalists[k].effect)
+                && finalists[at].gain < finalists[k].gain + least
+        };
+        if let Some(at) = (0..k).find(|&at| before(at, finalists)) {
+            finalists[at..=k].rotate_right(1);
+        }
+    }
 }
 
 /// Finalists, the best first; rows of all of them count as independent as in what that one leaves

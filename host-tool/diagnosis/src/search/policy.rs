@@ -45,6 +45,13 @@ fn is_exchange(before: &FittedModel, after: &FittedModel) -> bool {
     count(before) == count(after)
 }
 
+/// Whether an effect is another of the same joint and something more: a cable that rests far away is an
+/// offset. It gains at least as much, and says no more unless it gains what an effect must.
+pub fn is_more_than(more: &EffectInstance, simple: &EffectInstance) -> bool {
+    (more.definition.name, simple.definition.name) == ("cable_spring", "dac_offset")
+        && more.joint == simple.joint
+}
+
 /// Log-likelihood that a model gains over another.
 pub fn gain(over: &FittedModel, model: &FittedModel) -> f64 {
     model.gain_over(over)

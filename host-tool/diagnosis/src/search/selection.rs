@@ -4,7 +4,7 @@
 use rayon::prelude::*;
 
 use super::finalists::{Finalist, finalists};
-use super::policy::{gain, is_accepted, is_done, is_physical};
+use super::policy::{gain, is_accepted, is_done, is_more_than, is_physical};
 use super::restart::{restarted, with_play};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
@@ -199,6 +199,9 @@ impl Search<'_> {
         };
         let tried: Vec<&Finalist> = tried.collect();
         let mut rivals: Vec<Rival> = tried.into_par_iter().filter_map(in_place).collect();
+        let effect = &self.last.linear.hypothesis.effects[known + index];
+        let least = self.subject.criteria.selection.least_log_likelihood;
+        rivals.retain(|rival| !is_more_than(&rival.effect, effect) || rival.gain > least);
         rivals.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         rivals
     }
