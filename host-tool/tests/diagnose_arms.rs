@@ -28,6 +28,9 @@ fn of_six_joints(hidden: &[&str]) -> Report {
     diagnosed(&recorded(&six_joints(), 500.0, 20.0, hidden)).report
 }
 
+/// What is hidden, the effect and the joint to be named, its size, and how near that is to be found.
+type Case = (&'static str, &'static str, u8, (&'static str, f64), f64);
+
 /// The one cause that is named, with its size within this part of the truth.
 fn names(report: &Report, effect: &str, joint: u8, size: (&str, f64), within: f64) {
     let named: Vec<_> = report.causes.iter().map(|c| (c.effect.as_str(), c.joint)).collect();
@@ -47,7 +50,7 @@ fn a_pendulum_as_its_model_has_no_gap() {
 
 #[test]
 fn single_causes_of_a_pendulum_are_named_with_joint_and_size() {
-    let cases: [(&str, &str, u8, (&str, f64), f64); 7] = [
+    let cases: &[Case] = &[
         ("payload:mass_kg=0.2,com_m=0.25 0 0", "payload", 0, ("mass_kg", 0.2), 0.1),
         (
             "cogging:1:amplitude_V=0.08,harmonic=7,phase_rad=0.4",
@@ -80,7 +83,7 @@ fn single_causes_of_a_pendulum_are_named_with_joint_and_size() {
             0.1,
         ),
     ];
-    for (hidden, effect, joint, size, within) in cases {
+    for &(hidden, effect, joint, size, within) in cases {
         names(&of_pendulum(&[hidden]), effect, joint, size, within);
     }
 }
@@ -107,7 +110,7 @@ fn a_geared_arm_as_its_model_has_no_gap() {
 
 #[test]
 fn single_causes_of_a_geared_arm_are_named_with_joint_and_size() {
-    let cases: [(&str, &str, u8, (&str, f64), f64); 4] = [
+    let cases: &[Case] = &[
         ("payload:mass_kg=0.5,com_m=0.05 0 0.1", "payload", 0, ("mass_kg", 0.5), 0.1),
         (
             "cogging:2:amplitude_V=0.05,harmonic=2,phase_rad=0.4",
@@ -131,7 +134,7 @@ fn single_causes_of_a_geared_arm_are_named_with_joint_and_size() {
             0.2,
         ),
     ];
-    for (hidden, effect, joint, size, within) in cases {
+    for &(hidden, effect, joint, size, within) in cases {
         names(&of_six_joints(&[hidden]), effect, joint, size, within);
     }
 }
