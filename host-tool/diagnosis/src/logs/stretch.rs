@@ -129,6 +129,8 @@ pub struct Stretch {
     pub broadband: bool,
     /// First sample of each joint from which the bend of its bristles is known.
     pub settled: Vec<usize>,
+    /// Samples too near to one that was lost; empty where none matters.
+    pub unseen: Vec<bool>,
 }
 
 impl Stretch {
@@ -145,13 +147,43 @@ impl Stretch {
                 .map(|range| Self::of_range(trace, log, subject, range))
                 .collect::<Vec<Self>>()
         };
-        let stretches = whole(criteria.longest_gap_periods);
+        let mut stretches = whole(criteria.longest_gap_periods);
         let lost = lost_part(&trace.time_s, trace.period_s);
-        let is_known = |stretch: &Self| stretch.can_be_bridged(lost, subject);
-        match stretches.iter().any(|stretch| stretch.broadband && !is_known(stretch)) {
-            true => whole(criteria.missing_sample_periods),
-            false => stretches,
+        let is_known =
+            |stretch: &Self| !stretch.broadband || stretch.can_be_bridged(lost, subject);
+        if stretches.iter().all(is_known) {
+            return stretches;
         }
+        for stretch in &mut stretches {
+            stretch.unseen = stretch.near_lost(trace, subject);
+        }
+        match stretches.iter().all(|stretch| stretch.is_seen(criteria.least_seen_part)) {
+            true => stretches,
+            false => whole(criteria.missing_sample_periods),
+        }
+    }
+
+    /// Samples from which a row would see one that was lost: those within the reach of its low-pass.
+    fn near_lost(&self, trace: &Trace, subject: &Subject) -> Vec<bool> {
+        let (criteria, rows) = (&subject.criteria.logs, &subject.criteria.rows);
+        let reach_s = 0.5 / (rows.cutoff_part * rows.broadband_rows_per_s);
+        let begin_s = trace.time_s[0] + self.start_s;
+        let sample = |time_s: f64| ((time_s - begin_s) / self.period_s).round().max(0.0) as usize;
+        let mut unseen = vec![false; self.len()];
+        for pair in trace.time_s.windows(2).filter(|pair| pair[1] > begin_s) {
+            if pair[1] - pair[0] > criteria.missing_sample_periods * trace.period_s {
+                let (first, last) = (sample(pair[0] - reach_s), sample(pair[1] + reach_s));
+                let end = last.min(unseen.len());
+                unseen[first.min(end)..end].fill(true);
+            }
+        }
+        unseen
+    }
+
+    /// Whether at least this part of the samples is not near one that was lost.
+    fn is_seen(&self, least_part: f64) -> bool {
+        let seen = self.unseen.iter().filter(|unseen| !**unseen).count();
+        seen as f64 >= least_part * self.unseen.len() as f64
     }
 
     /// Whether filling lost samples adds little to the rows of any joint, next to its friction: what is
@@ -193,6 +225,7 @@ impl Stretch {
             middles: OnceLock::new(),
             broadband: false,
             settled: vec![0; subject.plant.joints()],
+            unseen: Vec::new(),
         };
         let mut angles = vec![Vec::new(); subject.plant.joints()];
         for (&joint, &number) in subject.joints.iter().zip(&subject.numbers) {
@@ -245,6 +278,7 @@ impl Stretch {
             postures: self.postures.get(range.clone()).unwrap_or_default().to_vec(),
             middles: OnceLock::new(),
             settled: self.settled.iter().map(from_begin).collect(),
+            unseen: self.unseen.get(range).unwrap_or_default().to_vec(),
             ..*self
         }
     }

@@ -139,6 +139,7 @@ mod tests {
             command_v,
             broadband,
             settled,
+            unseen: Vec::new(),
         }
     }
 

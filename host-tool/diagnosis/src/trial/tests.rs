@@ -59,6 +59,7 @@ fn driven(effect: Option<&EffectInstance>) -> Stretch {
         command_v,
         broadband,
         settled,
+        unseen: Vec::new(),
     }
 }
 
