@@ -211,9 +211,12 @@ impl Stretch {
     }
 
     fn of_range(trace: &Trace, log: usize, subject: &Subject, range: Range<usize>) -> Self {
+        let criteria = &subject.criteria.logs;
         let time_s = &trace.time_s[range.clone()];
-        let clock = EvenClock::over(time_s, trace.period_s, &subject.criteria.logs);
-        let period_s = clock.period_s();
+        let every = samples_taken_together(trace.period_s, criteria);
+        let clock = EvenClock::over(time_s, trace.period_s, criteria);
+        let coarse = clock.coarser(every);
+        let period_s = coarse.period_s();
         let mut stretch = Self {
             log,
             role: trace.role,
@@ -230,8 +233,11 @@ impl Stretch {
         let mut angles = vec![Vec::new(); subject.plant.joints()];
         for (&joint, &number) in subject.joints.iter().zip(&subject.numbers) {
             let Some(columns) = trace.joint(number) else { continue };
-            let q = clock.smooth(&columns.q_rad[range.clone()]);
-            let command = clock.held_mean(&columns.command_v[range.clone()]);
+            let q = match every {
+                1 => clock.smooth(&columns.q_rad[range.clone()]),
+                _ => thinned(&columns.q_rad[range.clone()], &clock, &coarse, criteria),
+            };
+            let command = coarse.held_mean(&columns.command_v[range.clone()]);
             stretch.broadband |= is_broadband(&command, period_s, &subject.criteria.logs);
             stretch.settled[joint] = settled(&q, subject, joint);
             angles[joint] = q;
@@ -346,6 +352,20 @@ fn second_difference(q_rad: &[f64], period_s: f64) -> Vec<f64> {
         (q_rad[k + 1] + q_rad[k - 1] - 2.0 * q_rad[k]) / (period_s * period_s)
     };
     (0..q_rad.len()).map(at).collect()
+}
+
+/// How many samples of a fast log are taken together: more than a motion shows costs time alone.
+fn samples_taken_together(period_s: f64, criteria: &LogCriteria) -> usize {
+    ((criteria.shortest_period_s / period_s + 0.05) as usize).max(1)
+}
+
+/// Angles of a fast log on a coarser clock, without what that would fold back.
+fn thinned(q_rad: &[f64], clock: &EvenClock, coarse: &EvenClock, criteria: &LogCriteria) -> Vec<f64> {
+    let even = clock.smooth(q_rad);
+    let cutoff_hz = criteria.thinned_cutoff_part / coarse.period_s();
+    let smooth = LowPass::new(cutoff_hz, clock.period_s()).zero_phase(&even);
+    let time_s: Vec<f64> = (0..smooth.len()).map(|k| clock.instant(k)).collect();
+    coarse.of_signal_at(&time_s, &smooth)
 }
 
 /// Whether a good part of a command lies at high frequencies.
