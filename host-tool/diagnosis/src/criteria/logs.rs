@@ -50,8 +50,10 @@ criteria! {
         shortest_to_part_s: f64 = 6.0,
         /// A remark is made where less than this part of a log can be used.
         remark_below_part: f64 = 0.9,
-        /// Samples of faster logs are taken together up to this period [s],
+        /// Samples of faster logs are taken together up to this period [s] under broadband commands,
         shortest_period_s: f64 = 1e-3,
+        /// up to this one without: rows see nothing above 60 Hz then,
+        shortest_calm_period_s: f64 = 2e-3,
         /// angles behind a low-pass with its cut-off at this part of the slower rate.
         thinned_cutoff_part: f64 = 0.4,
         /// What is faster than this part of the sampling rate is hardly seen from sample to sample.

@@ -92,12 +92,12 @@ fn noise(subject: &Subject, stretches: &[Stretch], hypothesis: &Hypothesis) -> N
     let mut noise = NoiseByRate::default();
     let mut rates_s: Vec<f64> = Vec::new();
     for stretch in &used {
-        let period_s = stretch.period_s;
-        if rates_s.iter().any(|rate_s| is_same_rate(*rate_s, period_s)) {
+        let Stretch { period_s, sampled_s, .. } = **stretch;
+        if rates_s.iter().any(|rate_s| is_same_rate(*rate_s, sampled_s)) {
             continue;
         }
-        rates_s.push(period_s);
-        let alike = used.iter().filter(|other| is_same_rate(other.period_s, period_s));
+        rates_s.push(sampled_s);
+        let alike = used.iter().filter(|other| is_same_rate(other.sampled_s, sampled_s));
         let trials: Vec<Trial> =
             alike.clone().map(|stretch| Trial::of(stretch, hypothesis, &criteria.fit)).collect();
         let of_joint = |joint: usize| {
@@ -106,15 +106,14 @@ fn noise(subject: &Subject, stretches: &[Stretch], hypothesis: &Hypothesis) -> N
             Noise::of(&left, period_s, &criteria.rows)
         };
         let inertia2 = |joint: usize| lightest(stretch, hypothesis, joint).powi(2);
-        let of_steps = |joint: usize| of_encoder(step_rad[joint], period_s) * inertia2(joint);
+        let of_steps = |joint: usize| of_encoder(step_rad[joint], sampled_s) * inertia2(joint);
         let same: Vec<&Stretch> = alike.clone().copied().collect();
-        let jitter_s = jitter_s(&same, &subject.joints, step_rad, &criteria.logs);
-        let of_jitter =
-            |joint: usize| of_white_angles(jitter_s * jitter_s, period_s) * inertia2(joint);
+        let jitter_rad2 = jitter_s(&same).powi(2);
+        let of_jitter = |joint: usize| of_white_angles(jitter_rad2, sampled_s) * inertia2(joint);
         let joints = 0..subject.plant.joints();
         let seen: Vec<Option<Noise>> = joints.clone().map(of_joint).collect();
-        noise.push(period_s, &seen, joints.clone().map(of_steps).collect());
-        noise.push_jitter(period_s, joints.map(of_jitter).collect());
+        noise.push(sampled_s, &seen, joints.clone().map(of_steps).collect());
+        noise.push_jitter(sampled_s, joints.map(of_jitter).collect());
     }
     noise
 }

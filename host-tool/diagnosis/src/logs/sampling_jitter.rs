@@ -17,18 +17,9 @@ const MEDIAN_SQUARE: f64 = 0.454_936;
 
 /// Time by which samples of these stretches lie off, rms [s]; all joints have one clock. Zero where
 /// nothing grows with speed.
-pub fn jitter_s(
-    stretches: &[&Stretch],
-    joints: &[usize],
-    step_rad: &[f64],
-    criteria: &LogCriteria,
-) -> f64 {
-    let of = |(stretch, joint): (&&Stretch, usize)| {
-        Roughness::of(stretch, joint, step_rad[joint], criteria)
-    };
-    let each = stretches.iter().flat_map(|stretch| joints.iter().map(move |&j| (stretch, j)));
+pub fn jitter_s(stretches: &[&Stretch]) -> f64 {
     let (mut growth, mut speeds) = (0.0, 0.0);
-    for roughness in each.filter_map(of) {
+    for roughness in stretches.iter().flat_map(|stretch| &stretch.roughness) {
         growth += roughness.growth_rad2;
         speeds += roughness.speed2;
     }
@@ -36,7 +27,8 @@ pub fn jitter_s(
 }
 
 /// How much rougher a joint's angles are while it is fast.
-struct Roughness {
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Roughness {
     /// Mean square by which they are rougher, summed over samples [rad^2].
     growth_rad2: f64,
     /// Squares of the speed, summed over the same [rad^2/s^2].
@@ -44,12 +36,19 @@ struct Roughness {
 }
 
 impl Roughness {
-    /// `None` for a joint that does not move.
-    fn of(stretch: &Stretch, joint: usize, step_rad: f64, criteria: &LogCriteria) -> Option<Self> {
-        let qd = &stretch.motion.qd_rad_per_s[joint];
-        let rough2 = eighth_differences_squared(&stretch.motion.raw_rad[joint]);
-        let samples: Vec<(f64, f64)> =
-            qd.iter().skip(DIFFERENCE.len() / 2).map(|qd| qd * qd).zip(rough2).collect();
+    /// Of angles [rad] at an even period [s], read in these steps [rad]; none for a joint that does
+    /// not move.
+    pub fn of(q_rad: &[f64], period_s: f64, step_rad: f64, criteria: &LogCriteria) -> Self {
+        Self::if_moving(q_rad, period_s, step_rad, criteria).unwrap_or_default()
+    }
+
+    fn if_moving(
+        q_rad: &[f64],
+        period_s: f64,
+        step_rad: f64,
+        criteria: &LogCriteria,
+    ) -> Option<Self> {
+        let samples = speeds_and_roughness(q_rad, period_s);
         let mut speeds2: Vec<f64> = samples.iter().map(|sample| sample.0).collect();
         speeds2.sort_unstable_by(f64::total_cmp);
         let at = |part: f64| speeds2.get((part * speeds2.len() as f64) as usize).copied();
@@ -64,6 +63,16 @@ impl Roughness {
             speed2: count * speed2,
         })
     }
+}
+
+/// Squares of the speed, and of the eighth differences about the same sample.
+fn speeds_and_roughness(q_rad: &[f64], period_s: f64) -> Vec<(f64, f64)> {
+    let half = DIFFERENCE.len() / 2;
+    let speed2 = |window: &[f64]| {
+        ((window[window.len() - 1] - window[0]) / (2.0 * half as f64 * period_s)).powi(2)
+    };
+    let speeds2 = q_rad.windows(DIFFERENCE.len()).map(speed2);
+    speeds2.zip(eighth_differences_squared(q_rad)).collect()
 }
 
 /// Variance of the angles' roughness by its median, which single bumps do not move, and the median

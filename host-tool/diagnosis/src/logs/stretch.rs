@@ -12,6 +12,7 @@ use std::ops::Range;
 use std::sync::OnceLock;
 
 use super::even_clock::EvenClock;
+use super::sampling_jitter::Roughness;
 use super::subject::Subject;
 use crate::criteria::LogCriteria;
 use files::Role;
@@ -117,6 +118,8 @@ pub struct Stretch {
     pub start_s: f64,
     /// Time from sample to sample [s].
     pub period_s: f64,
+    /// The same of the log, of which several samples may have been taken together [s].
+    pub sampled_s: f64,
     /// Motion at the samples.
     pub motion: Kinematics,
     /// Command over the interval that begins at each sample [V].
@@ -131,6 +134,8 @@ pub struct Stretch {
     pub settled: Vec<usize>,
     /// Samples too near to one that was lost; empty where none matters.
     pub unseen: Vec<bool>,
+    /// How rough the angles of each joint are from sample to sample.
+    pub roughness: Vec<Roughness>,
 }
 
 impl Stretch {
@@ -213,38 +218,40 @@ impl Stretch {
     fn of_range(trace: &Trace, log: usize, subject: &Subject, range: Range<usize>) -> Self {
         let criteria = &subject.criteria.logs;
         let time_s = &trace.time_s[range.clone()];
-        let every = samples_taken_together(trace.period_s, criteria);
-        let clock = EvenClock::over(time_s, trace.period_s, criteria);
-        let coarse = clock.coarser(every);
-        let period_s = coarse.period_s();
+        let fine = EvenClock::over(time_s, trace.period_s, criteria);
+        let broadband = trace.joints.iter().any(|columns| {
+            let command = fine.held_mean(&columns.command_v[range.clone()]);
+            is_broadband(&command, fine.period_s(), criteria)
+        });
+        let clock = fine.coarser(samples_taken_together(fine.period_s(), broadband, criteria));
+        let period_s = clock.period_s();
+        let joints = subject.plant.joints();
         let mut stretch = Self {
             log,
             role: trace.role,
             start_s: time_s[0] - trace.time_s[0],
             period_s,
-            motion: Kinematics::of_joints(subject.plant.joints()),
-            command_v: vec![Vec::new(); subject.plant.joints()],
+            sampled_s: fine.period_s(),
+            motion: Kinematics::of_joints(joints),
+            command_v: vec![Vec::new(); joints],
             postures: Vec::new(),
             middles: OnceLock::new(),
-            broadband: false,
-            settled: vec![0; subject.plant.joints()],
+            broadband,
+            settled: vec![0; joints],
             unseen: Vec::new(),
+            roughness: vec![Roughness::default(); joints],
         };
-        let mut angles = vec![Vec::new(); subject.plant.joints()];
+        let mut angles = vec![Vec::new(); joints];
         for (&joint, &number) in subject.joints.iter().zip(&subject.numbers) {
             let Some(columns) = trace.joint(number) else { continue };
-            let q = match every {
-                1 => clock.smooth(&columns.q_rad[range.clone()]),
-                _ => thinned(&columns.q_rad[range.clone()], &clock, &coarse, criteria),
-            };
-            let command = coarse.held_mean(&columns.command_v[range.clone()]);
-            stretch.broadband |= is_broadband(&command, period_s, &subject.criteria.logs);
-            stretch.settled[joint] = settled(&q, subject, joint);
-            angles[joint] = q;
-            stretch.command_v[joint] = command;
+            let even = fine.smooth(&columns.q_rad[range.clone()]);
+            let step_rad = subject.encoder_step_rad[joint];
+            stretch.roughness[joint] = Roughness::of(&even, fine.period_s(), step_rad, criteria);
+            angles[joint] = thinned(even, &fine, &clock, criteria);
+            stretch.command_v[joint] = clock.held_mean(&columns.command_v[range.clone()]);
+            stretch.settled[joint] = settled(&angles[joint], subject, joint);
         }
         for &joint in subject.joints.iter().filter(|&&joint| !angles[joint].is_empty()) {
-            let broadband = stretch.broadband;
             let cutoff_hz = motion_cutoff_hz(&angles[joint], joint, period_s, broadband, subject);
             stretch.motion.set(joint, &angles[joint], period_s, cutoff_hz);
         }
@@ -285,6 +292,7 @@ impl Stretch {
             middles: OnceLock::new(),
             settled: self.settled.iter().map(from_begin).collect(),
             unseen: self.unseen.get(range).unwrap_or_default().to_vec(),
+            roughness: self.roughness.clone(),
             ..*self
         }
     }
@@ -355,16 +363,20 @@ fn second_difference(q_rad: &[f64], period_s: f64) -> Vec<f64> {
 }
 
 /// How many samples of a fast log are taken together: more than a motion shows costs time alone.
-fn samples_taken_together(period_s: f64, criteria: &LogCriteria) -> usize {
-    ((criteria.shortest_period_s / period_s + 0.05) as usize).max(1)
+fn samples_taken_together(period_s: f64, broadband: bool, criteria: &LogCriteria) -> usize {
+    let shortest_s =
+        if broadband { criteria.shortest_period_s } else { criteria.shortest_calm_period_s };
+    ((shortest_s / period_s + 0.05) as usize).max(1)
 }
 
 /// Angles of a fast log on a coarser clock, without what that would fold back.
-fn thinned(q_rad: &[f64], clock: &EvenClock, coarse: &EvenClock, criteria: &LogCriteria) -> Vec<f64> {
-    let even = clock.smooth(q_rad);
+fn thinned(even: Vec<f64>, fine: &EvenClock, coarse: &EvenClock, criteria: &LogCriteria) -> Vec<f64> {
+    if coarse.period_s() < 1.5 * fine.period_s() {
+        return even;
+    }
     let cutoff_hz = criteria.thinned_cutoff_part / coarse.period_s();
-    let smooth = LowPass::new(cutoff_hz, clock.period_s()).zero_phase(&even);
-    let time_s: Vec<f64> = (0..smooth.len()).map(|k| clock.instant(k)).collect();
+    let smooth = LowPass::new(cutoff_hz, fine.period_s()).zero_phase(&even);
+    let time_s: Vec<f64> = (0..smooth.len()).map(|k| fine.instant(k)).collect();
     coarse.of_signal_at(&time_s, &smooth)
 }
 

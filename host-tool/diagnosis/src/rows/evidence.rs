@@ -62,7 +62,7 @@ impl Evidence {
             .map(|joint| of_all(joint, &|s, f| floor_v(s, f, joint, noise, criteria)))
             .collect();
         let steps_v = (0..count)
-            .map(|joint| of_all(joint, &|s, f| behind(f, s, noise.of_steps(joint, s.period_s))))
+            .map(|joint| of_all(joint, &|s, f| behind(f, s, noise.of_steps(joint, s.sampled_s))))
             .collect();
         let mut evidence = Self {
             train: stretches.iter().filter(|s| s.role == Role::Train).count(),

@@ -76,7 +76,7 @@ impl NoiseByRate {
     /// The noise of a joint in a stretch: that of its rate, and at least what the jitter of the
     /// sampling makes at its speeds there.
     pub fn in_stretch(&self, joint: usize, stretch: &Stretch) -> Noise {
-        let period_s = stretch.period_s;
+        let period_s = stretch.sampled_s;
         let speed = signal::rms(&stretch.motion.qd_rad_per_s[joint]);
         let jitter = speed * speed * at_nearest_rate(&self.jitter, joint, period_s);
         let steps = self.of_steps(joint, period_s).growing;

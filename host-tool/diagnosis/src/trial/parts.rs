@@ -140,6 +140,8 @@ mod tests {
             broadband,
             settled,
             unseen: Vec::new(),
+ roughness: Vec::new(),
+ sampled_s: PERIOD_S,
         }
     }
 

@@ -60,6 +60,8 @@ fn driven(effect: Option<&EffectInstance>) -> Stretch {
         broadband,
         settled,
         unseen: Vec::new(),
+ roughness: Vec::new(),
+ sampled_s: PERIOD_S,
     }
 }
 
