@@ -42,6 +42,8 @@ impl<'a> Judgement<'a> {
         let mut unconfirmed = Vec::new();
         let held = Held::of(subject, &refitted);
         let anothers = joints_of_another(subject, &refitted);
+        // Of the whole model: without a cause that is not confirmed, parameters go astray anew.
+        let is_plausible = !last.stats.is_implausible(&subject.criteria.fit);
         loop {
             let confirmation =
                 Confirmation::of(subject, held.clone(), &last, &added, noise_v.to_vec());
@@ -49,7 +51,8 @@ impl<'a> Judgement<'a> {
                 .map(|index| judged(subject, &confirmation, &last, &added[index], index))
                 .collect();
             let fails = |index: &usize| {
-                is_anothers(&confirmation, &last, &anothers, *index)
+                !is_plausible
+                    || is_anothers(&confirmation, &last, &anothers, *index)
                     || !is_confirmed(&confirmation, &last, &added[*index], *index, &judged[*index])
             };
             let least = |a: &usize, b: &usize| judged[*a].0.share.total_cmp(&judged[*b].0.share);
@@ -102,8 +105,7 @@ fn is_confirmed(
     let criteria = &subject.criteria.verdict;
     let place = subject.known_effects.len() + index;
     let effect = &last.linear.hypothesis.effects[place];
-    !last.stats.is_implausible(&subject.criteria.fit)
-        && is_named(*probability, worth, criteria)
+    is_named(*probability, worth, criteria)
         && is_sound(effect, worth, criteria)
         && !(effect.is_spring() && confirmation.takes_noise(last, effect))
         && reaches_ceiling(subject, &added.without, last, place)
