@@ -3,49 +3,15 @@
 
 mod common;
 
-use std::rc::Rc;
-
-use common::{board_alone, board_with_arm, commit, done, home_and_run, image};
-use emulator::image::Image;
+use common::{after_ms, board_alone, cleared_after_ms, commit, done, image, running};
 use emulator::operator::Operator;
 use emulator::registers::gpio::Pin;
 use emulator::registers::rcc::Reset;
 use emulator::registers::{MS, US};
-use firmware::Mode;
 use firmware::link::Command;
 use firmware::supervisor::{Fault, State};
 use model::reference_robot::reference_robot;
-use rig::{Plan, Rig, plan};
-use simulation::start_of;
-
-/// A board that plays the task, its outputs released.
-fn running(image: &Rc<Image>, plan: Plan) -> Operator {
-    let rig = Rig::new(reference_robot());
-    let block = plan.with_mode(Mode::PdModel).block(&rig);
-    let mut board = board_with_arm(image, start_of(&block));
-    board.run_ms(50).unwrap();
-    commit(&mut board, &block);
-    home_and_run(&mut board, start_of(&block));
-    board.run_ms(500).unwrap();
-    assert!(board.machine.board().converter.is_released());
-    board
-}
-
-/// Fault and state after so many milliseconds, asked over the line.
-fn after_ms(board: &mut Operator, ms: u64) -> (Option<Fault>, State) {
-    board.run_ms(ms).unwrap();
-    assert!(board.hello().unwrap());
-    let report = board.query().unwrap().unwrap();
-    (report.fault.map(|fault| fault.fault), report.state)
-}
-
-/// Milliseconds from a time to the fall of CLR.
-fn cleared_after_ms(board: &Operator, since: u64) -> f64 {
-    let board = board.machine.board();
-    assert!(!board.converter.is_released());
-    assert_eq!(board.converter.volts(), [0.0; 3]);
-    (board.trace.cleared_at.unwrap() - since) as f64 / MS as f64
-}
+use rig::{Rig, plan};
 
 #[test]
 fn the_watchdog_bites_when_the_tick_stops() {

@@ -20,6 +20,8 @@ const FLAGS: u32 = 0xFE00_0000;
 pub enum Reset {
     /// The power came on.
     PowerOn,
+    /// The supply fell below the brown-out's level for a moment: the RAM keeps what it had.
+    BrownOut,
     /// The pin NRST.
     Pin,
     /// The watchdog.
@@ -32,7 +34,7 @@ impl Reset {
     fn flag(self) -> u32 {
         match self {
             // The pin is pulled low inside, too, whatever causes a reset.
-            Self::PowerOn => 1 << 27 | 1 << 26,
+            Self::PowerOn | Self::BrownOut => 1 << 27 | 1 << 26,
             Self::Pin => 1 << 26,
             Self::Watchdog => 1 << 29 | 1 << 26,
             Self::Software => 1 << 28 | 1 << 26,
@@ -50,7 +52,7 @@ pub struct Rcc {
 }
 
 impl Rcc {
-    /// After a reset; the flags of earlier resets stay but for a power-on.
+    /// After a reset; the flags of earlier resets stay but where the supply was gone.
     pub fn after(reset: Reset, flags: u32) -> Self {
         let mut words = [0; 0xA0 / 4];
         words[0] = 0x0000_0063 | 1 << 8;

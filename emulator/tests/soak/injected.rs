@@ -55,6 +55,8 @@ impl Soak {
                 self.operator.machine.crash_thread().unwrap();
                 self.let_it_reset();
             }
+            Ending::PinReset => self.reset(Reset::Pin),
+            Ending::BrownOut => self.reset(Reset::BrownOut),
         }
         self.assert_ended(ending, since);
     }
@@ -106,6 +108,12 @@ impl Soak {
         self.operator.machine.run_until(end).unwrap();
         self.operator.machine.mask_interrupts(false).unwrap();
         self.pass(20);
+    }
+
+    /// What the board was sending is half a frame.
+    fn reset(&mut self, reset: Reset) {
+        self.operator.machine.reset(reset).unwrap();
+        self.let_it_reset();
     }
 
     fn let_it_reset(&mut self) {

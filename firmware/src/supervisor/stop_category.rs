@@ -33,6 +33,9 @@ impl Fault {
             | Self::Stalled
             | Self::EmergencyStop
             | Self::DrivePower
+            | Self::OutputVoltage
+            | Self::Reset
+            | Self::BrownOut
             | Self::Crash => StopCategory::Off,
         }
     }

@@ -10,7 +10,7 @@ use core::sync::atomic::Ordering::Relaxed;
 use cortex_m::peripheral::SCB;
 use cortex_m_rt::{ExceptionFrame, exception};
 use embassy_stm32::pac;
-use firmware::supervisor::FaultRecord;
+use firmware::supervisor::{FaultRecord, Kept};
 
 use crate::exchange::SHARED;
 use crate::latch;
@@ -45,11 +45,11 @@ unsafe fn HardFault(frame: &ExceptionFrame) -> ! {
 
 /// Keeps where it was and why, unless another fault came before it.
 fn keep_for_the_next_boot(program_counter: u32) {
-    if latch::read().is_none() {
+    if latch::read().fault().is_none() {
         // SAFETY: reading the status has no effect.
         let status = unsafe { (*SCB::PTR).cfsr.read() };
         let tick = SHARED.ticks.load(Relaxed);
-        latch::write(Some(&FaultRecord::of_crash(tick, program_counter, status)));
+        latch::write(&Kept::Fault(FaultRecord::of_crash(tick, program_counter, status)));
     }
 }
 
