@@ -2,7 +2,7 @@
 
 use crate::converter::Converter;
 use crate::core::cost::Cost;
-use crate::core::nvic::Nvic;
+use crate::core::nvic::{NMI, Nvic};
 use crate::core::system_control::SystemControl;
 use crate::failure::{Failure, Refusal};
 use crate::handler;
@@ -164,6 +164,14 @@ impl Board {
         self.plant.board_was_reset();
         self.clocks_changed();
         self.pins_changed();
+    }
+
+    /// The crystal fails.
+    pub fn fail_crystal(&mut self) {
+        if self.rcc.fail_crystal() {
+            self.nvic.pend(NMI);
+        }
+        self.clocks_changed();
     }
 
     /// What instructions cost from here on.

@@ -149,6 +149,23 @@ fn a_board_without_its_crystal_uses_its_own_oscillator_and_the_lamp_tells() {
 }
 
 #[test]
+fn a_crystal_that_fails_in_a_run_pulls_clr_low_at_once_and_is_told() {
+    let Some(image) = image() else { return };
+    let mut board = running(&image, plan::task(20.0));
+    let since = board.machine.board().now;
+    board.machine.board().fail_crystal();
+    board.run_ms(1).unwrap();
+    let within_ms = cleared_after_ms(&board, since);
+    println!("crystal failed: 0 V after {within_ms} ms");
+    assert!(within_ms < 0.01);
+    assert_eq!(after_ms(&mut board, 300), (Some(Fault::Crystal), State::Faulted));
+    assert_eq!(board.machine.resets.len(), 1);
+    // The board goes on from the chip's own oscillator.
+    done(&mut board, Command::ClearFault);
+    assert_eq!(after_ms(&mut board, 10), (None, State::Disarmed));
+}
+
+#[test]
 fn inputs_of_encoders_have_a_level_where_nothing_is_connected() {
     let Some(image) = image() else { return };
     let mut board = board_alone(&image);

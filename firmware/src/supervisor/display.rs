@@ -30,7 +30,7 @@ impl Display for State {
 
 impl Fault {
     /// Every fault.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; 22] = [
         Self::EncoderJump,
         Self::EncoderStuck,
         Self::TrackingError,
@@ -52,6 +52,7 @@ impl Fault {
         Self::OutputVoltage,
         Self::Reset,
         Self::BrownOut,
+        Self::Crystal,
     ];
 
     /// The name that messages use.
@@ -78,6 +79,7 @@ impl Fault {
             Self::OutputVoltage => "output voltage",
             Self::Reset => "reset while armed",
             Self::BrownOut => "supply failed while armed",
+            Self::Crystal => "crystal failed",
         }
     }
 
@@ -112,6 +114,7 @@ impl Fault {
             | Self::DrivePower
             | Self::Reset
             | Self::BrownOut
+            | Self::Crystal
             | Self::Crash => "",
         }
     }

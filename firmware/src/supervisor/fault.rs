@@ -68,6 +68,8 @@ pub enum Fault {
     Reset,
     /// The board's supply failed while it was armed.
     BrownOut,
+    /// The crystal failed while the board was on.
+    Crystal,
 }
 
 /// The first cause, with the figures that made it one.

@@ -36,6 +36,7 @@ impl Fault {
             | Self::OutputVoltage
             | Self::Reset
             | Self::BrownOut
+            | Self::Crystal
             | Self::Crash => StopCategory::Off,
         }
     }
