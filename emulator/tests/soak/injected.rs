@@ -42,7 +42,7 @@ impl Soak {
             }
             Ending::Jump => {
                 let mut jumped = self.switches.jumped.get();
-                jumped[self.draw.below(3) as usize] += 5_000;
+                jumped[self.rng.below(3) as usize] += 5_000;
                 self.switches.jumped.set(jumped);
                 self.pass(20);
             }
@@ -70,7 +70,7 @@ impl Soak {
     /// Noise, then an upload that the board must refuse, for it runs.
     fn make_noise(&mut self) {
         for _ in 0..NOISE_MS / 2 {
-            let noise: Vec<u8> = (0..NOISE_BYTES).map(|_| self.draw.below(256) as u8).collect();
+            let noise: Vec<u8> = (0..NOISE_BYTES).map(|_| self.rng.below(256) as u8).collect();
             self.operator.send(&noise);
             self.pass(1);
             // The host's own frame between, in time; a zero ends what the noise has begun.
