@@ -110,10 +110,16 @@ impl Soak {
         self.pass(20);
     }
 
-    /// What the board was sending is half a frame.
     fn reset(&mut self, reset: Reset) {
         self.operator.machine.reset(reset).unwrap();
         self.let_it_reset();
+        self.forget_half_a_frame();
+    }
+
+    /// What the board was sending when it was reset.
+    fn forget_half_a_frame(&mut self) {
+        assert!(self.operator.strange <= 1);
+        self.operator.strange = 0;
     }
 
     fn let_it_reset(&mut self) {
@@ -174,9 +180,7 @@ impl Soak {
         self.operator.machine.reset(Reset::PowerOn).unwrap();
         self.pass(100);
         assert!(self.operator.hello().unwrap());
-        // What the board was sending when its power went is half a frame.
-        assert!(self.operator.strange <= 1);
-        self.operator.strange = 0;
+        self.forget_half_a_frame();
         let report = self.report();
         assert_eq!((report.state, report.fault), (State::Disarmed, None));
         let block = self.committed.as_ref().map(super::common::encoded);

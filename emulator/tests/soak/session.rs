@@ -42,14 +42,14 @@ pub struct Soak {
 }
 
 impl Soak {
-    pub fn new(image: &Rc<Image>, is_long: bool) -> Self {
+    pub fn new(image: &Rc<Image>, seed: u64, is_long: bool) -> Self {
         let (bench, switches) = RigBench::new();
         let machine = Machine::new(image.clone(), Box::new(bench)).unwrap();
         Self {
             operator: Operator::new(machine),
             switches,
             counters: Counters::default(),
-            rng: Rng::new(1),
+            rng: Rng::new(seed),
             expected: None,
             committed: None,
             is_long,
