@@ -40,8 +40,10 @@ criteria! {
         most_bridged_part: f64 = 0.05,
         /// where fewer than this part of the rows would keep a weight, it ends the stretch.
         least_seen_part: f64 = 0.3,
-        /// Gaps of fewer periods are filled, longer ones end a stretch.
+        /// Gaps of fewer periods are filled; rows near longer ones have no weight,
         longest_gap_periods: f64 = 10.0,
+        /// and those that are longer still end a stretch [s].
+        longest_gap_s: f64 = 0.03,
         /// Shortest stretch that is used [s].
         shortest_s: f64 = 1.5,
         /// Part of each log that is held out where no log is.

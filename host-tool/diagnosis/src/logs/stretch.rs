@@ -142,45 +142,51 @@ impl Stretch {
     /// The stretches of a log that holds all joints of the rig.
     pub fn of(trace: &Trace, log: usize, subject: &Subject) -> Vec<Self> {
         let criteria = &subject.criteria.logs;
-        let whole = |longest: f64| {
+        let whole = |longest_s: f64| {
             let is_long = |range: &Range<usize>| {
                 trace.time_s[range.end - 1] - trace.time_s[range.start] >= criteria.shortest_s
             };
-            unbroken(&trace.time_s, longest * trace.period_s)
+            unbroken(&trace.time_s, longest_s)
                 .into_iter()
                 .filter(is_long)
                 .map(|range| Self::of_range(trace, log, subject, range))
                 .collect::<Vec<Self>>()
         };
-        let mut stretches = whole(criteria.longest_gap_periods);
+        let filled_s = criteria.longest_gap_periods * trace.period_s;
+        let missing_s = criteria.missing_sample_periods * trace.period_s;
+        let mut stretches = whole(filled_s.max(criteria.longest_gap_s));
         let lost = lost_part(&trace.time_s, trace.period_s);
-        let is_known =
-            |stretch: &Self| !stretch.broadband || stretch.can_be_bridged(lost, subject);
-        if stretches.iter().all(is_known) {
-            return stretches;
-        }
+        let mut shortest_s = filled_s;
         for stretch in &mut stretches {
-            stretch.unseen = stretch.near_lost(trace, subject);
+            let is_known = !stretch.broadband || stretch.can_be_bridged(lost, subject);
+            let from_s = if is_known { filled_s } else { missing_s };
+            stretch.unseen = stretch.near_lost(trace, from_s, subject);
+            shortest_s = shortest_s.min(from_s);
         }
         match stretches.iter().all(|stretch| stretch.is_seen(criteria.least_seen_part)) {
             true => stretches,
-            false => whole(criteria.missing_sample_periods),
+            false => whole(shortest_s),
         }
     }
 
-    /// Samples from which a row would see one that was lost: those within the reach of its low-pass.
-    fn near_lost(&self, trace: &Trace, subject: &Subject) -> Vec<bool> {
-        let (criteria, rows) = (&subject.criteria.logs, &subject.criteria.rows);
-        let reach_s = 0.5 / (rows.cutoff_part * rows.broadband_rows_per_s);
+    /// Samples from which a row would see a gap longer than this [s]: those within the reach of its
+    /// low-pass. Empty where there is none.
+    fn near_lost(&self, trace: &Trace, longest_s: f64, subject: &Subject) -> Vec<bool> {
+        let rows = &subject.criteria.rows;
+        let rows_per_s =
+            if self.broadband { rows.broadband_rows_per_s } else { rows.calm_rows_per_s };
+        let reach_s = 0.5 / (rows.cutoff_part * rows_per_s);
         let begin_s = trace.time_s[0] + self.start_s;
+        let end_s = begin_s + self.duration_s();
         let sample = |time_s: f64| ((time_s - begin_s) / self.period_s).round().max(0.0) as usize;
-        let mut unseen = vec![false; self.len()];
-        for pair in trace.time_s.windows(2).filter(|pair| pair[1] > begin_s) {
-            if pair[1] - pair[0] > criteria.missing_sample_periods * trace.period_s {
-                let (first, last) = (sample(pair[0] - reach_s), sample(pair[1] + reach_s));
-                let end = last.min(unseen.len());
-                unseen[first.min(end)..end].fill(true);
-            }
+        let is_gap = |pair: &&[f64]| {
+            pair[1] - pair[0] > longest_s && pair[1] > begin_s && pair[0] < end_s
+        };
+        let gaps: Vec<&[f64]> = trace.time_s.windows(2).filter(is_gap).collect();
+        let mut unseen = if gaps.is_empty() { Vec::new() } else { vec![false; self.len()] };
+        for gap in gaps {
+            let last = sample(gap[1] + reach_s).min(unseen.len());
+            unseen[sample(gap[0] - reach_s).min(last)..last].fill(true);
         }
         unseen
     }
