@@ -5,8 +5,8 @@
 //! runs the seeds FROM to TO - 1 and prints a row of a table for each kind: how often the hidden cause is
 //! named first on the right joint, how often something else is named as well, how often nothing is.
 
+use diagnosis::Report;
 use servo::report::report;
-use servo::report_types::Report;
 use servo::synthetic::{Recording, links_of, pendulum, record, six_axes};
 use servo::whole_arm::Whole;
 use servo::{Outcome, ServoJoint, Settings, prepared};
@@ -67,7 +67,7 @@ fn exchanged(seed: u64) -> Report {
     diagnosed(&campaign)
 }
 
-fn tell(kind: &str, seed: u64, joint: usize, report: &Report) {
+fn tell(kind: &str, seed: u64, joint: u8, report: &Report) {
     let named = report.causes.iter().map(|cause| {
         format!(
             "{} {} {:?} ({:.0} %)",
@@ -81,7 +81,7 @@ fn tell(kind: &str, seed: u64, joint: usize, report: &Report) {
     let first = report.causes.first();
     let right = first.is_some_and(|cause| cause.effect == kind && cause.joint == joint)
         || (kind == "none" && first.is_none());
-    println!("{seed} | {kind} | {joint} | {} | {right} | {named}", report.verdict);
+    println!("{seed} | {kind} | {joint} | {:?} | {right} | {named}", report.verdict);
 }
 
 fn main() {
@@ -93,7 +93,7 @@ fn main() {
         tell("payload", seed, 0, &loaded(seed));
         for (kind, hide) in KINDS {
             let (report, joint) = six(seed, hide);
-            tell(kind, seed, joint, &report);
+            tell(kind, seed, joint as u8, &report);
         }
     }
 }

@@ -14,7 +14,7 @@
 //! | [`fit`], [`base`] | parameters fitted to whole logs; those that are fitted before any effect |
 //! | [`contact`], [`goal_clip`], [`prepared`] | seconds that are no free motion, found and cut |
 //! | [`candidates`], [`cogging_orders`], [`cross`], [`selection`] | effects on one joint |
-//! | [`pooled`] | servos of one type, load friction in common |
+//! | [`pooled`], [`common_fit`] | servos of one type, load friction in common |
 //! | [`whole_arm`], [`whole_normal`], [`whole_cause`] | a payload, a force, a base that leans |
 //! | [`confirm`], [`verdict`], [`joint_effects`], [`outcome`] | what stands on logs that chose nothing |
 //! | [`effect_table`], [`whole_table`], [`model_file`], [`identified`] | what goes into model files |
@@ -27,6 +27,7 @@ pub mod arm_replay;
 pub mod base;
 pub mod candidates;
 pub mod cogging_orders;
+pub mod common_fit;
 pub mod confirm;
 pub mod contact;
 pub mod cross;
@@ -52,7 +53,7 @@ pub mod report_gap;
 pub mod report_intervals;
 pub mod report_places;
 pub mod report_remarks;
-pub mod report_types;
+pub mod report_words;
 pub mod selection;
 pub mod settings;
 pub mod spread;

@@ -2,13 +2,14 @@
 
 use rayon::prelude::*;
 
+use diagnosis::Contact;
 use files::{ArmFile, Role};
 use model::chain::SerialChain;
 use recordings::ArmCampaign;
 
 use crate::along::without_rotors;
 use crate::base::{Base, Frame, refit};
-use crate::contact::{Contact, contacts, cut, deviations};
+use crate::contact::{contacts, cut, deviations};
 use crate::effect_table::apply;
 use crate::error::ServoError;
 use crate::fit::errors;

@@ -1,7 +1,7 @@
 //! Simulated servo arms: what is hidden in them is found, and nothing where nothing is.
 
+use diagnosis::{Report, Value, Verdict};
 use servo::report::report;
-use servo::report_types::{Report, Value};
 use servo::synthetic::{Recording, links_of, pendulum, record, six_axes};
 use servo::{Outcome, ServoJoint, Settings, prepared};
 
@@ -49,7 +49,7 @@ fn an_arm_with_nothing_hidden_has_no_gap() {
     let file = six_axes(21);
     let servos = prepared::joints(&file).unwrap();
     let (_, report) = diagnosed(&record(&file, &links_of(&file), &servos, &short(), 21));
-    assert_eq!(report.verdict, "none", "{:?} {:?}", report.causes, report.gap);
+    assert_eq!(report.verdict, Verdict::None, "{:?} {:?}", report.causes, report.gap);
 }
 
 #[test]

@@ -87,7 +87,6 @@ pub fn touched(effect: &EffectInstance, others: &[EffectInstance], tables: &[Tab
 
 #[cfg(test)]
 mod tests {
-    use files::Role;
     use model::reference_robot::reference_robot;
     use rig::Plant;
     use rig::effects::{Catalogue, Definition, DrawContext, Random};
@@ -96,6 +95,7 @@ mod tests {
     use crate::criteria::FitCriteria;
     use crate::logs::stretch::{Kinematics, Stretch};
     use crate::trial::hypothesis::Hypothesis;
+    use crate::trial::test_stretch::{PERIOD_S, stretch_of};
 
     /// Knuth's linear congruential generator.
     struct Lcg(u64);
@@ -106,8 +106,6 @@ mod tests {
             (self.0 >> 11) as f64 / (1_u64 << 53) as f64
         }
     }
-
-    const PERIOD_S: f64 = 1e-3;
 
     /// Half a second in which all joints turn back and all commands change their sign.
     fn stretch() -> Stretch {
@@ -124,22 +122,7 @@ mod tests {
             }
         }
         motion.raw_rad = motion.q_rad.clone();
-        let postures = motion.postures();
-        let (log, role, settled) = (0, Role::Train, vec![0; 3]);
-        let (start_s, period_s, broadband) = (0.0, PERIOD_S, false);
-        let middles = Default::default();
-        Stretch {
-            log,
-            role,
-            start_s,
-            period_s,
-            motion,
-            postures,
-            middles,
-            command_v,
-            broadband,
-            settled,
-        }
+        stretch_of(motion, command_v, false)
     }
 
     fn hypothesis(effects: &[&EffectInstance]) -> Hypothesis {
