@@ -6,7 +6,8 @@ use std::path::Path;
 use assert_cmd::Command;
 use files::{ArmFile, ArmLog, Role};
 use servo::prepared;
-use servo::synthetic::{Recording, links_of, pendulum, record};
+use servo::recorded::{Recording, Truth, record};
+use servo::synthetic::{links_of, pendulum};
 
 mod common;
 use common::directory;
@@ -30,7 +31,7 @@ fn exchanged(directory: &Path) {
     let recording =
         Recording { length_s: 24.0, logs: [4, 2], swing_rad: 1.5, ..Recording::default() };
     let servos = prepared::joints(&truth).unwrap();
-    let campaign = record(&truth, &links_of(&truth), &servos, &recording, 41);
+    let campaign = record(&truth, &Truth::of(links_of(&truth), servos), &recording, 41);
     let data = directory.join("data");
     std::fs::create_dir(&data).unwrap();
     let mut list = "format = 1\n".to_owned();

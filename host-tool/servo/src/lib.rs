@@ -19,6 +19,7 @@
 //! | [`confirm`], [`verdict`], [`joint_effects`], [`outcome`] | what stands on logs that chose nothing |
 //! | [`effect_table`], [`whole_table`], [`model_file`], [`identified`] | what goes into model files |
 //! | [`report`] and those behind it | `report.json` |
+//! | [`simulated`], [`recorded`], [`goals`] | an arm with hidden effects, recorded |
 //! | [`synthetic`] | servo arms for tests and trials |
 #![forbid(unsafe_code)]
 
@@ -35,6 +36,7 @@ pub mod effect_table;
 pub mod error;
 pub mod fit;
 pub mod goal_clip;
+pub mod goals;
 pub mod identified;
 pub mod joint;
 pub mod joint_effects;
@@ -46,6 +48,7 @@ pub mod pieces;
 pub mod pooled;
 pub mod prepared;
 pub mod record;
+pub mod recorded;
 pub mod replay;
 pub mod report;
 pub mod report_changes;
@@ -56,6 +59,7 @@ pub mod report_remarks;
 pub mod report_words;
 pub mod selection;
 pub mod settings;
+pub mod simulated;
 pub mod spread;
 pub mod step;
 pub mod synthetic;

@@ -40,6 +40,15 @@ impl Whole {
         }
     }
 
+    /// How many values it has.
+    pub fn count(self) -> usize {
+        match self {
+            Self::Payload => 4,
+            Self::TipForce => 3,
+            Self::BaseTilt => 2,
+        }
+    }
+
     /// Values without the effect; where a payload's centre is likely: that of the last link.
     fn start(self, links: &SerialChain<f64>) -> Vec<f64> {
         match self {
