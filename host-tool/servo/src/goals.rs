@@ -15,12 +15,19 @@ pub enum Motion {
 }
 
 impl Motion {
-    /// Draws that of a joint for a log of this length [s], within its range and this far about its middle.
-    pub fn draw(joint: &ArmJoint, swing: f64, length_s: f64, random: &mut Pcg64Mcg) -> Self {
+    /// Draws sines or steps of a joint for a log of this length [s], within its range and this far about
+    /// its middle.
+    pub fn draw(
+        joint: &ArmJoint,
+        swing: f64,
+        length_s: f64,
+        is_sines: bool,
+        random: &mut Pcg64Mcg,
+    ) -> Self {
         let (middle, swing) = reach(joint, swing);
         let unit = Uniform::new(0.0, 1.0).expect("a range");
         let mut draw = || unit.sample(&mut *random);
-        if draw() < 0.6 {
+        if is_sines {
             let mut sine = || {
                 let frequency = 0.08 * 8.0_f64.powf(draw());
                 [swing * (0.2 + 0.3 * draw()), std::f64::consts::TAU * frequency, 6.3 * draw()]

@@ -56,13 +56,19 @@ pub fn record(file: &ArmFile, truth: &Truth, recording: &Recording, seed: u64) -
     let of = |k: usize| ArmRecording {
         file: format!("motion-{:02}.csv", k + 1),
         role: if k < train { Role::Train } else { Role::Holdout },
-        log: Recorder::new(file, truth, recording, &mut random).log(),
+        log: Recorder::new(file, truth, recording, k, &mut random).log(),
     };
     ArmCampaign { arm: file.clone(), recordings: (0..train + held_out).map(of).collect() }
 }
 
 /// Steps of a row: 1 ms at 50 Hz.
 const STEPS: usize = 20;
+
+/// Whether a joint swings in a log or steps: of any five logs in a row it steps in two, so that logs to
+/// fit to hold what logs to confirm on ask for.
+fn is_sines(log: usize, joint: usize) -> bool {
+    (2 * log + joint) % 5 < 3
+}
 
 /// A recording under way.
 struct Recorder<'a> {
@@ -81,10 +87,14 @@ impl<'a> Recorder<'a> {
         file: &'a ArmFile,
         truth: &'a Truth,
         recording: &'a Recording,
+        number: usize,
         random: &mut Pcg64Mcg,
     ) -> Self {
-        let of = |joint| Motion::draw(joint, recording.swing_rad, recording.length_s, random);
-        let motions: Vec<Motion> = file.joints.iter().map(of).collect();
+        let of = |(index, joint)| {
+            let (swing, length_s) = (recording.swing_rad, recording.length_s);
+            Motion::draw(joint, swing, length_s, is_sines(number, index), random)
+        };
+        let motions: Vec<Motion> = file.joints.iter().enumerate().map(of).collect();
         let start: Vec<f64> = motions.iter().map(|motion| motion.at(0.0)).collect();
         let rest = |q: &f64| State { q: *q, ..State::default() };
         let mut arm = Arm::of(&truth.links, &truth.servos, start.iter().map(rest).collect());

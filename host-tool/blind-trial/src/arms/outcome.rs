@@ -26,7 +26,7 @@ pub struct ArmOutcome {
     pub failure: Option<String>,
     /// The causes named, in the report's order.
     pub claims: Vec<Claim>,
-    /// How long it took [s].
+    /// Processor time of the diagnosis [s].
     pub seconds: f64,
 }
 

@@ -23,6 +23,10 @@ fn is_possible(kind: ArmKind, joints: usize, effect: &Definition) -> bool {
     }
     // On one joint a force on the tip, or a base that leans, is an offset or another gravity.
     let is_of_joint = effect.whole_robot && effect.touches.drive && joints == 1;
+    // A refit opens the model's own peak of friction, finds it, and says so among what it changed.
+    if effect.name == "stribeck" {
+        return false;
+    }
     // Without gravity no posture differs from another.
     let shows_by_gravity = ["encoder_offset", "load_friction"].contains(&effect.name);
     !is_of_joint && !(shows_by_gravity && kind == ArmKind::LinearJoint)

@@ -67,7 +67,7 @@ pub(crate) fn diagnose_written(
 }
 
 /// What this thread has computed for so far.
-fn thread_time() -> Duration {
+pub(crate) fn thread_time() -> Duration {
     clock_gettime(ClockId::CLOCK_THREAD_CPUTIME_ID).map_or(Duration::ZERO, Duration::from)
 }
 
