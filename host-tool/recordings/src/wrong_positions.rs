@@ -8,13 +8,15 @@ pub struct Settings {
     pub deviations: f64,
     /// Samples to either side that tell how far that is.
     pub around: usize,
+    /// Most rounds: a position that is far off hides others about it that are less so.
+    pub most_rounds: usize,
 }
 
 impl Default for Settings {
     /// Twelve deviations are no chance, and no impact either: that bends a motion for longer than a
-    /// sample. A hundred samples are a piece of motion.
+    /// sample. A hundred samples are a piece of motion, in which some few hide others.
     fn default() -> Self {
-        Self { deviations: 12.0, around: 100 }
+        Self { deviations: 12.0, around: 100, most_rounds: 6 }
     }
 }
 
@@ -35,6 +37,26 @@ pub fn correct(
     impossible: &Impossible,
     settings: &Settings,
 ) -> Vec<usize> {
+    let mut corrected: Vec<usize> = Vec::new();
+    for _ in 0..settings.most_rounds {
+        let found = correct_once(time_s, q_rad, impossible, settings);
+        if found.is_empty() {
+            break;
+        }
+        corrected.extend(found);
+    }
+    corrected.sort_unstable();
+    corrected.dedup();
+    corrected
+}
+
+/// One round of corrections.
+fn correct_once(
+    time_s: &[f64],
+    q_rad: &mut [f64],
+    impossible: &Impossible,
+    settings: &Settings,
+) -> Vec<usize> {
     let mut places = suspects(time_s, q_rad, impossible, settings);
     // The worst first, for it makes its neighbours look wrong as well.
     places.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -46,7 +68,6 @@ pub fn correct(
             corrected.push(k);
         }
     }
-    corrected.sort_unstable();
     corrected
 }
 
@@ -121,6 +142,17 @@ mod tests {
         }
         let error = right.iter().zip(&q_rad).map(|(a, b)| (a - b).abs()).fold(0.0_f64, f64::max);
         assert!(error < 5e-3, "{error}");
+    }
+
+    #[test]
+    fn a_large_error_hides_no_smaller_one_near_by() {
+        let (time_s, right) = swing(4000);
+        let mut q_rad = right.clone();
+        for (k, off) in [(2000, 0.3), (2040, 0.05), (2071, -0.004)] {
+            q_rad[k] += off;
+        }
+        let places = correct(&time_s, &mut q_rad, &JOINT, &Settings::default());
+        assert_eq!(places, [2000, 2040, 2071]);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! The diverse trial: robots that do not share friction, effects and noise with the diagnosis.
 
+mod beside;
 mod clutter;
 mod draw;
 mod evidence;

@@ -40,6 +40,8 @@ pub struct DiverseOutcome {
     pub known: Vec<Known>,
     /// The rest of the robot, with its small effects.
     pub reality: Reality,
+    /// What else is true of the robot against its model, and has a name.
+    pub beside: Vec<TrueCause>,
     /// The verdict, or "failed".
     pub verdict: String,
     /// Why there is no report, where there is none.

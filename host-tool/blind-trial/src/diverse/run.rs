@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use nix::time::{ClockId, clock_gettime};
 
+use super::beside::beside;
 use super::draw::DiverseCase;
 use super::outcome::{Claim, DiverseOutcome};
 use crate::error::TrialError;
@@ -54,6 +55,7 @@ pub(crate) fn diagnose_written(
         truth: case.causes.clone(),
         known: known.clone(),
         reality,
+        beside: beside(case),
         verdict: verdict(&answer),
         failure: match &answer {
             Answer::Failed(why) => Some(why.clone()),

@@ -117,6 +117,7 @@ impl WholeWayOutcome {
                 truth: Vec::new(),
                 known: Vec::new(),
                 reality: robot.reality.clone().unwrap_or_else(Reality::plain),
+                beside: Vec::new(),
                 verdict: "failed".into(),
                 failure: Some(why.into()),
                 claims: Vec::new(),

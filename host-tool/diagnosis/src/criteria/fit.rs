@@ -10,13 +10,12 @@ criteria! {
         relative: f64 = 0.025,
         /// The most that this may become where logs show a model that is further off.
         widest: f64 = 0.3,
-        /// That is where a typical parameter is off by so many deviations
+        /// That is where a typical parameter, once all are free, is off by so many deviations,
         least_typical: f64 = 2.0,
-        /// and no cause brings it back; the doubt becomes so many times what is seen, for the narrower
-        /// one held the parameters back.
-        margin: f64 = 1.5,
-        /// Parameters that logs tell to this part of the doubt count.
-        told_by_logs: f64 = 0.3,
+        /// and so much log-likelihood is gained by that beyond what causes gain;
+        least_gain: f64 = 50.0,
+        /// the doubt becomes so many times what is seen, for nobody knows how far the others are off.
+        margin: f64 = 1.2,
         /// Added for base parameters, in parts of the largest of their kind.
         of_largest: f64 = 0.004,
         /// Added for friction parameters, in parts of themselves.

@@ -27,11 +27,19 @@ criteria! {
         smoother_part: f64 = 0.7,
         /// such a clock keeps its rate for so long [s].
         clock_wander_s: f64 = 2.5,
-        /// Samples further apart than so many periods lack one between them. Under driven noise
-        /// that ends a stretch: what was put out then is not known.
+        /// Angles of so many samples, the slowest, show how rough they are without jitter of the clock,
+        slow_part: f64 = 0.3,
+        /// and those above this part what it adds;
+        fast_speeds_part: f64 = 0.6,
+        /// where it adds less than this part of the former, the clock does not jitter.
+        least_rough_growth: f64 = 0.5,
+        /// Samples further apart than so many periods lack one between them. Under driven noise what
+        /// was put out then is not known, and rows near by have no weight,
         missing_sample_periods: f64 = 1.6,
-        /// Unless filling it adds less than this part of Coulomb friction to the rows.
+        /// unless filling it adds less than this part of Coulomb friction to the rows;
         most_bridged_part: f64 = 0.05,
+        /// where fewer than this part of the rows would keep a weight, it ends the stretch.
+        least_seen_part: f64 = 0.3,
         /// Gaps of fewer periods are filled, longer ones end a stretch.
         longest_gap_periods: f64 = 10.0,
         /// Shortest stretch that is used [s].
@@ -42,6 +50,12 @@ criteria! {
         shortest_to_part_s: f64 = 6.0,
         /// A remark is made where less than this part of a log can be used.
         remark_below_part: f64 = 0.9,
+        /// Samples of faster logs are taken together up to this period [s] under broadband commands,
+        shortest_period_s: f64 = 1e-3,
+        /// up to this one without: rows see nothing above 60 Hz then,
+        shortest_calm_period_s: f64 = 2e-3,
+        /// angles behind a low-pass with its cut-off at this part of the slower rate.
+        thinned_cutoff_part: f64 = 0.4,
         /// What is faster than this part of the sampling rate is hardly seen from sample to sample.
         fast_part: f64 = 0.2,
         /// A command is broadband if enough of it lies above this frequency [Hz].

@@ -2,37 +2,39 @@
 //! is off by a tenth or two everywhere, one whose arm carries something in a few parameters.
 
 use super::fitted_model::FittedModel;
-use super::unknowns::Unknown;
+use super::unknowns::{Expected, Unknown, expected};
 use crate::logs::subject::Subject;
 
 /// Median of a normal variable's absolute value, in its standard deviations.
 const MEDIAN_OF_NORMAL: f64 = 0.6745;
 
-/// A wider doubt about the model, in parts of its parameters, where no cause that was found brings
-/// them back to within the doubt, and most of them, not some, are far off.
+/// A wider doubt about the model, in parts of its parameters, where the last model of a search explains
+/// more once its parameters are all but free, and most of them, not some, go far then. Those that are
+/// held would not tell: what they leave counts as misfit, and against misfit rows weigh little.
 pub fn wider(subject: &Subject, last: &FittedModel) -> Option<f64> {
     let prior = &subject.criteria.prior;
-    let off = typical_deviation(last, prior.told_by_logs)?;
-    let is_wrong = last.stats.is_implausible(&subject.criteria.fit) && off > prior.least_typical;
+    let mut doubting = subject.clone();
+    doubting.doubt(prior.widest);
+    let start = last.linear.hypothesis.clone();
+    let steps = subject.criteria.fit.refit_steps;
+    let free = FittedModel::fitted(&last.evidence, &doubting, start, steps)?.settled(&doubting);
+    let off = typical_deviation(subject, &free)?;
+    let is_wrong = free.gain_over(last) > prior.least_gain && off > prior.least_typical;
     let wanted = (prior.margin * off * prior.relative).min(prior.widest);
     (is_wrong && wanted > prior.relative).then_some(wanted)
 }
 
-/// How far a typical parameter is from the model as given, in standard deviations of the prior, of
-/// those that logs tell to a part of that.
-fn typical_deviation(last: &FittedModel, told_by_logs: f64) -> Option<f64> {
-    let linear = &last.linear;
-    let is_told = |place: &usize| {
-        let expected = &linear.expected[*place];
-        is_of_model(expected.unknown)
-            && linear.deviation(*place) < told_by_logs * expected.deviation
+/// How far a typical parameter of a model fitted with little prior is from the model as given, in
+/// standard deviations of its prior, of those that logs tell better than that.
+fn typical_deviation(subject: &Subject, free: &FittedModel) -> Option<f64> {
+    let narrow = expected(subject, free.evidence.stretches[0].period_s);
+    let deviation = |(place, expected): (usize, &Expected)| {
+        let is_told = free.linear.deviation(place) < expected.deviation;
+        let value = expected.unknown.get(&free.linear.hypothesis);
+        (is_of_model(expected.unknown) && is_told)
+            .then(|| ((value - expected.mean) / expected.deviation).abs())
     };
-    let deviation = |place: usize| {
-        let expected = &linear.expected[place];
-        ((expected.unknown.get(&linear.hypothesis) - expected.mean) / expected.deviation).abs()
-    };
-    let mut deviations: Vec<f64> =
-        (0..linear.expected.len()).filter(is_told).map(deviation).collect();
+    let mut deviations: Vec<f64> = narrow.iter().enumerate().filter_map(deviation).collect();
     deviations.sort_by(f64::total_cmp);
     deviations.get(deviations.len() / 2).map(|median| median / MEDIAN_OF_NORMAL)
 }

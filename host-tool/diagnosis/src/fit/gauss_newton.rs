@@ -59,21 +59,28 @@ pub fn fit_held(
     let within = subject.criteria.fit.within_deviations;
     let mut best = fitted.clone();
     for _ in 0..subject.criteria.fit.bound_rounds {
-        let held = held(evidence, best, within)?;
+        let held = held(evidence, subject, best, within)?;
         let better = improved(evidence, subject, &held, &held.expected);
         best = better.map_or(held.clone(), |(next, residual, objective)| {
             held.moved_to(next, residual, objective)
         });
     }
-    held(evidence, best, within)
+    held(evidence, subject, best, within)
 }
 
-/// The same with what lies more than `within` deviations off fixed there.
-fn held(evidence: &Evidence, linear: Linearisation, within: f64) -> Option<Linearisation> {
+/// The same with what lies more than `within` deviations off fixed there; what shapes friction follows,
+/// so that it stays friction.
+fn held(
+    evidence: &Evidence,
+    subject: &Subject,
+    linear: Linearisation,
+    within: f64,
+) -> Option<Linearisation> {
     let (mut open, mut hypothesis) = (linear.expected.clone(), linear.hypothesis.clone());
     if !hold(&mut open, &mut hypothesis, within) {
         return Some(linear);
     }
+    kept_physical(&mut hypothesis, subject);
     let residual = train_residual_rows(evidence, &hypothesis);
     let objective = objective(&residual, &linear.train, &hypothesis, &open);
     linear.with_known(open).map(|linear| linear.moved_to(hypothesis, residual, objective))

@@ -3,10 +3,11 @@
 use super::bristles::with_likely_bristles;
 use super::fitted_model::FittedModel;
 use super::gauss_newton::fit;
+use crate::logs::sampling_jitter::jitter_s;
 use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
-use crate::rows::noise::{Noise, NoiseByRate, of_encoder};
+use crate::rows::noise::{Noise, NoiseByRate, of_encoder, of_white_angles};
 use crate::trial::equation::Trial;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use crate::trial::rigid_body::{Path, smallest_inertia};
@@ -60,7 +61,7 @@ pub fn noise_left_v(subject: &Subject, evidence: &Evidence, last: &FittedModel) 
     let noise = noise(subject, &evidence.stretches, &last.linear.hypothesis);
     let of_stretch = |joint: usize, s: usize| {
         let (filter, period_s) = (evidence.filter(joint, s), evidence.stretches[s].period_s);
-        noise.of(joint, period_s).behind(|f| filter.gain(f), period_s)
+        noise.in_stretch(joint, &evidence.stretches[s]).behind(|f| filter.gain(f), period_s)
     };
     let of_joint =
         |joint: usize| (0..evidence.stretches.len()).map(|s| of_stretch(joint, s)).collect();
@@ -91,25 +92,28 @@ fn noise(subject: &Subject, stretches: &[Stretch], hypothesis: &Hypothesis) -> N
     let mut noise = NoiseByRate::default();
     let mut rates_s: Vec<f64> = Vec::new();
     for stretch in &used {
-        let period_s = stretch.period_s;
-        if rates_s.iter().any(|rate_s| is_same_rate(*rate_s, period_s)) {
+        let Stretch { period_s, sampled_s, .. } = **stretch;
+        if rates_s.iter().any(|rate_s| is_same_rate(*rate_s, sampled_s)) {
             continue;
         }
-        rates_s.push(period_s);
-        let alike = used.iter().filter(|other| is_same_rate(other.period_s, period_s));
+        rates_s.push(sampled_s);
+        let alike = used.iter().filter(|other| is_same_rate(other.sampled_s, sampled_s));
         let trials: Vec<Trial> =
-            alike.map(|stretch| Trial::of(stretch, hypothesis, &criteria.fit)).collect();
+            alike.clone().map(|stretch| Trial::of(stretch, hypothesis, &criteria.fit)).collect();
         let of_joint = |joint: usize| {
             let left: Vec<Vec<f64>> = trials.iter().map(|trial| trial.residual(joint)).collect();
             let left: Vec<&[f64]> = left.iter().map(|rows| &rows[..]).collect();
             Noise::of(&left, period_s, &criteria.rows)
         };
-        let of_steps = |joint: usize| {
-            of_encoder(step_rad[joint], period_s) * lightest(stretch, hypothesis, joint).powi(2)
-        };
+        let inertia2 = |joint: usize| lightest(stretch, hypothesis, joint).powi(2);
+        let of_steps = |joint: usize| of_encoder(step_rad[joint], sampled_s) * inertia2(joint);
+        let same: Vec<&Stretch> = alike.clone().copied().collect();
+        let jitter_rad2 = jitter_s(&same).powi(2);
+        let of_jitter = |joint: usize| of_white_angles(jitter_rad2, sampled_s) * inertia2(joint);
         let joints = 0..subject.plant.joints();
         let seen: Vec<Option<Noise>> = joints.clone().map(of_joint).collect();
-        noise.push(period_s, &seen, joints.map(of_steps).collect());
+        noise.push(sampled_s, &seen, joints.clone().map(of_steps).collect());
+        noise.push_jitter(sampled_s, joints.map(of_jitter).collect());
     }
     noise
 }

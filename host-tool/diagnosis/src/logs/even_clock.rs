@@ -9,7 +9,8 @@ pub struct EvenClock<'a> {
     period_s: f64,
     count: usize,
     even: bool,
-    missing_sample_periods: f64,
+    /// Samples further apart lack one between them.
+    longest_hold_s: f64,
 }
 
 impl<'a> EvenClock<'a> {
@@ -23,8 +24,15 @@ impl<'a> EvenClock<'a> {
         let offset = |(k, t): (usize, &f64)| (t - time_s[0] - k as f64 * period_s).abs();
         let worst = time_s.iter().enumerate().map(offset).fold(0.0, f64::max);
         let even = count == time_s.len() && worst < criteria.even_part * period_s;
-        let missing_sample_periods = criteria.missing_sample_periods;
-        Self { time_s, period_s, count, even, missing_sample_periods }
+        let longest_hold_s = criteria.missing_sample_periods * period_s;
+        Self { time_s, period_s, count, even, longest_hold_s }
+    }
+
+    /// The same clock with so many of its periods in one.
+    pub fn coarser(&self, every: usize) -> Self {
+        let count = (self.count - 1) / every + 1;
+        let period_s = every as f64 * self.period_s;
+        Self { period_s, count, even: self.even && every == 1, ..*self }
     }
 
     /// The even period [s].
@@ -37,11 +45,16 @@ impl<'a> EvenClock<'a> {
         if self.even {
             return signal.to_vec();
         }
+        self.of_signal_at(self.time_s, signal)
+    }
+
+    /// The same of a signal that was sampled at other times [s].
+    pub fn of_signal_at(&self, time_s: &[f64], signal: &[f64]) -> Vec<f64> {
         let mut k = 0;
         let at = |index: usize| {
             let t = self.instant(index);
-            k = self.advanced(k, t);
-            cubic(self.time_s, signal, k, t)
+            k = advanced(time_s, k, t);
+            cubic(time_s, signal, k, t)
         };
         (0..self.count).map(at).collect()
     }
@@ -58,7 +71,7 @@ impl<'a> EvenClock<'a> {
         let mut before = 0.0;
         let mut mean = |index: usize| {
             let t = self.instant(index + 1);
-            k = self.advanced(k, t);
+            k = advanced(self.time_s, k, t);
             let until = area[k] + self.value(signal, k) * (t - self.time_s[k]);
             let mean = (until - before) / self.period_s;
             before = until;
@@ -67,26 +80,15 @@ impl<'a> EvenClock<'a> {
         (0..self.count).map(&mut mean).collect()
     }
 
-    fn instant(&self, index: usize) -> f64 {
+    /// Time of one of its instants [s].
+    pub fn instant(&self, index: usize) -> f64 {
         self.time_s[0] + index as f64 * self.period_s
-    }
-
-    /// The last sample not after `t`, from `k` on, the last one excluded.
-    fn advanced(&self, mut k: usize, t: f64) -> usize {
-        while k + 2 < self.time_s.len() && self.time_s[k + 1] <= t {
-            k += 1;
-        }
-        k
     }
 
     /// What acts on average between sample k and the next.
     fn value(&self, signal: &[f64], k: usize) -> f64 {
         let gap = self.time_s[k + 1] - self.time_s[k];
-        if gap > self.missing_sample_periods * self.period_s {
-            0.5 * (signal[k] + signal[k + 1])
-        } else {
-            signal[k]
-        }
+        if gap > self.longest_hold_s { 0.5 * (signal[k] + signal[k + 1]) } else { signal[k] }
     }
 
     /// Integral from the first sample to each.
@@ -98,6 +100,14 @@ impl<'a> EvenClock<'a> {
         }
         area
     }
+}
+
+/// The last sample not after `t`, from `k` on, the last one excluded.
+fn advanced(time_s: &[f64], mut k: usize, t: f64) -> usize {
+    while k + 2 < time_s.len() && time_s[k + 1] <= t {
+        k += 1;
+    }
+    k
 }
 
 /// Cubic Hermite interpolation between samples k and k + 1, slopes from the neighbours.

@@ -9,6 +9,7 @@ pub mod encoder_step;
 pub mod even_clock;
 pub mod intervals;
 pub mod robot_subject;
+pub mod sampling_jitter;
 pub mod stamps;
 pub mod stretch;
 pub mod subject;

@@ -12,6 +12,7 @@ use std::ops::Range;
 use std::sync::OnceLock;
 
 use super::even_clock::EvenClock;
+use super::sampling_jitter::Roughness;
 use super::subject::Subject;
 use crate::criteria::LogCriteria;
 use files::Role;
@@ -117,6 +118,8 @@ pub struct Stretch {
     pub start_s: f64,
     /// Time from sample to sample [s].
     pub period_s: f64,
+    /// The same of the log, of which several samples may have been taken together [s].
+    pub sampled_s: f64,
     /// Motion at the samples.
     pub motion: Kinematics,
     /// Command over the interval that begins at each sample [V].
@@ -129,6 +132,10 @@ pub struct Stretch {
     pub broadband: bool,
     /// First sample of each joint from which the bend of its bristles is known.
     pub settled: Vec<usize>,
+    /// Samples too near to one that was lost; empty where none matters.
+    pub unseen: Vec<bool>,
+    /// How rough the angles of each joint are from sample to sample.
+    pub roughness: Vec<Roughness>,
 }
 
 impl Stretch {
@@ -145,13 +152,42 @@ impl Stretch {
                 .map(|range| Self::of_range(trace, log, subject, range))
                 .collect::<Vec<Self>>()
         };
-        let stretches = whole(criteria.longest_gap_periods);
+        let mut stretches = whole(criteria.longest_gap_periods);
         let lost = lost_part(&trace.time_s, trace.period_s);
-        let is_known = |stretch: &Self| stretch.can_be_bridged(lost, subject);
-        match stretches.iter().any(|stretch| stretch.broadband && !is_known(stretch)) {
-            true => whole(criteria.missing_sample_periods),
-            false => stretches,
+        let is_known = |stretch: &Self| !stretch.broadband || stretch.can_be_bridged(lost, subject);
+        if stretches.iter().all(is_known) {
+            return stretches;
         }
+        for stretch in &mut stretches {
+            stretch.unseen = stretch.near_lost(trace, subject);
+        }
+        match stretches.iter().all(|stretch| stretch.is_seen(criteria.least_seen_part)) {
+            true => stretches,
+            false => whole(criteria.missing_sample_periods),
+        }
+    }
+
+    /// Samples from which a row would see one that was lost: those within the reach of its low-pass.
+    fn near_lost(&self, trace: &Trace, subject: &Subject) -> Vec<bool> {
+        let (criteria, rows) = (&subject.criteria.logs, &subject.criteria.rows);
+        let reach_s = 0.5 / (rows.cutoff_part * rows.broadband_rows_per_s);
+        let begin_s = trace.time_s[0] + self.start_s;
+        let sample = |time_s: f64| ((time_s - begin_s) / self.period_s).round().max(0.0) as usize;
+        let mut unseen = vec![false; self.len()];
+        for pair in trace.time_s.windows(2).filter(|pair| pair[1] > begin_s) {
+            if pair[1] - pair[0] > criteria.missing_sample_periods * trace.period_s {
+                let (first, last) = (sample(pair[0] - reach_s), sample(pair[1] + reach_s));
+                let end = last.min(unseen.len());
+                unseen[first.min(end)..end].fill(true);
+            }
+        }
+        unseen
+    }
+
+    /// Whether at least this part of the samples is not near one that was lost.
+    fn is_seen(&self, least_part: f64) -> bool {
+        let seen = self.unseen.iter().filter(|unseen| !**unseen).count();
+        seen as f64 >= least_part * self.unseen.len() as f64
     }
 
     /// Whether filling lost samples adds little to the rows of any joint, next to its friction: what is
@@ -179,33 +215,42 @@ impl Stretch {
     }
 
     fn of_range(trace: &Trace, log: usize, subject: &Subject, range: Range<usize>) -> Self {
+        let criteria = &subject.criteria.logs;
         let time_s = &trace.time_s[range.clone()];
-        let clock = EvenClock::over(time_s, trace.period_s, &subject.criteria.logs);
+        let fine = EvenClock::over(time_s, trace.period_s, criteria);
+        let broadband = trace.joints.iter().any(|columns| {
+            let command = fine.held_mean(&columns.command_v[range.clone()]);
+            is_broadband(&command, fine.period_s(), criteria)
+        });
+        let clock = fine.coarser(samples_taken_together(fine.period_s(), broadband, criteria));
         let period_s = clock.period_s();
+        let joints = subject.plant.joints();
         let mut stretch = Self {
             log,
             role: trace.role,
             start_s: time_s[0] - trace.time_s[0],
             period_s,
-            motion: Kinematics::of_joints(subject.plant.joints()),
-            command_v: vec![Vec::new(); subject.plant.joints()],
+            sampled_s: fine.period_s(),
+            motion: Kinematics::of_joints(joints),
+            command_v: vec![Vec::new(); joints],
             postures: Vec::new(),
             middles: OnceLock::new(),
-            broadband: false,
-            settled: vec![0; subject.plant.joints()],
+            broadband,
+            settled: vec![0; joints],
+            unseen: Vec::new(),
+            roughness: vec![Roughness::default(); joints],
         };
-        let mut angles = vec![Vec::new(); subject.plant.joints()];
+        let mut angles = vec![Vec::new(); joints];
         for (&joint, &number) in subject.joints.iter().zip(&subject.numbers) {
             let Some(columns) = trace.joint(number) else { continue };
-            let q = clock.smooth(&columns.q_rad[range.clone()]);
-            let command = clock.held_mean(&columns.command_v[range.clone()]);
-            stretch.broadband |= is_broadband(&command, period_s, &subject.criteria.logs);
-            stretch.settled[joint] = settled(&q, subject, joint);
-            angles[joint] = q;
-            stretch.command_v[joint] = command;
+            let even = fine.smooth(&columns.q_rad[range.clone()]);
+            let step_rad = subject.encoder_step_rad[joint];
+            stretch.roughness[joint] = Roughness::of(&even, fine.period_s(), step_rad, criteria);
+            angles[joint] = thinned(even, &fine, &clock, criteria);
+            stretch.command_v[joint] = clock.held_mean(&columns.command_v[range.clone()]);
+            stretch.settled[joint] = settled(&angles[joint], subject, joint);
         }
         for &joint in subject.joints.iter().filter(|&&joint| !angles[joint].is_empty()) {
-            let broadband = stretch.broadband;
             let cutoff_hz = motion_cutoff_hz(&angles[joint], joint, period_s, broadband, subject);
             stretch.motion.set(joint, &angles[joint], period_s, cutoff_hz);
         }
@@ -245,6 +290,8 @@ impl Stretch {
             postures: self.postures.get(range.clone()).unwrap_or_default().to_vec(),
             middles: OnceLock::new(),
             settled: self.settled.iter().map(from_begin).collect(),
+            unseen: self.unseen.get(range).unwrap_or_default().to_vec(),
+            roughness: self.roughness.clone(),
             ..*self
         }
     }
@@ -312,6 +359,29 @@ fn second_difference(q_rad: &[f64], period_s: f64) -> Vec<f64> {
         (q_rad[k + 1] + q_rad[k - 1] - 2.0 * q_rad[k]) / (period_s * period_s)
     };
     (0..q_rad.len()).map(at).collect()
+}
+
+/// How many samples of a fast log are taken together: more than a motion shows costs time alone.
+fn samples_taken_together(period_s: f64, broadband: bool, criteria: &LogCriteria) -> usize {
+    let shortest_s =
+        if broadband { criteria.shortest_period_s } else { criteria.shortest_calm_period_s };
+    ((shortest_s / period_s + 0.05) as usize).max(1)
+}
+
+/// Angles of a fast log on a coarser clock, without what that would fold back.
+fn thinned(
+    even: Vec<f64>,
+    fine: &EvenClock,
+    coarse: &EvenClock,
+    criteria: &LogCriteria,
+) -> Vec<f64> {
+    if coarse.period_s() < 1.5 * fine.period_s() {
+        return even;
+    }
+    let cutoff_hz = criteria.thinned_cutoff_part / coarse.period_s();
+    let smooth = LowPass::new(cutoff_hz, fine.period_s()).zero_phase(&even);
+    let time_s: Vec<f64> = (0..smooth.len()).map(|k| fine.instant(k)).collect();
+    coarse.of_signal_at(&time_s, &smooth)
 }
 
 /// Whether a good part of a command lies at high frequencies.

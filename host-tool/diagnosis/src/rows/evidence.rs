@@ -62,7 +62,7 @@ impl Evidence {
             .map(|joint| of_all(joint, &|s, f| floor_v(s, f, joint, noise, criteria)))
             .collect();
         let steps_v = (0..count)
-            .map(|joint| of_all(joint, &|s, f| behind(f, s, noise.of_steps(joint, s.period_s))))
+            .map(|joint| of_all(joint, &|s, f| behind(f, s, noise.of_steps(joint, s.sampled_s))))
             .collect();
         let mut evidence = Self {
             train: stretches.iter().filter(|s| s.role == Role::Train).count(),
@@ -91,11 +91,13 @@ impl Evidence {
         (0..self.stretches.len()).map(of_stretch).collect()
     }
 
-    /// Which of a joint's rows in a stretch come after its friction is settled.
+    /// Which of a joint's rows in a stretch come after its friction is settled, and see no sample that
+    /// is not known.
     fn settled(&self, joint: usize, s: usize) -> Vec<bool> {
         let stretch = &self.stretches[s];
         let instants = self.filters[joint][s].instants(stretch.len());
-        instants.map(|instant| instant >= stretch.settled[joint]).collect()
+        let is_seen = |k: usize| stretch.unseen.get(k).is_none_or(|unseen| !unseen);
+        instants.map(|k| k >= stretch.settled[joint] && is_seen(k)).collect()
     }
 
     /// The same rows with other weights of train rows [1/V], by joint and stretch; what is held out
@@ -254,7 +256,7 @@ fn filters(
 ) -> Vec<RowFilter> {
     let of_rows = &criteria.rows;
     let filter = |s: &Stretch| {
-        let corner_hz = noise.of(joint, s.period_s).corner_hz();
+        let corner_hz = noise.in_stretch(joint, s).corner_hz();
         let highest_hz = of_rows.highest_corner_part / s.period_s;
         let corner_hz = corner_hz.clamp(of_rows.lowest_corner_hz, highest_hz);
         RowFilter::new(s.period_s, s.broadband, corner_hz, of_rows)
@@ -270,7 +272,7 @@ fn floor_v(
     noise: &NoiseByRate,
     criteria: &Criteria,
 ) -> f64 {
-    let seen_v = behind(filter, stretch, noise.of(joint, stretch.period_s));
+    let seen_v = behind(filter, stretch, noise.in_stretch(joint, stretch));
     let fast_v = stretch.fast_command_v(joint, criteria.logs.fast_part);
     seen_v.hypot(criteria.rows.between_samples_per_s * stretch.period_s * fast_v)
 }

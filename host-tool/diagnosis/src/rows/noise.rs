@@ -11,6 +11,7 @@ use std::f64::consts::{PI, TAU};
 use realfft::RealFftPlanner;
 
 use crate::criteria::RowCriteria;
+use crate::logs::stretch::Stretch;
 
 /// Power density of noise, a + b f^4 [V^2/Hz], one-sided.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +30,8 @@ pub struct NoiseByRate {
     rates: Vec<(f64, Vec<Option<Noise>>)>,
     /// The part of the encoder's steps alone.
     steps: Vec<(f64, Vec<f64>)>,
+    /// What the jitter of the sampling adds per mean square of the speed.
+    jitter: Vec<(f64, Vec<f64>)>,
 }
 
 /// Noise of a joint that has none, or of which nothing is known.
@@ -45,12 +48,15 @@ impl NoiseByRate {
         self.steps.push((period_s, steps));
     }
 
+    /// Adds what a clock that jitters adds to each joint at a sample period [s], per Hz^4 and per
+    /// rad^2/s^2 of its mean square speed.
+    pub fn push_jitter(&mut self, period_s: f64, jitter: Vec<f64>) {
+        self.jitter.push((period_s, jitter));
+    }
+
     /// What encoder steps alone make at a sample period [s].
     pub fn of_steps(&self, joint: usize, period_s: f64) -> Noise {
-        let apart = |rate_s: f64| (rate_s / period_s).ln().abs();
-        let nearest = self.steps.iter().min_by(|a, b| apart(a.0).total_cmp(&apart(b.0)));
-        let growing = nearest.map_or(0.0, |(rate_s, steps)| steps[joint] * period_s / rate_s);
-        Noise { white: 0.0, growing }
+        Noise { white: 0.0, growing: at_nearest_rate(&self.steps, joint, period_s) }
     }
 
     /// Whether anything was seen of a joint (from 0).
@@ -66,6 +72,24 @@ impl NoiseByRate {
         let nearest = seen.min_by(|a, b| apart(a.0).total_cmp(&apart(b.0)));
         nearest.map_or(NOTHING, |(rate_s, noise)| noise.at_another_rate(period_s / rate_s))
     }
+
+    /// The noise of a joint in a stretch: that of its rate, and at least what the jitter of the
+    /// sampling makes at its speeds there.
+    pub fn in_stretch(&self, joint: usize, stretch: &Stretch) -> Noise {
+        let period_s = stretch.sampled_s;
+        let speed = signal::rms(&stretch.motion.qd_rad_per_s[joint]);
+        let jitter = speed * speed * at_nearest_rate(&self.jitter, joint, period_s);
+        let steps = self.of_steps(joint, period_s).growing;
+        let noise = self.of(joint, period_s);
+        if jitter > 0.0 { noise.growing_at_least(steps + jitter) } else { noise }
+    }
+}
+
+/// A density of a joint at the nearest of the rates at which it is known.
+fn at_nearest_rate(rates: &[(f64, Vec<f64>)], joint: usize, period_s: f64) -> f64 {
+    let apart = |rate_s: f64| (rate_s / period_s).ln().abs();
+    let nearest = rates.iter().min_by(|a, b| apart(a.0).total_cmp(&apart(b.0)));
+    nearest.map_or(0.0, |(rate_s, of_joints)| of_joints[joint] * period_s / rate_s)
 }
 
 impl Noise {
@@ -176,7 +200,12 @@ fn quiet_power(pieces: &[Vec<f64>], bin: usize) -> f64 {
 /// Density of what encoder steps become once differentiated twice, per Hz^4 and per
 /// (V s^2/rad)^2 of inertia.
 pub fn of_encoder(step_rad: f64, period_s: f64) -> f64 {
-    step_rad * step_rad / 12.0 * 2.0 * period_s * TAU.powi(4)
+    of_white_angles(step_rad * step_rad / 12.0, period_s)
+}
+
+/// The same of errors of the angle that are white, of this mean square [rad^2].
+pub fn of_white_angles(square_rad2: f64, period_s: f64) -> f64 {
+    square_rad2 * 2.0 * period_s * TAU.powi(4)
 }
 
 #[cfg(test)]

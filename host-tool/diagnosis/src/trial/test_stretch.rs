@@ -21,5 +21,8 @@ pub fn stretch_of(motion: Kinematics, command_v: Vec<Vec<f64>>, broadband: bool)
         command_v,
         broadband,
         settled: vec![0; 3],
+        unseen: Vec::new(),
+        roughness: Vec::new(),
+        sampled_s: PERIOD_S,
     }
 }

@@ -7,6 +7,7 @@ use crate::case::Kind;
 use crate::cause::TrueCause;
 use crate::diverse::outcome::{Claim, DiverseOutcome};
 use crate::score::Share;
+use diagnosis::Value;
 
 /// From here on a cause counts as one that could be known.
 pub const KNOWABLE: f64 = 0.9;
@@ -14,9 +15,15 @@ pub const KNOWABLE: f64 = 0.9;
 const NEARLY_LARGEST: f64 = 0.8;
 
 impl DiverseOutcome {
-    /// Whether what a claim names is truly there, as a cause or as a small effect.
+    /// Whether what a claim names is truly there: as a cause, as a small effect, or, with the sign that
+    /// it says, beside them.
     pub fn is_true(&self, claim: &Claim) -> bool {
-        self.truth.iter().chain(&self.reality.clutter).any(|truth| names(claim, truth))
+        let hidden = self.truth.iter().chain(&self.reality.clutter);
+        let has_sign = |truth: &TrueCause| {
+            truth.parameters.iter().all(|(name, truth)| is_of_sign(claim.parameters.get(name), truth))
+        };
+        hidden.into_iter().any(|truth| names(claim, truth))
+            || self.beside.iter().any(|truth| names(claim, truth) && has_sign(truth))
     }
 
     /// Whether a name was given for which there is nothing.
@@ -56,6 +63,14 @@ impl DiverseOutcome {
     /// Whether the largest cause alone is more than half of the gap.
     pub fn is_dominated(&self) -> bool {
         self.known.first().and_then(|known| known.share).is_some_and(|share| share > 0.5)
+    }
+}
+
+/// Whether two values are numbers of one sign.
+fn is_of_sign(claimed: Option<&Value>, truth: &Value) -> bool {
+    match (claimed, truth) {
+        (Some(Value::Number(claimed)), Value::Number(truth)) => claimed * truth > 0.0,
+        _ => false,
     }
 }
 

@@ -42,6 +42,7 @@ fn outcome(truth: Vec<TrueCause>, known: &[(f64, f64)], claims: Vec<Claim>) -> D
         truth,
         known: known.collect(),
         reality: Reality::plain(),
+        beside: Vec::new(),
         verdict: verdict.into(),
         failure: None,
         claims,
@@ -131,4 +132,19 @@ fn intervals_hold_phases_modulo_a_turn() {
     let score = DiverseScore::of(&[outcome(vec![truth], &[(0.9, 0.99)], vec![named])]);
     assert_eq!((score.intervals.parameters.count, score.intervals.parameters.of), (1, 2));
     assert_eq!(score.intervals.shares.count, 0);
+}
+
+#[test]
+fn what_is_true_beside_the_causes_is_no_wrong_name() {
+    let constant = |value: f64| cause("torque_constant", 1, &[value]);
+    let claimed = |value: f64| Claim {
+        parameters: [("relative_error".to_owned(), Value::Number(value))].into(),
+        ..claim("torque_constant", 1, 0.9)
+    };
+    let answered = |value: f64| DiverseOutcome {
+        beside: vec![constant(-0.03)],
+        ..outcome(Vec::new(), &[], vec![claimed(value)])
+    };
+    assert!(!answered(-0.05).has_wrong_name());
+    assert!(answered(0.05).has_wrong_name());
 }
