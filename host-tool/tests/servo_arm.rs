@@ -70,6 +70,36 @@ fn an_exchanged_mass_is_reported_and_written() {
 }
 
 #[test]
+fn a_simulated_arm_hides_what_it_is_told_to() {
+    let directory = directory();
+    let path = directory.path();
+    pendulum(41, 0.4, 0.15).write(path.join("model.toml")).unwrap();
+    let record = ["simulate", "--model", "model.toml", "--dataset", "gap", "--seed", "3", "--out"];
+    let with = |out: &str, effect: &str| {
+        let hidden = ["--effect", effect];
+        rrr(path, &[&record[..], &[out][..], &hidden[..]].concat())
+    };
+    with("logs", "payload:mass_kg=0.2,com_m=0 0 -0.15").success();
+    let log = std::fs::read_to_string(path.join("logs/motion-01.csv")).unwrap();
+    assert!(log.starts_with("t_s,q1_count,qref1_rad\n"), "{}", &log[..40]);
+    rrr(path, &["diagnose", "logs", "--model", "model.toml", "--out", "out"]).success();
+    let text = std::fs::read_to_string(path.join("out/report.json")).unwrap();
+    let report: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(report["causes"][0]["effect"].as_str(), Some("payload"), "{text}");
+    for (effect, words) in [
+        ("joint_elasticity:1:stiffness_Nm_per_rad=9", "cannot be simulated on position servos"),
+        ("saturation:1:limit_V=-3", "limit_V of saturation is not from 0.01"),
+        ("saturation:2:limit_V=3", "saturation of joint 2"),
+        ("goal_clip:1:lowest_rad=1,highest_rad=-1", "goal_clip of joint 1"),
+    ] {
+        let refused = with("none", effect).code(2);
+        let said = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
+        assert!(said.contains(words), "{said}");
+    }
+    assert!(!path.join("none").exists());
+}
+
+#[test]
 fn a_servo_without_its_law_is_refused() {
     let directory = directory();
     let path = directory.path();

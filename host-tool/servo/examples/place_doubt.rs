@@ -1,8 +1,8 @@
 //! How far from the last link's centre a load may sit: masses of loads that are found by two choices.
 //!
-//!     cargo run --release -p servo --example place_doubt -- FROM TO
+//!     cargo run --release -p servo --example place_doubt -- FROM TO [DOUBT DOUBT ...]
 //!
-//! runs the seeds FROM to TO - 1: a pendulum whose mass was exchanged, whose load is where the link's is,
+//! runs the seeds FROM to TO - 1, with doubts of 0.01 and 0.03 unless others are given: a pendulum whose mass was exchanged, whose load is where the link's is,
 //! and six axes with 0.1 kg in the hand 30 mm beyond it and beside it.
 
 use diagnosis::{Report, Value};
@@ -12,9 +12,6 @@ use servo::report::report;
 use servo::synthetic::{links_of, pendulum, six_axes};
 use servo::whole_arm::Whole;
 use servo::{Outcome, Settings, prepared};
-
-/// The doubts that are tried.
-const DOUBTS: [f64; 2] = [0.01, 0.03];
 
 /// Where a load of 0.1 kg is in the last link, whose own centre is at (0.03, 0, 0) [m].
 const PLACES: [[f64; 3]; 2] = [[0.04, 0.0, 0.0], [0.05, 0.02, 0.01]];
@@ -49,25 +46,27 @@ fn named(report: &Report) -> String {
     if words.is_empty() { format!("{:?}", report.verdict) } else { words.join("; ") }
 }
 
-fn tell(seed: u64, truth: &str, campaign: &ArmCampaign) {
+fn tell(seed: u64, truth: &str, campaign: &ArmCampaign, doubts: &[f64]) {
     let of = |place_doubt: f64| {
         let settings = Settings { place_doubt, ..Settings::default() };
         let outcome = Outcome::of(campaign, &settings, &|_| ());
         named(&report(&outcome.expect("simulated logs can be used")))
     };
-    let found: Vec<String> = DOUBTS.iter().map(|doubt| of(*doubt)).collect();
+    let found: Vec<String> = doubts.iter().map(|doubt| of(*doubt)).collect();
     println!("{seed} | {truth} | {}", found.join(" | "));
 }
 
 fn main() {
-    let mut arguments = std::env::args().skip(1).filter_map(|text| text.parse::<u64>().ok());
-    let (from, to) = (arguments.next().unwrap_or(1), arguments.next().unwrap_or(2));
-    println!("seed | truth | doubt {} | doubt {}", DOUBTS[0], DOUBTS[1]);
-    for seed in from..to {
+    let mut numbers = std::env::args().skip(1).filter_map(|text| text.parse::<f64>().ok());
+    let (from, to) = (numbers.next().unwrap_or(1.0), numbers.next().unwrap_or(2.0));
+    let given: Vec<f64> = numbers.collect();
+    let doubts = if given.is_empty() { vec![0.01, 0.03] } else { given };
+    println!("seed | truth | doubts {doubts:?}");
+    for seed in from as u64..to as u64 {
         let added_kg = [0.2, -0.15, 0.35, 0.1][seed as usize % 4];
-        tell(seed, &format!("exchanged {added_kg:+} kg"), &exchanged(seed, added_kg));
+        tell(seed, &format!("exchanged {added_kg:+} kg"), &exchanged(seed, added_kg), &doubts);
         for at_m in PLACES {
-            tell(seed, &format!("0.1 kg at {at_m:?}"), &loaded(seed, at_m));
+            tell(seed, &format!("0.1 kg at {at_m:?}"), &loaded(seed, at_m), &doubts);
         }
     }
 }

@@ -22,6 +22,7 @@ pub fn typical(case: &ArmCase, clean: &ArmCampaign, joint: u8) -> Result<Typical
         load_nm: load_nm(&plant, clean, index),
         speed_rad_per_s: speed(clean, index),
         position_rad: positions.iter().sum::<f64>() / positions.len().max(1) as f64,
+        tip_height_m: tip_height_m(&plant, clean),
         inertia_kg_m2: plant.body.inertia(index, &vec![0.0; case.truth.joints.len()]),
     })
 }
@@ -39,10 +40,11 @@ fn command_v(case: &ArmCase, clean: &ArmCampaign, joint: usize) -> f64 {
     (stiffness * most).min(limit)
 }
 
+/// Rows that are looked at: postures change slowly.
+const EVERY: usize = 20;
+
 /// Gravity's torque along the logs, rms [Nm; N].
 fn load_nm(plant: &rig::Plant, clean: &ArmCampaign, joint: usize) -> f64 {
-    /// Gravity changes slowly.
-    const EVERY: usize = 20;
     /// Less is no load.
     const LEAST: f64 = 1e-3;
     let count = plant.joints();
@@ -56,6 +58,19 @@ fn load_nm(plant: &rig::Plant, clean: &ArmCampaign, joint: usize) -> f64 {
         }
     }
     rms(&loads).max(LEAST)
+}
+
+/// Lowest and highest place of the tip [m].
+fn tip_height_m(plant: &rig::Plant, clean: &ArmCampaign) -> [f64; 2] {
+    let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+    for log in clean.recordings.iter().map(|recording| &recording.log) {
+        for row in (0..log.time_s.len()).step_by(EVERY) {
+            let q: Vec<f64> = log.joints.iter().map(|joint| joint.position[row]).collect();
+            let height_m = plant.body.tip_height_m(&q);
+            range = [range[0].min(height_m), range[1].max(height_m)];
+        }
+    }
+    range
 }
 
 /// Twice the largest rms of velocity in a log: about its highest.

@@ -77,7 +77,9 @@ pub fn markdown(catalogue: &Catalogue, of_arms: &Catalogue) -> String {
     let shown_of_arms = table(SHOWS, others().map(how_it_shows));
     let what = table(WHAT, catalogue.iter().map(what_it_is));
     let shown = table(SHOWS, catalogue.iter().map(how_it_shows));
-    let confused = of_arms.iter().flat_map(|definition| {
+    let is_new = |effect: &&Definition| catalogue.by_name(effect.name).is_none();
+    let all = catalogue.iter().chain(of_arms.iter().filter(|effect| is_new(effect)));
+    let confused = all.flat_map(|definition| {
         definition.confused_with.iter().map(|confusion| confusion_row(definition, confusion))
     });
     let confused = table(["this", "or that", "why", "told apart by", ""], confused);

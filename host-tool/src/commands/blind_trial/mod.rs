@@ -80,9 +80,10 @@ pub struct Arguments {
 /// Arguments out of range, files that cannot be written, or a case that cannot be drawn.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let settings = arguments.draw_settings()?;
+    let of_arm = arguments.arm.map(|arm| arguments.arm_settings(arm)).transpose()?;
     create_directory(&arguments.out)?;
-    if let Some(arm) = arguments.arm {
-        return arms::run(&arguments.arm_settings(arm)?, &arguments.run_settings());
+    if let Some(settings) = of_arm {
+        return arms::run(&settings, &arguments.run_settings());
     }
     if arguments.diverse {
         return arguments.run_diverse();

@@ -6,6 +6,7 @@ mod backlash;
 mod base_tilt;
 mod cable_spring;
 mod cogging;
+mod contact;
 mod dac_offset;
 mod dead_zone;
 mod delay;
@@ -54,8 +55,12 @@ const STANDARD: [&Definition; 20] = [
 const OF_ARM: [&Definition; 3] = [&payload::OF_ARM, &base_tilt::OF_ARM, &quadratic_drag::OF_ARM];
 
 /// Those that only an arm of any kind has: what measured machines demand beyond the board's robot.
-const ONLY_OF_ARM: [&Definition; 3] =
-    [&stribeck::DEFINITION, &viscous_asymmetry::DEFINITION, &encoder_offset::DEFINITION];
+const ONLY_OF_ARM: [&Definition; 4] = [
+    &stribeck::DEFINITION,
+    &viscous_asymmetry::DEFINITION,
+    &encoder_offset::DEFINITION,
+    &contact::DEFINITION,
+];
 
 /// Effects, looked up by their names.
 #[derive(Clone, Debug)]
