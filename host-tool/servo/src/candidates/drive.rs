@@ -7,6 +7,8 @@ use crate::fit::{Field, Unknown};
 
 /// A limit that is nearer to the one that is known is an error of the drive's gains.
 const NEAREST_LIMIT: f64 = 0.85;
+/// Goals go on by this part of the joint's range where they are clipped.
+const CLIPPED_PART: f64 = 0.2;
 /// Below this a spring is an offset [rad].
 const SPRING_RANGE_RAD: f64 = 0.3;
 
@@ -24,6 +26,7 @@ pub fn effects(base: &Base, typical: &Typical, orders: &[f64]) -> Vec<Candidate>
         ),
         delay(base),
     ];
+    all.extend(goal_clip(typical));
     if typical.range > SPRING_RANGE_RAD {
         all.push(cable_spring(typical));
     }
@@ -53,6 +56,25 @@ fn delay(base: &Base) -> Candidate {
     // Where the row's timing is within its bounds nothing is late.
     let starts = if base.fitted.servo.read_after_s > 1e-3 { vec![] } else { vec![vec![0.01]] };
     Candidate::new("delay", vec![late], starts)
+}
+
+/// Goals that end where the joint's furthest positions are, where they go on much further.
+fn goal_clip(typical: &Typical) -> Option<Candidate> {
+    let (middle, half) = (typical.position, 0.5 * typical.range);
+    let [low, high] = [middle - half, middle + half];
+    let beyond = (low - typical.goals[0]).max(typical.goals[1] - high);
+    if beyond < CLIPPED_PART * typical.range {
+        return None;
+    }
+    let reach = typical.range.max(1e-3);
+    let end = |field, bounds, likely| {
+        Unknown::between(field, bounds, (likely, 10.0 * reach), 0.01 * reach)
+    };
+    let unknowns = vec![
+        end(Field::GoalLow, [typical.goals[0] - reach, middle], low),
+        end(Field::GoalHigh, [middle, typical.goals[1] + reach], high),
+    ];
+    Some(Candidate::new("goal_clip", unknowns, vec![vec![low, high]]))
 }
 
 fn cable_spring(typical: &Typical) -> Candidate {

@@ -15,6 +15,8 @@ pub struct Typical {
     pub position: f64,
     /// How far it went [rad].
     pub range: f64,
+    /// Lowest and highest goal [rad].
+    pub goals: [f64; 2],
     /// Largest share of gravity in its voltage [V].
     pub gravity_volts: f64,
     /// Voltage of its friction [V].
@@ -28,15 +30,14 @@ impl Typical {
         let servo = &base.fitted.servo;
         let pairs = tracks().flat_map(|track| track.goal.iter().zip(&track.position));
         let distance = pairs.map(|(g, q)| (g - q).abs()).fold(0.0, f64::max);
-        let positions = || tracks().flat_map(|track| track.position.iter().copied());
-        let (low, high) =
-            positions().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), q| (l.min(q), h.max(q)));
+        let [low, high] = ends(tracks().flat_map(|track| track.position.iter().copied()));
         let loads = logs.iter().flat_map(|log| &log.along[joint]);
         let load = loads.map(|row| (row.gravity + row.constant).abs()).fold(0.0, f64::max);
         Self {
             volts: servo.stiffness * distance,
             position: 0.5 * (low + high),
             range: high - low,
+            goals: ends(tracks().flat_map(|track| track.goal.iter().copied())),
             gravity_volts: load / servo.torque_constant,
             friction_volts: servo.coulomb.max(LEAST_FRICTION_V),
         }
@@ -46,4 +47,8 @@ impl Typical {
     pub fn bears_load(&self) -> bool {
         self.gravity_volts > self.friction_volts
     }
+}
+
+fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
 }
