@@ -29,5 +29,6 @@ fn is_possible(kind: ArmKind, joints: usize, effect: &Definition) -> bool {
     }
     // Without gravity no posture differs from another.
     let shows_by_gravity = ["encoder_offset", "load_friction"].contains(&effect.name);
-    !is_of_joint && !(shows_by_gravity && kind == ArmKind::LinearJoint)
+    let is_without_gravity = shows_by_gravity && kind == ArmKind::LinearJoint;
+    !(is_of_joint || is_without_gravity)
 }
