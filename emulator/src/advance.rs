@@ -47,6 +47,8 @@ impl Board {
         self.pass_load();
         self.tim5.advance(self.now);
         self.tim6.advance(self.now);
+        self.pass_timer_to_adc();
+        self.adc.advance(self.now);
         self.spi.advance(self.now, &mut self.converter);
         self.lpuart.advance(self.now);
         self.flash.advance(self.now);

@@ -2,11 +2,12 @@
 
 use crate::converter::Converter;
 use crate::core::cost::Cost;
-use crate::core::nvic::Nvic;
+use crate::core::nvic::{NMI, Nvic};
 use crate::core::system_control::SystemControl;
 use crate::failure::{Failure, Refusal};
 use crate::handler;
 use crate::plant::Plant;
+use crate::registers::adc::Adc;
 use crate::registers::dma::Dma;
 use crate::registers::flash::Flash;
 use crate::registers::gpio::{Gpio, Pin};
@@ -60,6 +61,10 @@ pub struct Board {
     pub tim5: Timer,
     /// The tick.
     pub tim6: Timer,
+    /// Measures the converter's outputs.
+    pub adc: Adc,
+    /// Updates of TIM6 that it has seen.
+    pub(crate) adc_updates: u64,
     /// The line to the converter.
     pub spi: Spi,
     /// The converter.
@@ -107,6 +112,8 @@ impl Board {
             tim4: Timer::with_output(16),
             tim5: Timer::new(32),
             tim6: Timer::new(16),
+            adc: Adc::default(),
+            adc_updates: 0,
             spi: Spi::default(),
             converter: Converter::default(),
             lpuart: Lpuart::new(),
@@ -129,7 +136,8 @@ impl Board {
     /// Begins anew; flash, converter, arm and, but for a power-on, the flags of resets stay.
     pub fn reset(&mut self, reset: Reset) {
         let (flags, crystal) = (self.rcc.flags(), self.rcc.crystal);
-        let flags = if reset == Reset::PowerOn { 0 } else { flags };
+        let loses_supply = matches!(reset, Reset::PowerOn | Reset::BrownOut);
+        let flags = if loses_supply { 0 } else { flags };
         self.rcc = Rcc::after(reset, flags);
         self.rcc.crystal = crystal;
         let flash = std::mem::replace(&mut self.flash, Flash::new(Vec::new()));
@@ -141,6 +149,7 @@ impl Board {
         self.encoders = [Timer::new(32), Timer::new(16), Timer::new(16)];
         self.tim4 = Timer::with_output(16);
         (self.tim5, self.tim6) = (Timer::new(32), Timer::new(16));
+        (self.adc, self.adc_updates) = (Adc::default(), 0);
         self.spi = Spi::default();
         self.lpuart = Lpuart::new();
         self.dma = Dma::default();
@@ -149,14 +158,20 @@ impl Board {
         self.watchdog.clock_hz = clock_hz;
         self.ticks = 0;
         self.plant_at = self.now + MS;
-        if reset == Reset::PowerOn {
-            let supply_lost = self.converter.supply_lost;
-            self.converter = Converter::default();
-            self.converter.supply_lost = supply_lost;
+        if loses_supply {
+            self.converter = self.converter.after_power_on();
         }
         self.plant.board_was_reset();
         self.clocks_changed();
         self.pins_changed();
+    }
+
+    /// The crystal fails.
+    pub fn fail_crystal(&mut self) {
+        if self.rcc.fail_crystal() {
+            self.nvic.pend(NMI);
+        }
+        self.clocks_changed();
     }
 
     /// What instructions cost from here on.

@@ -27,10 +27,11 @@ enum Block {
     Port(usize),
     Random,
     SystemConfig,
+    Adc1,
 }
 
 /// Blocks by their addresses, with register and bit of their clock in RCC; 0 where they need none.
-const BLOCKS: [(u32, Block, (u32, u32)); 22] = [
+const BLOCKS: [(u32, Block, (u32, u32)); 23] = [
     (0x4000_0000, Block::Encoder(0), (0x58, 0)),
     (0x4000_0400, Block::Encoder(1), (0x58, 1)),
     (0x4001_2C00, Block::Encoder(2), (0x60, 11)),
@@ -52,6 +53,7 @@ const BLOCKS: [(u32, Block, (u32, u32)); 22] = [
     (0x4800_1000, Block::Port(4), (0x4C, 4)),
     (0x4800_1400, Block::Port(5), (0x4C, 5)),
     (0x4001_0000, Block::SystemConfig, (0x60, 0)),
+    (0x5000_0000, Block::Adc1, (0x4C, 13)),
     (0x5006_0800, Block::Random, (0x4C, 26)),
 ];
 /// DBGMCU_CR: what a debugger keeps running; none is there.
@@ -102,6 +104,7 @@ impl Board {
             Block::Rcc => self.rcc.read(offset, self.now),
             Block::Flash => self.flash.read(offset),
             Block::Port(port) => self.gpio[port].read(offset),
+            Block::Adc1 => self.adc.read(offset, self.now),
             Block::Random => self.random.read(offset),
             // Bank 1 comes first.
             Block::SystemConfig if offset == 0 => Ok(0),
@@ -182,6 +185,7 @@ impl Board {
                 self.pins_changed();
                 done
             }
+            Block::Adc1 => self.adc.write(offset, value, now),
             Block::Random => self.random.write(offset, value),
             Block::SystemConfig => Err(Refusal::NotModelled),
         }
@@ -217,6 +221,7 @@ impl Board {
                 self.gpio[port] = Gpio::new(port);
                 self.pins_changed();
             }
+            Block::Adc1 => self.adc = Default::default(),
             Block::Power => self.power = Default::default(),
             Block::Random | Block::SystemConfig => {}
             Block::Watchdog | Block::Rcc | Block::Flash => return Err(Refusal::NotModelled),

@@ -43,6 +43,8 @@ pub struct Converter {
     answer: Option<u32>,
     /// The analog supply is gone: nothing is put out, channels switch themselves off.
     pub supply_lost: bool,
+    /// Outputs that are damaged and stay at a voltage, whatever they are told [V].
+    pub sticks_at_v: [Option<f64>; 3],
     /// The first thing done against the data sheet.
     pub failure: Option<Failure>,
     /// Pulses of LDAC since power-on.
@@ -59,11 +61,18 @@ struct Edge {
 }
 
 impl Converter {
+    /// After its supply came back; what is broken stays so.
+    pub fn after_power_on(&self) -> Self {
+        let (supply_lost, sticks_at_v) = (self.supply_lost, self.sticks_at_v);
+        Self { supply_lost, sticks_at_v, ..Self::default() }
+    }
+
     /// Voltages at outputs A, B and C [V].
     pub fn volts(&self) -> [f64; 3] {
-        [0, 1, 2].map(|i| match self.is_driving(i) {
-            true => f64::from(self.codes[i]) * 10.0 / 32768.0,
-            false => 0.0,
+        [0, 1, 2].map(|i| match self.sticks_at_v[i] {
+            Some(volts) => volts,
+            None if self.is_driving(i) => f64::from(self.codes[i]) * 10.0 / 32768.0,
+            None => 0.0,
         })
     }
 

@@ -150,6 +150,7 @@ fn watch_instructions(
         let cycles = board.cost.of(address as u32, bytes);
         board.now += cycles;
         board.instructions += 1;
+        board.trace.handler.execute(address as u32);
     };
     let in_ccm = watch.clone();
     engine.add_code_hook(first, first + BANK_BYTES as u64 - 1, watch)?;

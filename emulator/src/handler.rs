@@ -1,5 +1,7 @@
 //! What the handler of the tick takes: instructions and cycles, to the codes and in all.
 
+use std::collections::BTreeMap;
+
 use crate::registers::Time;
 
 /// A point or a span in the handler.
@@ -43,6 +45,8 @@ pub struct Handler {
     is_kept: bool,
     /// Those runs, each with the updates of the timer that there had been.
     pub kept: Vec<(u64, Run)>,
+    /// How often each instruction of those runs was executed, by its address; where it is kept.
+    pub executed: BTreeMap<u32, u64>,
     begun: Option<Cost>,
     run: Run,
     edges: u32,
@@ -56,6 +60,14 @@ impl Handler {
 
     pub(crate) fn enter(&mut self, now: Cost) {
         (self.begun, self.run, self.edges) = (Some(now), Run::default(), 0);
+    }
+
+    /// An instruction is executed.
+    #[inline]
+    pub(crate) fn execute(&mut self, address: u32) {
+        if self.is_kept && self.begun.is_some() {
+            *self.executed.entry(address).or_default() += 1;
+        }
     }
 
     /// SYNC has fallen or risen.

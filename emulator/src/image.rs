@@ -49,6 +49,14 @@ impl Image {
         self.symbols.iter().find(|(name, _)| has_all(name)).map(|(_, address)| *address)
     }
 
+    /// The same image with another byte at a symbol; `None` where it has no such symbol.
+    pub fn with_byte(&self, symbol: &str, byte: u8) -> Option<Self> {
+        let at = self.symbol(&[symbol])?.checked_sub(FLASH_START)? as usize;
+        let mut image = self.clone();
+        *image.flash.get_mut(at)? = byte;
+        Some(image)
+    }
+
     /// The symbol at an address or the nearest below it, for messages.
     pub fn place(&self, address: u32) -> String {
         let address = address & !1;

@@ -15,6 +15,7 @@ pub mod failure;
 pub mod handler;
 pub mod image;
 mod injection;
+pub mod loopback;
 pub mod machine;
 pub mod memory_map;
 pub mod operator;

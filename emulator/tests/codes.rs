@@ -5,7 +5,9 @@ mod common;
 
 use std::rc::Rc;
 
-use common::{attend, board_with_arm, commit, home_and_run, image, rig_that_compensates, told};
+use common::{
+    attend, board_with_arm, commit, home_and_run, image, rig_that_compensates, told, wired,
+};
 use emulator::handler::Handler;
 use emulator::image::Image;
 use emulator::operator::Operator;
@@ -86,5 +88,15 @@ fn with_every_compensation_on_the_codes_are_the_same() {
     let seconds = seconds() / 2;
     let board = played(&image, &block, seconds);
     assert_same_codes(&board, &block, seconds);
+    tell(&board);
+}
+
+#[test]
+fn where_outputs_are_measured_the_codes_are_the_same() {
+    let Some(image) = wired() else { return };
+    let block = plan::task(60.0).with_mode(Mode::PdModel).block(&Rig::new(reference_robot()));
+    let board = played(&image, &block, 2);
+    assert!(board.machine.board().adc.waits_for_timer());
+    assert_same_codes(&board, &block, 2);
     tell(&board);
 }

@@ -8,14 +8,17 @@ use emulator::image::Image;
 use emulator::machine::Machine;
 use emulator::operator::Operator;
 use emulator::plant::{Plant, Still};
+use emulator::registers::MS;
 use firmware::block::MAX_BYTES;
 use firmware::link::Command;
-use firmware::{Angle, ParameterBlock};
+use firmware::supervisor::{Fault, State};
+use firmware::{Angle, Mode, ParameterBlock};
 use model::reference_robot::reference_robot;
-use rig::Rig;
 use rig::compensation::Compensations;
 use rig::effects::{Catalogue, table_from_text};
+use rig::{Plan, Rig};
 use simulation::arm::{ArmSettings, SimulatedArm};
+use simulation::start_of;
 
 /// Holds the path of the image; `cargo xtask emulate` sets it.
 const IMAGE_VARIABLE: &str = "RRR_NUCLEO_FIRMWARE";
@@ -27,6 +30,14 @@ pub fn image() -> Option<Rc<Image>> {
         return None;
     };
     Some(Rc::new(Image::read(&path).unwrap_or_else(|error| panic!("{error}"))))
+}
+
+/// The byte of the image that `RRR_RIG_LOOPBACK=wired` sets at the build.
+const HAS_LOOPBACK: &str = "RRR_RIG_HAS_LOOPBACK";
+
+/// The image of a rig that measures the converter's outputs.
+pub fn wired() -> Option<Rc<Image>> {
+    Some(Rc::new(image()?.with_byte(HAS_LOOPBACK, 1).expect("the image has its rig's byte")))
 }
 
 /// An arm at rest, exactly as its model.
@@ -82,6 +93,35 @@ pub fn home_and_run(operator: &mut Operator, position_rad: [f64; 3]) {
     operator.run_ms(200).unwrap();
     done(operator, Command::Arm);
     done(operator, Command::Run { host_timeout_ms: None });
+}
+
+/// A board that plays the task, its outputs released.
+pub fn running(image: &Rc<Image>, plan: Plan) -> Operator {
+    let rig = Rig::new(reference_robot());
+    let block = plan.with_mode(Mode::PdModel).block(&rig);
+    let mut board = board_with_arm(image, start_of(&block));
+    board.run_ms(50).unwrap();
+    commit(&mut board, &block);
+    home_and_run(&mut board, start_of(&block));
+    board.run_ms(500).unwrap();
+    assert!(board.machine.board().converter.is_released());
+    board
+}
+
+/// Fault and state after so many milliseconds, asked over the line.
+pub fn after_ms(board: &mut Operator, ms: u64) -> (Option<Fault>, State) {
+    board.run_ms(ms).unwrap();
+    assert!(board.hello().unwrap());
+    let report = board.query().unwrap().unwrap();
+    (report.fault.map(|fault| fault.fault), report.state)
+}
+
+/// Milliseconds from a time to the fall of CLR.
+pub fn cleared_after_ms(board: &Operator, since: u64) -> f64 {
+    let board = board.machine.board();
+    assert!(!board.converter.is_released());
+    assert_eq!(board.converter.volts(), [0.0; 3]);
+    (board.trace.cleared_at.unwrap() - since) as f64 / MS as f64
 }
 
 /// Seconds of a run whose host gives a sign of life in each.

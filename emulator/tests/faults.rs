@@ -3,49 +3,15 @@
 
 mod common;
 
-use std::rc::Rc;
-
-use common::{board_alone, board_with_arm, commit, done, home_and_run, image};
-use emulator::image::Image;
+use common::{after_ms, board_alone, cleared_after_ms, commit, done, image, running};
 use emulator::operator::Operator;
 use emulator::registers::gpio::Pin;
 use emulator::registers::rcc::Reset;
 use emulator::registers::{MS, US};
-use firmware::Mode;
 use firmware::link::Command;
 use firmware::supervisor::{Fault, State};
 use model::reference_robot::reference_robot;
-use rig::{Plan, Rig, plan};
-use simulation::start_of;
-
-/// A board that plays the task, its outputs released.
-fn running(image: &Rc<Image>, plan: Plan) -> Operator {
-    let rig = Rig::new(reference_robot());
-    let block = plan.with_mode(Mode::PdModel).block(&rig);
-    let mut board = board_with_arm(image, start_of(&block));
-    board.run_ms(50).unwrap();
-    commit(&mut board, &block);
-    home_and_run(&mut board, start_of(&block));
-    board.run_ms(500).unwrap();
-    assert!(board.machine.board().converter.is_released());
-    board
-}
-
-/// Fault and state after so many milliseconds, asked over the line.
-fn after_ms(board: &mut Operator, ms: u64) -> (Option<Fault>, State) {
-    board.run_ms(ms).unwrap();
-    assert!(board.hello().unwrap());
-    let report = board.query().unwrap().unwrap();
-    (report.fault.map(|fault| fault.fault), report.state)
-}
-
-/// Milliseconds from a time to the fall of CLR.
-fn cleared_after_ms(board: &Operator, since: u64) -> f64 {
-    let board = board.machine.board();
-    assert!(!board.converter.is_released());
-    assert_eq!(board.converter.volts(), [0.0; 3]);
-    (board.trace.cleared_at.unwrap() - since) as f64 / MS as f64
-}
+use rig::{Rig, plan};
 
 #[test]
 fn the_watchdog_bites_when_the_tick_stops() {
@@ -180,6 +146,23 @@ fn a_board_without_its_crystal_uses_its_own_oscillator_and_the_lamp_tells() {
         assert!(board.hello().unwrap() && !board.machine.board().converter.is_released());
         assert_eq!(lights(&mut board), expected, "disarmed");
     }
+}
+
+#[test]
+fn a_crystal_that_fails_in_a_run_pulls_clr_low_at_once_and_is_told() {
+    let Some(image) = image() else { return };
+    let mut board = running(&image, plan::task(20.0));
+    let since = board.machine.board().now;
+    board.machine.board().fail_crystal();
+    board.run_ms(1).unwrap();
+    let within_ms = cleared_after_ms(&board, since);
+    println!("crystal failed: 0 V after {within_ms} ms");
+    assert!(within_ms < 0.01);
+    assert_eq!(after_ms(&mut board, 300), (Some(Fault::Crystal), State::Faulted));
+    assert_eq!(board.machine.resets.len(), 1);
+    // The board goes on from the chip's own oscillator.
+    done(&mut board, Command::ClearFault);
+    assert_eq!(after_ms(&mut board, 10), (None, State::Disarmed));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 
 mod common;
 
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use common::{board_with_arm, commit, home_and_run, image, rig_that_compensates};
@@ -126,5 +127,33 @@ fn the_tick_costs_what_the_tables_say() {
         let whole = row(ordinary.map(|run| run.whole));
         let checks = row(checked.map(|(_, run)| run.whole));
         println!("| {name} | {to_codes} | {whole} | {checks} | {} to {} |", latency.0, latency.1);
+    }
+}
+
+/// Instructions of a tick by function, on average over all ticks of the run; those in the image's
+/// table of symbols, with what the compiler has put into them.
+#[test]
+fn the_tick_by_function() {
+    let Some(image) = image() else { return };
+    let block =
+        plan::excitation(1, 20.0).with_mode(Mode::PdModel).block(&Rig::new(reference_robot()));
+    let start = start_of(&block);
+    let mut board = board_with_arm(&image, start);
+    board.run_ms(50).unwrap();
+    commit(&mut board, &block);
+    home_and_run(&mut board, start);
+    board.machine.board().trace.handler = Handler::keeping();
+    board.run_ms(milliseconds()).unwrap();
+    let handler = board.machine.board().trace.handler.clone();
+    let mut functions: BTreeMap<String, u64> = BTreeMap::new();
+    for (address, times) in &handler.executed {
+        let place = image.place(*address);
+        let name = place.split('+').next().unwrap_or_default().to_owned();
+        *functions.entry(name).or_default() += times;
+    }
+    let mut functions: Vec<_> = functions.into_iter().collect();
+    functions.sort_by_key(|(_, times)| std::cmp::Reverse(*times));
+    for (name, times) in functions {
+        println!("{:8.1} {name}", times as f64 / handler.runs as f64);
     }
 }

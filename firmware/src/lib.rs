@@ -16,6 +16,7 @@
 //! | [`store`] | non-volatile storage: parameters, the latched fault, the key |
 //! | [`lockstep`] | the messages exchanged with a simulated robot |
 //! | [`ad5754r`] | the converter's frames |
+//! | [`loopback`] | the converter's outputs, measured behind a divider |
 //! | [`frame`], [`checksum`], [`link`] | what goes over the serial line |
 //! | [`supervisor`] | state machine, fault detection |
 #![cfg_attr(not(test), no_std)]
@@ -34,6 +35,7 @@ pub mod frame;
 mod joint;
 pub mod link;
 pub mod lockstep;
+pub mod loopback;
 pub mod mode;
 pub mod reference;
 mod start_fade;

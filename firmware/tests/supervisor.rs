@@ -218,7 +218,11 @@ fn a_host_that_falls_silent_in_open_loop() {
 #[test]
 fn what_the_boot_finds() {
     let latched = FaultRecord { fault: Fault::Speed, joint: 2, tick: 9, value: 20.0, limit: 15.0 };
+    let armed = BootReport { was_armed: true, ..BootReport::default() };
     let causes = [
+        (armed, Fault::Reset),
+        (BootReport { supply_failed: true, ..armed }, Fault::BrownOut),
+        (BootReport { watchdog_reset: true, ..armed }, Fault::Watchdog),
         (BootReport { watchdog_reset: true, ..BootReport::default() }, Fault::Watchdog),
         (
             BootReport { parameters_corrupt: true, ..BootReport::default() },
@@ -245,6 +249,9 @@ fn what_the_boot_finds() {
         assert_eq!(supervisor.execute(Order::ClearFault), Ok(()));
         assert_eq!((supervisor.state(), supervisor.fault()), (State::Disarmed, None));
     }
+    let mut supervisor = Supervisor::default();
+    supervisor.booted(BootReport { supply_failed: true, ..BootReport::default() });
+    assert_eq!(supervisor.state(), State::Disarmed, "a power-on");
 }
 
 #[test]

@@ -312,3 +312,55 @@ fn empty_logs_are_refused() {
     assert_text_is_refused(HEADER, &["a.csv", "hint: "]);
     assert_text_is_refused(&format!("{HEADER}0,0,0,0,0,0,0\n"), &["a.csv", "hint: "]);
 }
+
+/// Evenly distributed over -1 to 1: Knuth's linear congruential generator.
+fn even_random(seed: u64) -> impl FnMut() -> f64 {
+    let mut state = seed;
+    move || {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}
+
+#[test]
+fn positions_of_a_clock_that_jitters_are_noisy_by_speed() {
+    const JITTER_S: f64 = 2e-4;
+    let traces = changed(|trace| {
+        let mut random = even_random(trace.time_s.len() as u64);
+        for k in 1..trace.time_s.len() - 1 {
+            let early_s = JITTER_S * random();
+            for joint in &mut trace.joints {
+                let speed = (joint.q_rad[k + 1] - joint.q_rad[k - 1])
+                    / (trace.time_s[k + 1] - trace.time_s[k - 1]);
+                joint.q_rad[k] += speed * early_s;
+            }
+        }
+    });
+    let report = diagnose(traces).unwrap().report;
+    let named: Vec<(&str, u8)> = report.causes.iter().map(|c| (&c.effect[..], c.joint)).collect();
+    assert_eq!(named, [("cogging", 3)]);
+    let [with, floor] = [report.gap.with_effects_v[1], report.gap.noise_floor_v[1]];
+    assert!(floor > 4e-3 && with < 2.0 * floor, "{with} of {floor} V");
+}
+
+#[test]
+fn driven_noise_with_lost_samples_is_used() {
+    let traces = changed(|trace| {
+        let mut random = even_random(7);
+        let kept: Vec<bool> = trace.time_s.iter().map(|_| random() > -0.98).collect();
+        let keep = |signal: &mut Vec<f64>| {
+            let mut at = kept.iter();
+            signal.retain(|_| *at.next().unwrap());
+        };
+        keep(&mut trace.time_s);
+        for joint in &mut trace.joints {
+            keep(&mut joint.q_rad);
+            keep(&mut joint.command_v);
+            joint.reference_rad = None;
+        }
+    });
+    let diagnosis = diagnose(traces).unwrap();
+    assert_cogging(&diagnosis);
+    assert_eq!(diagnosis.report.data.fit.len(), 3);
+}

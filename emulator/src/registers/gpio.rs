@@ -49,6 +49,11 @@ impl Gpio {
         }
     }
 
+    /// Whether a pin is an analog input, which nothing in the chip loads.
+    pub fn is_analog(&self, number: usize) -> bool {
+        (self.mode >> (2 * number) & 3, self.pull >> (2 * number) & 3) == (3, 0)
+    }
+
     /// Resistors within the chip, two bits a pin: none, up, down.
     pub fn pulls(&self) -> u32 {
         self.pull

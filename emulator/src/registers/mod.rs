@@ -2,6 +2,7 @@
 //!
 //! A register or a value that is not here is refused, which ends the run.
 
+pub mod adc;
 pub mod dma;
 pub mod flash;
 pub mod gpio;

@@ -12,6 +12,8 @@ const CRYSTAL_HZ: u64 = 24_000_000;
 const INTERNAL_HZ: u64 = 16_000_000;
 
 const CSR: u32 = 0x94;
+/// The crystal is watched.
+const SECURITY: u32 = 1 << 19;
 /// Flags of CSR: why there was a reset.
 const FLAGS: u32 = 0xFE00_0000;
 
@@ -20,6 +22,8 @@ const FLAGS: u32 = 0xFE00_0000;
 pub enum Reset {
     /// The power came on.
     PowerOn,
+    /// The supply fell below the brown-out's level for a moment: the RAM keeps what it had.
+    BrownOut,
     /// The pin NRST.
     Pin,
     /// The watchdog.
@@ -32,7 +36,7 @@ impl Reset {
     fn flag(self) -> u32 {
         match self {
             // The pin is pulled low inside, too, whatever causes a reset.
-            Self::PowerOn => 1 << 27 | 1 << 26,
+            Self::PowerOn | Self::BrownOut => 1 << 27 | 1 << 26,
             Self::Pin => 1 << 26,
             Self::Watchdog => 1 << 29 | 1 << 26,
             Self::Software => 1 << 28 | 1 << 26,
@@ -47,17 +51,31 @@ pub struct Rcc {
     ready: [Time; 3],
     /// False: the crystal never starts.
     pub crystal: bool,
+    /// The crystal was found to have failed.
+    crystal_failed: bool,
 }
 
 impl Rcc {
-    /// After a reset; the flags of earlier resets stay but for a power-on.
+    /// After a reset; the flags of earlier resets stay but where the supply was gone.
     pub fn after(reset: Reset, flags: u32) -> Self {
         let mut words = [0; 0xA0 / 4];
         words[0] = 0x0000_0063 | 1 << 8;
         words[CSR as usize / 4] = reset.flag() | flags;
         words[1] = 0x4000_0000;
         words[0x48 / 4] = 0x0000_0100;
-        Self { words, ready: [0; 3], crystal: true }
+        Self { words, ready: [0; 3], crystal: true, crystal_failed: false }
+    }
+
+    /// The crystal fails; whether the NMI tells so, the chip being at its own oscillator by then.
+    pub fn fail_crystal(&mut self) -> bool {
+        let is_watched = self.word(0x00) & SECURITY != 0;
+        self.crystal = false;
+        if is_watched {
+            self.words[0] &= !(SECURITY | 1 << 16);
+            self.words[2] = self.words[2] & !3 | 1;
+            self.crystal_failed = true;
+        }
+        is_watched
     }
 
     /// The flags that tell why there were resets.
@@ -110,6 +128,8 @@ impl Rcc {
             0x00 => Ok(word | self.ready_bits(word, now)),
             // The switch is done at once.
             0x08 => Ok(word & !0xC | (word & 3) << 2),
+            // CIFR; nothing else of it is modelled.
+            0x1C => Ok(u32::from(self.crystal_failed) << 8),
             // Low-speed and 48 MHz oscillators are ready at once.
             0x94 | 0x98 => Ok(word | (word & 1) << 1),
             0x04 | 0x0C | 0x28..0x44 | 0x48..0x64 | 0x68..0x84 | 0x88 | 0x90 | 0x9C => Ok(word),

@@ -9,6 +9,9 @@ const UPDATE_DISABLE: u32 = 1 << 1;
 const UPDATE_BY_COUNTER_ONLY: u32 = 1 << 2;
 /// Down, centred, one pulse: not modelled.
 const NOT_MODELLED: u32 = 0x78;
+/// What other blocks are told: nothing but updates is modelled.
+const MASTER_MODE: u32 = 7 << 4;
+const UPDATES_TOLD: u32 = 2 << 4;
 /// Both edges of both inputs count.
 const ENCODER_MODE: u32 = 3;
 /// Channels 1 and 2 are inputs from their own pins.
@@ -121,6 +124,11 @@ impl Timer {
     /// Whether it counts time.
     pub fn is_running(&self) -> bool {
         self.control & ENABLE != 0 && self.slave & 7 == 0
+    }
+
+    /// Whether its updates are told to other blocks.
+    pub fn tells_updates(&self) -> bool {
+        self.control2 & MASTER_MODE == UPDATES_TOLD
     }
 
     /// Whether it counts the edges of an encoder.

@@ -26,6 +26,32 @@ pub struct Counters {
     pub stack_bytes: usize,
 }
 
+/// Each with each.
+fn joined<T: Copy, const N: usize>(one: [T; N], other: [T; N], with: fn(T, T) -> T) -> [T; N] {
+    std::array::from_fn(|i| with(one[i], other[i]))
+}
+
+impl Counters {
+    /// Those of two boards together.
+    pub fn and(&self, other: &Self) -> Self {
+        Self {
+            ms: self.ms + other.ms,
+            ticks_in: joined(self.ticks_in, other.ticks_in, |a, b| a + b),
+            endings: joined(self.endings, other.endings, |a, b| a + b),
+            uploads: self.uploads + other.uploads,
+            commits: self.commits + other.commits,
+            resets: self.resets + other.resets,
+            faults: self.faults + other.faults,
+            requests: self.requests + other.requests,
+            records: self.records + other.records,
+            missed: self.missed + other.missed,
+            worst_ms: joined(self.worst_ms, other.worst_ms, f64::max),
+            longest_tick_cycles: self.longest_tick_cycles.max(other.longest_tick_cycles),
+            stack_bytes: self.stack_bytes.max(other.stack_bytes),
+        }
+    }
+}
+
 impl Display for Counters {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let [boot, disarmed, armed, running, faulted, stopping] = self.ticks_in;

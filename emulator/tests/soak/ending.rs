@@ -34,12 +34,16 @@ pub enum Ending {
     Alone,
     /// Noise on the line in a run, uploads in it that are refused; then it is stopped.
     Noise,
+    /// The pin NRST is pulled in a run.
+    PinReset,
+    /// The supply falls for a moment in a run.
+    BrownOut,
     /// Disarmed, then power off and on: the block that was committed is there.
     PowerCycle,
 }
 
 impl Ending {
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 18] = [
         Self::Stop,
         Self::Silence,
         Self::EmergencyStop,
@@ -55,6 +59,8 @@ impl Ending {
         Self::Crash,
         Self::Alone,
         Self::Noise,
+        Self::PinReset,
+        Self::BrownOut,
         Self::PowerCycle,
     ];
 
@@ -76,6 +82,8 @@ impl Ending {
             Self::Overrun => Some(Fault::TickOverrun),
             Self::Watchdog => Some(Fault::Watchdog),
             Self::Crash => Some(Fault::Crash),
+            Self::PinReset => Some(Fault::Reset),
+            Self::BrownOut => Some(Fault::BrownOut),
             Self::Stop | Self::Noise | Self::PowerCycle => None,
         }
     }
@@ -88,7 +96,7 @@ impl Ending {
             Self::Overrun => Some(5.0),
             Self::Converter => Some(65.0),
             Self::Watchdog => Some(34.0),
-            Self::Crash => Some(0.01),
+            Self::Crash | Self::PinReset | Self::BrownOut => Some(0.01),
             _ => None,
         }
     }

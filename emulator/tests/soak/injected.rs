@@ -42,7 +42,7 @@ impl Soak {
             }
             Ending::Jump => {
                 let mut jumped = self.switches.jumped.get();
-                jumped[self.draw.below(3) as usize] += 5_000;
+                jumped[self.rng.below(3) as usize] += 5_000;
                 self.switches.jumped.set(jumped);
                 self.pass(20);
             }
@@ -55,6 +55,8 @@ impl Soak {
                 self.operator.machine.crash_thread().unwrap();
                 self.let_it_reset();
             }
+            Ending::PinReset => self.reset(Reset::Pin),
+            Ending::BrownOut => self.reset(Reset::BrownOut),
         }
         self.assert_ended(ending, since);
     }
@@ -68,7 +70,7 @@ impl Soak {
     /// Noise, then an upload that the board must refuse, for it runs.
     fn make_noise(&mut self) {
         for _ in 0..NOISE_MS / 2 {
-            let noise: Vec<u8> = (0..NOISE_BYTES).map(|_| self.draw.below(256) as u8).collect();
+            let noise: Vec<u8> = (0..NOISE_BYTES).map(|_| self.rng.below(256) as u8).collect();
             self.operator.send(&noise);
             self.pass(1);
             // The host's own frame between, in time; a zero ends what the noise has begun.
@@ -106,6 +108,18 @@ impl Soak {
         self.operator.machine.run_until(end).unwrap();
         self.operator.machine.mask_interrupts(false).unwrap();
         self.pass(20);
+    }
+
+    fn reset(&mut self, reset: Reset) {
+        self.operator.machine.reset(reset).unwrap();
+        self.let_it_reset();
+        self.forget_half_a_frame();
+    }
+
+    /// What the board was sending when it was reset.
+    fn forget_half_a_frame(&mut self) {
+        assert!(self.operator.strange <= 1);
+        self.operator.strange = 0;
     }
 
     fn let_it_reset(&mut self) {
@@ -166,9 +180,7 @@ impl Soak {
         self.operator.machine.reset(Reset::PowerOn).unwrap();
         self.pass(100);
         assert!(self.operator.hello().unwrap());
-        // What the board was sending when its power went is half a frame.
-        assert!(self.operator.strange <= 1);
-        self.operator.strange = 0;
+        self.forget_half_a_frame();
         let report = self.report();
         assert_eq!((report.state, report.fault), (State::Disarmed, None));
         let block = self.committed.as_ref().map(super::common::encoded);

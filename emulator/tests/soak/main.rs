@@ -1,4 +1,4 @@
-//! Sessions at the emulated board, one after the other: upload, home, arm, run, and an ending each.
+//! Sessions at emulated boards, one after the other: upload, home, arm, run, and an ending each.
 //!
 //! `RRR_SOAK_HOURS` says for how long; without it those endings come that no other test has, once
 //! each, after short runs.
@@ -13,6 +13,7 @@ mod injected;
 mod rig_bench;
 mod session;
 
+use counters::Counters;
 use ending::Ending;
 use session::Soak;
 
@@ -21,18 +22,34 @@ fn hours() -> f64 {
     std::env::var("RRR_SOAK_HOURS").ok().and_then(|hours| hours.parse().ok()).unwrap_or(0.0)
 }
 
-#[test]
-fn sessions_that_end_in_every_way_leave_the_board_as_it_was() {
-    let Some(image) = common::image() else { return };
-    let is_long = hours() > 0.0;
-    let endings = if is_long { &Ending::ALL[..] } else { &Ending::ONLY_HERE[..] };
-    let mut soak = Soak::new(&image, is_long);
+/// So many sessions or hours, whichever is more, at a board of its own.
+fn sessions(seed: u64, endings: &[Ending], hours: f64) -> Counters {
+    let image = common::image().expect("it was there");
+    let mut soak = Soak::new(&image, seed, hours > 0.0);
     let mut session = 0;
-    while session < endings.len() || soak.hours() < hours() {
+    while session < endings.len() || soak.hours() < hours {
         soak.session(session, endings[session % endings.len()]);
         session += 1;
         if session.is_multiple_of(endings.len()) {
-            println!("after {session} sessions:\n{}", soak.counters);
+            println!("board {seed}, after {session} sessions:\n{}", soak.counters);
         }
     }
+    soak.counters
+}
+
+#[test]
+fn sessions_that_end_in_every_way_leave_the_board_as_it_was() {
+    if common::image().is_none() {
+        return;
+    }
+    if hours() == 0.0 {
+        sessions(1, &Ending::ONLY_HERE, 0.0);
+        return;
+    }
+    // Two boards side by side, each with half of the hours.
+    let boards =
+        [1, 2].map(|seed| std::thread::spawn(move || sessions(seed, &Ending::ALL, hours() / 2.0)));
+    let [first, second] =
+        boards.map(|board| board.join().expect("what does not hold is said above"));
+    println!("both boards:\n{}", first.and(&second));
 }

@@ -10,11 +10,12 @@ use firmware::ParameterBlock;
 use firmware::link::{Command, Report};
 use firmware::supervisor::{Fault, State};
 use model::reference_robot::reference_robot;
+use random_motions::Rng;
 use rig::Rig;
 
 use super::common::{done, encoded, told};
 use super::counters::Counters;
-use super::draw::{Draw, block};
+use super::draw::block;
 use super::ending::Ending;
 use super::rig_bench::{RigBench, Switches};
 
@@ -30,7 +31,7 @@ pub struct Soak {
     pub operator: Operator,
     pub switches: Rc<Switches>,
     pub counters: Counters,
-    pub draw: Draw,
+    pub rng: Rng,
     pub expected: Option<Fault>,
     pub committed: Option<ParameterBlock>,
     /// Runs take their time.
@@ -41,14 +42,14 @@ pub struct Soak {
 }
 
 impl Soak {
-    pub fn new(image: &Rc<Image>, is_long: bool) -> Self {
+    pub fn new(image: &Rc<Image>, seed: u64, is_long: bool) -> Self {
         let (bench, switches) = RigBench::new();
         let machine = Machine::new(image.clone(), Box::new(bench)).unwrap();
         Self {
             operator: Operator::new(machine),
             switches,
             counters: Counters::default(),
-            draw: Draw(1),
+            rng: Rng::new(seed),
             expected: None,
             committed: None,
             is_long,
@@ -67,7 +68,7 @@ impl Soak {
         self.begin_conversation();
         self.wait_for_rest();
         let at_rad = self.position_rad();
-        let block = block(&self.rig, &mut self.draw, ending, at_rad);
+        let block = block(&self.rig, &mut self.rng, ending, at_rad);
         self.upload(&block, number.is_multiple_of(3) || ending == Ending::PowerCycle);
         self.arm(ending);
         if ending != Ending::DrivePowerWhileArmed {
@@ -127,7 +128,7 @@ impl Soak {
 
     fn arm(&mut self, ending: Ending) {
         // Whoever has turned the joints tells where they are; other sessions keep the position.
-        if !self.is_homed || self.draw.below(4) == 0 {
+        if !self.is_homed || self.rng.below(4) == 0 {
             self.pass(200);
             let position = self.switches.position_rad.get();
             self.ask(Command::Home { position: told(position) });
@@ -136,7 +137,7 @@ impl Soak {
         self.pass(200);
         assert_eq!(self.report().state, State::Disarmed, "{ending:?}");
         self.ask(Command::Arm);
-        let armed_ms = self.draw.below(if self.is_long { 1000 } else { 100 });
+        let armed_ms = self.rng.below(if self.is_long { 1000 } else { 100 });
         self.attend(u64::from(armed_ms));
     }
 
@@ -146,7 +147,7 @@ impl Soak {
         self.ask(Command::Run { host_timeout_ms });
         let run_ms = match ending {
             Ending::Stall | Ending::Hold | Ending::Range => 20,
-            _ if self.is_long => 10_000 + u64::from(self.draw.below(20_000)),
+            _ if self.is_long => 10_000 + u64::from(self.rng.below(20_000)),
             _ => 500,
         };
         self.attend(run_ms);

@@ -44,6 +44,10 @@ pub struct HardLimits {
     pub position: [Option<PositionLimits>; 3],
     /// What each motor of the rig bears, above which no block may go; `None`: unknown.
     pub heating: [Option<MotorHeating>; 3],
+    /// Largest difference of a measured output from its code, where outputs are measured [V],
+    pub output_error_v: f32,
+    /// and for so many ticks on end a larger one is accepted.
+    pub output_error_ticks: u32,
     /// Largest proportional gain [V/rad].
     pub proportional_gain_v_per_rad: f32,
     /// Largest derivative gain [V s/rad].
@@ -72,6 +76,10 @@ impl Default for HardLimits {
             host_silence_s: 10.0,
             position: [None; 3],
             heating: [None; 3],
+            // Resistors of 1 % and a supply of 2 % are 0.53 V off at 10 V: `crate::loopback`.
+            output_error_v: 0.75,
+            // A disturbed sample or two stop nothing; a joint at 10 V moves 0.3 mrad in 5 ms.
+            output_error_ticks: 4,
             proportional_gain_v_per_rad: 10_000.0,
             derivative_gain_v_s_per_rad: 500.0,
         }

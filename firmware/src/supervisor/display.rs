@@ -30,7 +30,7 @@ impl Display for State {
 
 impl Fault {
     /// Every fault.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 22] = [
         Self::EncoderJump,
         Self::EncoderStuck,
         Self::TrackingError,
@@ -49,6 +49,10 @@ impl Fault {
         Self::HoldTooLong,
         Self::Crash,
         Self::MotorTooHot,
+        Self::OutputVoltage,
+        Self::Reset,
+        Self::BrownOut,
+        Self::Crystal,
     ];
 
     /// The name that messages use.
@@ -72,6 +76,10 @@ impl Fault {
             Self::HoldTooLong => "hold too long",
             Self::Crash => "crash",
             Self::MotorTooHot => "motor too hot",
+            Self::OutputVoltage => "output voltage",
+            Self::Reset => "reset while armed",
+            Self::BrownOut => "supply failed while armed",
+            Self::Crystal => "crystal failed",
         }
     }
 
@@ -93,6 +101,7 @@ impl Fault {
                  encoder)"
             }
             Self::MotorTooHot => "V all the time, as warm as it is",
+            Self::OutputVoltage => "V between the output and its code",
             Self::HoldTooLong => "s of holding after the reference",
             Self::PositionLimit => "rad, where it would come to rest",
             Self::LinkLost => "s without a word from the host",
@@ -103,6 +112,9 @@ impl Fault {
             | Self::Converter
             | Self::EmergencyStop
             | Self::DrivePower
+            | Self::Reset
+            | Self::BrownOut
+            | Self::Crystal
             | Self::Crash => "",
         }
     }

@@ -62,6 +62,14 @@ pub enum Fault {
     Crash,
     /// A motor has had more current than it bears for ever, for so long that it is hot [V].
     MotorTooHot,
+    /// An output of the converter, measured, is not what its code says [V off].
+    OutputVoltage,
+    /// The board was reset while it was armed: the pin NRST, a debugger.
+    Reset,
+    /// The board's supply failed while it was armed.
+    BrownOut,
+    /// The crystal failed while the board was on.
+    Crystal,
 }
 
 /// The first cause, with the figures that made it one.

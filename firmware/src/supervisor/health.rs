@@ -40,6 +40,10 @@ pub struct BootReport {
     pub latched: Option<FaultRecord>,
     /// The watchdog caused the reset.
     pub watchdog_reset: bool,
+    /// The board was armed before the reset.
+    pub was_armed: bool,
+    /// The supply was gone or too low; at every power-on, too.
+    pub supply_failed: bool,
     /// Parameters are stored, but none of them is valid.
     pub parameters_corrupt: bool,
     /// The converter does not answer as it should.

@@ -5,8 +5,10 @@ use super::fault::{Fault, FaultRecord, State};
 use super::health::{BootReport, Health};
 use super::home::Home;
 use super::joint_monitor::{LimitViolation, has_reference};
+use super::latch::Kept;
 use super::monitored_controller::MonitoredController;
 use super::orders::{Order, OrderError};
+use super::output_monitor::OutputMonitor;
 use super::stop_category::{ControlledStop, DriveOutputs, StopCategory};
 use crate::{Angle, Controller, ParameterBlock};
 
@@ -21,6 +23,7 @@ pub struct Supervisor {
     pub(super) host_timeout_ticks: Option<u32>,
     pub(super) silent_ticks: u32,
     pub(super) controlled_stop: ControlledStop,
+    pub(super) outputs: OutputMonitor,
     pub(super) counters: TickCounters,
 }
 
@@ -33,6 +36,16 @@ impl Supervisor {
     /// The first cause, while Faulted.
     pub fn fault(&self) -> Option<FaultRecord> {
         self.fault
+    }
+
+    /// What a board that is reset now must know at its next boot.
+    #[inline]
+    pub fn kept(&self) -> Kept {
+        match self.fault {
+            Some(record) => Kept::Fault(record),
+            None if self.state.enables() => Kept::Armed,
+            None => Kept::Nothing,
+        }
     }
 
     /// What has become of the board since the last tick, for the next order.
@@ -83,6 +96,8 @@ impl Supervisor {
         self.home = Home::at_boot(report.position_lost);
         let causes = [
             (report.watchdog_reset, Fault::Watchdog),
+            (report.was_armed && report.supply_failed, Fault::BrownOut),
+            (report.was_armed, Fault::Reset),
             (report.converter_fault, Fault::Converter),
             (report.parameters_corrupt, Fault::CorruptParameters),
         ];

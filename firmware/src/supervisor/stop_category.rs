@@ -33,6 +33,10 @@ impl Fault {
             | Self::Stalled
             | Self::EmergencyStop
             | Self::DrivePower
+            | Self::OutputVoltage
+            | Self::Reset
+            | Self::BrownOut
+            | Self::Crystal
             | Self::Crash => StopCategory::Off,
         }
     }

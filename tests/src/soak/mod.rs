@@ -8,7 +8,6 @@ mod arm;
 mod counters;
 mod draw;
 mod noisy_line;
-mod rng;
 mod session;
 mod settings;
 

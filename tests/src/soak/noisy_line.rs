@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use super::rng::Rng;
+use random_motions::Rng;
 
 /// One way of the line.
 #[derive(Debug)]

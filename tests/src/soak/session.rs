@@ -20,8 +20,8 @@ use super::arm::Arm;
 use super::counters::SoakCounters;
 use super::draw;
 use super::noisy_line::NoisyLine;
-use super::rng::Rng;
 use super::settings::Settings;
+use random_motions::Rng;
 
 type Flash = RamFlash<Vec<u8>>;
 

@@ -34,6 +34,8 @@ pub fn start() -> (Peripherals, Source) {
     let source = if crystal_starts() { Source::Crystal } else { Source::Internal };
     raise_core_voltage();
     rcc::reinit(full_speed(source), &mut peripherals.RCC);
+    // A crystal that fails from here on raises the NMI; the chip goes on at 16 MHz by itself.
+    pac::RCC.cr().modify(|w| w.set_csson(source == Source::Crystal));
     (peripherals, source)
 }
 

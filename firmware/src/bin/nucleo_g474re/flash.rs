@@ -18,7 +18,7 @@ use embedded_storage::nor_flash::{
 use firmware::store::{Layout, Store};
 
 use crate::exchange::SHARED;
-use crate::safe_state::wait_for_reset;
+use crate::safe_state::{crystal_failed, wait_for_reset};
 use crate::watchdog;
 
 const LAYOUT: Layout = Layout::G474;
@@ -116,9 +116,12 @@ impl NorFlash for BoardFlash {
     }
 }
 
-// SAFETY: touches registers of the flash alone, and a flag.
+// SAFETY: touches registers of the flash alone, and a flag; or nothing else runs any more.
 #[exception]
 unsafe fn NonMaskableInt() {
+    if pac::RCC.cifr().read().cssf() {
+        crystal_failed();
+    }
     let register = pac::FLASH.eccr();
     let state = register.read();
     // In bank 1 it would be code that is broken.

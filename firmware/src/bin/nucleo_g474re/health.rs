@@ -6,7 +6,7 @@ use embassy_stm32::gpio::{Level, Output, Speed};
 use embassy_stm32::peripherals::PA5;
 use embassy_stm32::{Peri, pac};
 use embassy_time::Timer;
-use firmware::supervisor::State;
+use firmware::supervisor::{BootReport, Kept, State};
 
 use crate::clocks::Source;
 use crate::exchange::SHARED;
@@ -48,13 +48,22 @@ pub async fn show(pin: Peri<'static, PA5>, source: Source) -> ! {
     }
 }
 
-/// Whether the watchdog has reset the board.
-pub fn was_reset_by_watchdog() -> bool {
-    let by_watchdog = pac::RCC.csr().read().iwdgrstf();
-    if by_watchdog {
+/// What the boot has found: in the flash, in the memory that a reset leaves alone, and why there was
+/// a reset.
+pub fn boot_report(kept: Kept, of_flash: BootReport) -> BootReport {
+    let cause = pac::RCC.csr().read();
+    let report = BootReport {
+        latched: of_flash.latched.or(kept.fault()),
+        watchdog_reset: cause.iwdgrstf(),
+        was_armed: kept == Kept::Armed,
+        supply_failed: cause.borrstf(),
+        position_lost: true,
+        ..of_flash
+    };
+    if report.watchdog_reset {
         defmt::error!("the watchdog has reset the board");
     }
-    by_watchdog
+    report
 }
 
 /// Forgets what caused the last reset.

@@ -18,6 +18,7 @@ mod hot_code;
 mod latch;
 mod link;
 mod load;
+mod loopback;
 mod queue;
 mod safe_state;
 mod tick;
@@ -29,7 +30,6 @@ use embassy_stm32::peripherals::RNG;
 use embassy_stm32::rng::{self, Rng};
 use embassy_stm32::{Peri, bind_interrupts};
 use firmware::link::BootState;
-use firmware::supervisor::BootReport;
 use panic_probe as _;
 
 use crate::converter::{Converter, ConverterPins};
@@ -37,6 +37,7 @@ use crate::drive::{Drive, DrivePins};
 use crate::encoders::Encoders;
 use crate::link::{Link, LinkPins};
 use crate::load::Load;
+use crate::loopback::Loopback;
 use crate::tick::Wired;
 use crate::watchdog::Watchdog;
 
@@ -51,7 +52,6 @@ bind_interrupts!(struct Interrupts {
 async fn main(spawner: Spawner) {
     let (p, clock_source) = clocks::start();
     clocks::put_tick_above_all();
-    let watchdog_reset = health::was_reset_by_watchdog();
     let mut store = flash::store(p.FLASH);
     let boot_state = BootState::read(&mut store);
     let watchdog = Watchdog::start(p.IWDG);
@@ -73,15 +73,11 @@ async fn main(spawner: Spawner) {
         emergency_stop: p.PC5,
     });
     let handler = boot_state.handler(store, NAME, random(p.RNG));
-    let report = BootReport {
-        latched: boot_state.fault.or(latch::read()),
-        watchdog_reset,
-        position_lost: true,
-        ..boot_state.report()
-    };
+    let loopback = Loopback::where_wired(p.ADC1, (p.PC0, p.PC1, p.PC2));
+    let report = health::boot_report(latch::read(), boot_state.report());
     let supervisor = boot_state.supervisor();
     let (remote, records) =
-        tick::start(p.TIM6, Wired { encoders, converter, drive }, supervisor, report);
+        tick::start(p.TIM6, Wired { encoders, converter, drive, loopback }, supervisor, report);
     // The fault is latched by now; another reset does not forget it.
     health::forget_resets();
     let pins = LinkPins { uart: p.LPUART1, receive: p.PA3, send: p.PA2 };

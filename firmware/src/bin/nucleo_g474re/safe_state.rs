@@ -10,7 +10,7 @@ use core::sync::atomic::Ordering::Relaxed;
 use cortex_m::peripheral::SCB;
 use cortex_m_rt::{ExceptionFrame, exception};
 use embassy_stm32::pac;
-use firmware::supervisor::FaultRecord;
+use firmware::supervisor::{Fault, FaultRecord, Kept};
 
 use crate::exchange::SHARED;
 use crate::latch;
@@ -39,17 +39,29 @@ pub fn wait_for_reset() -> ! {
 #[exception]
 unsafe fn HardFault(frame: &ExceptionFrame) -> ! {
     outputs_to_zero();
-    keep_for_the_next_boot(frame.pc());
+    keep_crash(frame.pc());
     wait_for_reset()
 }
 
-/// Keeps where it was and why, unless another fault came before it.
-fn keep_for_the_next_boot(program_counter: u32) {
-    if latch::read().is_none() {
-        // SAFETY: reading the status has no effect.
-        let status = unsafe { (*SCB::PTR).cfsr.read() };
-        let tick = SHARED.ticks.load(Relaxed);
-        latch::write(Some(&FaultRecord::of_crash(tick, program_counter, status)));
+/// The crystal has failed: every time is wrong by a factor of ten.
+pub fn crystal_failed() -> ! {
+    outputs_to_zero();
+    let tick = SHARED.ticks.load(Relaxed);
+    keep(FaultRecord { fault: Fault::Crystal, joint: 0, tick, value: 0.0, limit: 0.0 });
+    wait_for_reset()
+}
+
+/// Where it was and why, for the next boot.
+fn keep_crash(program_counter: u32) {
+    // SAFETY: reading the status has no effect.
+    let status = unsafe { (*SCB::PTR).cfsr.read() };
+    keep(FaultRecord::of_crash(SHARED.ticks.load(Relaxed), program_counter, status));
+}
+
+/// Keeps a fault for the next boot, unless another one came before it.
+fn keep(record: FaultRecord) {
+    if latch::read().fault().is_none() {
+        latch::write(&Kept::Fault(record));
     }
 }
 

@@ -16,8 +16,7 @@ use embassy_stm32::{Peri, pac};
 use firmware::ad5754r::Channel;
 use firmware::link::SupervisorAccess;
 use firmware::supervisor::{
-    BootReport, FaultRecord, Health, Order, OrderError, ParameterWatch, State, Supervisor,
-    TickRecord,
+    BootReport, Health, Kept, Order, OrderError, ParameterWatch, State, Supervisor, TickRecord,
 };
 
 use crate::converter::Converter;
@@ -25,6 +24,7 @@ use crate::drive::Drive;
 use crate::encoders::Encoders;
 use crate::exchange::{Inbox, Question, RecordReader, Remote, Reply, SHARED, channel};
 use crate::latch;
+use crate::loopback::Loopback;
 
 const TIMER_CLOCK: Hertz = Hertz(10_000_000);
 const COUNTS_PER_PERIOD: u16 = 10_000;
@@ -42,6 +42,8 @@ pub struct Wired {
     pub encoders: Encoders,
     pub converter: Converter,
     pub drive: Drive,
+    /// Where the rig measures the converter's outputs.
+    pub loopback: Option<Loopback>,
 }
 
 struct Tick {
@@ -49,11 +51,12 @@ struct Tick {
     encoders: Encoders,
     converter: Converter,
     drive: Drive,
+    loopback: Option<Loopback>,
     inbox: Inbox,
     supervisor: Supervisor,
     parameter_watch: ParameterWatch,
     /// What is in the memory that a reset leaves alone.
-    latched: Option<FaultRecord>,
+    kept: Kept,
     health: Health,
     /// Whether the outputs follow the codes.
     released: bool,
@@ -70,25 +73,26 @@ pub fn start(
     mut supervisor: Supervisor,
     report: BootReport,
 ) -> (Remote, RecordReader) {
-    let Wired { encoders, mut converter, drive } = wired;
+    let Wired { encoders, mut converter, drive, mut loopback } = wired;
     let set_up = converter.set_up();
     if let Err(fault) = set_up {
         defmt::error!("the converter does not answer: {}", fault);
     }
     let converter_fault = set_up.is_err();
     supervisor.booted(BootReport { converter_fault, ..report });
-    let latched = supervisor.fault();
-    latch::write(latched.as_ref());
+    let kept = supervisor.kept();
+    latch::write(&kept);
     let (remote, records, inbox) = defmt::unwrap!(channel());
     let tick = Tick {
-        timer: millisecond_timer(timer, &mut converter),
+        timer: millisecond_timer(timer, &mut converter, loopback.as_mut()),
         encoders,
         converter,
         drive,
+        loopback,
         inbox,
         supervisor,
         parameter_watch: ParameterWatch::default(),
-        latched,
+        kept,
         health: Health { converter_fault, ..Health::default() },
         released: false,
         is_late: false,
@@ -103,8 +107,12 @@ pub fn start(
 fn millisecond_timer(
     timer: Peri<'static, TIM6>,
     converter: &mut Converter,
+    loopback: Option<&mut Loopback>,
 ) -> Timer<'static, TIM6> {
     let mut timer = Timer::new(timer);
+    if let Some(loopback) = loopback {
+        loopback.start();
+    }
     timer.regs_core().arr().write(|w| w.set_arr(COUNTS_PER_PERIOD - 1));
     timer.set_tick_freq(TIMER_CLOCK);
     timer.clear_update_interrupt();
@@ -138,6 +146,7 @@ impl Tick {
         self.check_parameters(record.tick);
         // What the next tick can know already, whatever the orders have changed.
         self.supervisor.prepare();
+        self.watch_outputs(&record);
         self.watch_converter(&record);
         self.measure_tick_time();
     }
@@ -212,6 +221,18 @@ impl Tick {
         record
     }
 
+    /// Compares what was measured at the outputs, where they are wired, with the codes that acted.
+    #[inline]
+    fn watch_outputs(&mut self, record: &TickRecord) {
+        if let Some(loopback) = &mut self.loopback
+            && !self.supervisor.outputs_measured(&loopback.volts(), record)
+        {
+            // At once, and the amplifiers too: the converter itself may be what is broken.
+            self.converter.hold_at_zero();
+            self.drive.write(self.supervisor.drive_outputs());
+        }
+    }
+
     /// Now and then, after the codes are out, so that it delays nothing.
     fn watch_converter(&mut self, record: &TickRecord) {
         if record.state.drives()
@@ -235,17 +256,17 @@ impl Tick {
     }
 
     fn latch(&mut self) {
-        let fault = self.supervisor.fault();
-        if fault != self.latched {
-            self.latch_anew(fault);
+        let kept = self.supervisor.kept();
+        if kept != self.kept {
+            self.latch_anew(kept);
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn latch_anew(&mut self, fault: Option<FaultRecord>) {
-        self.latched = fault;
-        latch::write(fault.as_ref());
+    fn latch_anew(&mut self, kept: Kept) {
+        self.kept = kept;
+        latch::write(&kept);
     }
 
     /// A part now and then, all of them within a second; after the codes are out, so that it

@@ -125,6 +125,17 @@ fn unconfirmed(subject: &Subject, judgement: &Judgement) -> Vec<Alternative> {
     judgement.unconfirmed.iter().map(alternative).collect()
 }
 
+/// Why an effect that gains so much log-likelihood was not added.
+fn why_refused(gain: f64, least: f64) -> String {
+    match gain > least {
+        true => format!(
+            "gains a log-likelihood of {gain:.0}, but with parameters that are no robot's, or by too small \
+             a part of what is left"
+        ),
+        false => format!("gains a log-likelihood of {gain:.0}, which is not enough"),
+    }
+}
+
 /// What was tried and lost, the best first.
 pub fn rivals(subject: &Subject, judgement: &Judgement) -> Vec<Rival> {
     let confirmation = &judgement.confirmation;
@@ -150,8 +161,8 @@ pub fn rivals(subject: &Subject, judgement: &Judgement) -> Vec<Rival> {
         }));
     }
     all.extend(judgement.refused.iter().map(|other| {
-        let why = format!("gains a log-likelihood of {:.0}, which is not enough", other.gain);
-        rival(&other.effect, explained(other), why)
+        let least = subject.criteria.selection.least_log_likelihood;
+        rival(&other.effect, explained(other), why_refused(other.gain, least))
     }));
     all.extend(judgement.unconfirmed.iter().map(|(effect, worth, _)| {
         rival(effect, worth.share, "the confirming logs do not confirm it".into())

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::candidate::Candidate;
 use super::candidates::{Start, candidates, places_open, starts};
-use super::policy::{gain, is_accepted, is_more_than, is_physical};
+use super::policy::{gain, is_more_than, is_physical};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
@@ -22,32 +22,46 @@ pub struct Finalist {
     pub gain: f64,
 }
 
-/// The finalists, the best first: of candidates that promise most, and where none of them keeps
-/// its promise and is accepted, of those that promise less. `now` is the model before them,
-/// linearised where effects are searched from.
-pub fn finalists(subject: &Subject, before: &FittedModel, now: &Linearisation) -> Vec<Finalist> {
-    let policy = &subject.criteria.selection;
-    let mut promising = candidates(now, &before.evidence, subject);
-    let without = now.refitted_objective();
-    promising.retain(|candidate| candidate.train < without);
-    let mut finalists = Vec::new();
-    let one_is_accepted = |finalists: &[Finalist]| {
-        finalists.iter().any(|finalist| is_accepted(before, &finalist.model, &subject.criteria))
-    };
-    for _ in 0..policy.batches {
-        let batch = next_batch(&mut promising, without, subject);
-        finalists.extend(refitted(subject, before, now, batch));
-        if promising.is_empty() || one_is_accepted(&finalists) {
-            break;
+/// Candidates for a place in a model, refitted batch by batch: those that promise most, then those that
+/// promise less, then those that were never searched because others promised more.
+pub struct Contest<'a> {
+    subject: &'a Subject,
+    before: &'a FittedModel,
+    now: &'a Linearisation,
+    /// Candidates that were not refitted yet, the best first.
+    promising: Vec<Candidate>,
+    /// Batches that may still be refitted.
+    batches: usize,
+    /// Those that were refitted, the best first.
+    pub finalists: Vec<Finalist>,
+}
+
+impl<'a> Contest<'a> {
+    /// For a place beside the effects of the model `before`; `now` is that model linearised where
+    /// effects are searched from.
+    pub fn of(subject: &'a Subject, before: &'a FittedModel, now: &'a Linearisation) -> Self {
+        let mut promising = candidates(now, &before.evidence, subject);
+        let without = now.refitted_objective();
+        promising.retain(|candidate| candidate.train < without);
+        let batches = subject.criteria.selection.batches + 1;
+        Self { subject, before, now, promising, batches, finalists: Vec::new() }
+    }
+
+    /// Refits the next batch; whether there was one.
+    pub fn advance(&mut self) -> bool {
+        if self.batches == 0 {
+            return false;
         }
+        self.batches = if self.promising.is_empty() { 0 } else { self.batches - 1 };
+        let batch = match self.batches {
+            0 => overlooked(self.subject, self.before, self.now, &self.finalists),
+            _ => next_batch(&mut self.promising, self.now.refitted_objective(), self.subject),
+        };
+        self.finalists.extend(refitted(self.subject, self.before, self.now, batch));
+        rank(self.before, &mut self.finalists);
+        simpler_first(&mut self.finalists, self.subject.criteria.selection.least_log_likelihood);
+        true
     }
-    if !one_is_accepted(&finalists) {
-        let batch = overlooked(subject, before, now, &finalists);
-        finalists.extend(refitted(subject, before, now, batch));
-    }
-    let mut finalists = ranked(before, finalists);
-    simpler_first(&mut finalists, policy.least_log_likelihood);
-    finalists
 }
 
 /// Puts an effect behind a simpler one that it contains, where it gains hardly more than that.
@@ -63,19 +77,18 @@ fn simpler_first(finalists: &mut [Finalist], least: f64) {
     }
 }
 
-/// Finalists, the best first; rows of all of them count as independent as in what that one leaves
-/// that lasts least, of those that gain anything.
-fn ranked(before: &FittedModel, mut finalists: Vec<Finalist>) -> Vec<Finalist> {
+/// Sorts finalists, the best first; rows of all of them count as independent as in what that one
+/// leaves that lasts least, of those that gain anything.
+fn rank(before: &FittedModel, finalists: &mut [Finalist]) {
     let gaining = finalists.iter().filter(|finalist| finalist.gain > 0.0);
     let misfits = gaining.map(|finalist| finalist.model.misfit());
     let common =
         misfits.fold(before.misfit(), |common, misfit| common.at_least_as_independent(&misfit));
     let without = before.log_likelihood(&common);
-    for finalist in &mut finalists {
+    for finalist in finalists.iter_mut() {
         finalist.gain = finalist.model.log_likelihood(&common) - without;
     }
     finalists.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-    finalists
 }
 
 /// Effects that were not searched because others promised more than they kept.

@@ -3,7 +3,7 @@
 
 use rayon::prelude::*;
 
-use super::finalists::{Finalist, finalists};
+use super::finalists::{Contest, Finalist};
 use super::policy::{gain, is_accepted, is_done, is_more_than, is_physical};
 use super::restart::{restarted, with_play};
 use crate::fit::fitted_model::FittedModel;
@@ -102,21 +102,33 @@ impl Search<'_> {
         let Some(start) = with_given_parameters(self.subject, &self.last) else {
             return Round::Refused(Vec::new());
         };
-        let mut finalists = finalists(self.subject, &self.last, &start);
-        let finished = finalists
-            .iter()
-            .enumerate()
-            .find_map(|(place, finalist)| Some((place, self.finished_and_accepted(finalist)?)));
-        let Some((place, finished)) = finished else { return Round::Refused(finalists) };
-        let best = finalists.remove(place);
+        let mut contest = Contest::of(self.subject, &self.last, &start);
+        let mut lost: Vec<EffectInstance> = Vec::new();
+        while contest.advance() {
+            let is_new = |finalist: &&Finalist| !lost.contains(&finalist.effect);
+            let mut open = contest.finalists.iter().filter(is_new);
+            let won = open
+                .find_map(|best| Some((best.effect.clone(), self.finished_and_accepted(best)?)));
+            if let Some((effect, finished)) = won {
+                let mut rivals = contest.finalists;
+                rivals.retain(|finalist| finalist.effect != effect);
+                self.add(&effect, finished, rivals);
+                return Round::Added;
+            }
+            lost = contest.finalists.iter().map(|finalist| finalist.effect.clone()).collect();
+        }
+        Round::Refused(contest.finalists)
+    }
+
+    /// Adds an effect that won over its rivals.
+    fn add(&mut self, effect: &EffectInstance, finished: FittedModel, rivals: Vec<Finalist>) {
         let known = self.subject.known_effects.len();
         let before = &self.last.linear.hypothesis;
-        if let Some(place) = before.spring_replaced_by(&best.effect, known) {
+        if let Some(place) = before.spring_replaced_by(effect, known) {
             self.rivals.remove(place - known);
         }
         self.last = finished;
-        self.rivals.push(finalists);
-        Round::Added
+        self.rivals.push(rivals);
     }
 
     /// A finalist whose fit is carried on to its end, if it is accepted before and after that, and

@@ -147,9 +147,14 @@ impl<'a> Confirmation<'a> {
 
     /// Part of the gap's squares above the noise that all causes take together, all joints.
     pub fn explained(&self, last: &FittedModel) -> f64 {
+        self.explained_on(last, &self.subject.joints)
+    }
+
+    /// The same of some joints (from 0).
+    pub fn explained_on(&self, last: &FittedModel, joints: &[usize]) -> f64 {
         let models = [&self.refitted.residual_v, &self.full.residual_v];
         let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
-        let blocks = Blocks::of(&last.evidence, &self.subject.joints, &models, noise_v);
+        let blocks = Blocks::of(&last.evidence, joints, &models, noise_v);
         blocks.figure(1, |sums| (sums[0] - sums[1]) / (sums[0] - sums[2]).max(1e-300)).0
     }
 }

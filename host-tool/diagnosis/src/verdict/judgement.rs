@@ -2,7 +2,7 @@
 
 use super::confirmed::{Confirmation, Held, Worth};
 use super::decision::{is_named, is_sound, probability};
-use super::misfit::is_another_robot;
+use super::misfit::joints_of_another;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
 use crate::search::selection::{Added, Rival, Selection, update_gains};
@@ -41,16 +41,18 @@ impl<'a> Judgement<'a> {
         let Selection { refitted, mut last, mut added, refused } = selection;
         let mut unconfirmed = Vec::new();
         let held = Held::of(subject, &refitted);
+        let anothers = joints_of_another(subject, &refitted);
+        // Of the whole model: without a cause that is not confirmed, parameters go astray anew.
+        let is_plausible = !last.stats.is_implausible(&subject.criteria.fit);
         loop {
             let confirmation =
                 Confirmation::of(subject, held.clone(), &last, &added, noise_v.to_vec());
             let judged: Vec<(Worth, f64)> = (0..added.len())
                 .map(|index| judged(subject, &confirmation, &last, &added[index], index))
                 .collect();
-            let anothers = is_another_robot(subject, &refitted)
-                && confirmation.explained(&last) < subject.criteria.verdict.explained;
             let fails = |index: &usize| {
-                anothers
+                !is_plausible
+                    || is_anothers(&confirmation, &last, &anothers, *index)
                     || !is_confirmed(&confirmation, &last, &added[*index], *index, &judged[*index])
             };
             let least = |a: &usize, b: &usize| judged[*a].0.share.total_cmp(&judged[*b].0.share);
@@ -75,6 +77,22 @@ impl Named {
     }
 }
 
+/// Whether the cause at this place among those added acts on joints whose logs are as of another robot,
+/// and causes do not explain nearly all of what is left there.
+fn is_anothers(
+    confirmation: &Confirmation,
+    last: &FittedModel,
+    anothers: &[usize],
+    index: usize,
+) -> bool {
+    let subject = confirmation.subject;
+    let effect = &last.linear.hypothesis.effects[subject.known_effects.len() + index];
+    let acts_on = |joint: &usize| effect.joint == 0 || usize::from(effect.joint) == joint + 1;
+    let touched: Vec<usize> = anothers.iter().copied().filter(acts_on).collect();
+    !touched.is_empty()
+        && confirmation.explained_on(last, &touched) < subject.criteria.verdict.explained
+}
+
 /// Whether the cause at this place among those added is named.
 fn is_confirmed(
     confirmation: &Confirmation,
@@ -87,8 +105,7 @@ fn is_confirmed(
     let criteria = &subject.criteria.verdict;
     let place = subject.known_effects.len() + index;
     let effect = &last.linear.hypothesis.effects[place];
-    !last.stats.is_implausible(&subject.criteria.fit)
-        && is_named(*probability, worth, criteria)
+    is_named(*probability, worth, criteria)
         && is_sound(effect, worth, criteria)
         && !(effect.is_spring() && confirmation.takes_noise(last, effect))
         && reaches_ceiling(subject, &added.without, last, place)

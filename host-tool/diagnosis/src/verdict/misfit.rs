@@ -39,16 +39,26 @@ pub fn remark(subject: &Subject, refitted: &FittedModel, verdict: Verdict) -> Op
     )
 }
 
-/// Whether a refitted model is that of another robot: its parameters are far from the file's, and
-/// yet it leaves a large part of a command. Causes that do not explain all of that are none.
-pub fn is_another_robot(subject: &Subject, refitted: &FittedModel) -> bool {
-    leaves_much(subject, refitted) && refitted.stats.is_implausible(&subject.criteria.fit)
+/// Joints (from 0) of which a refitted model leaves a large part of the command although its parameters
+/// are far from the file's, as if the logs were another robot's: causes on them that do not explain all
+/// of that are none. Where half of the joints are like this, all count.
+pub fn joints_of_another(subject: &Subject, refitted: &FittedModel) -> Vec<usize> {
+    if !refitted.stats.is_implausible(&subject.criteria.fit) {
+        return Vec::new();
+    }
+    let such: Vec<usize> = joints_left(subject, refitted).collect();
+    if 2 * such.len() >= subject.joints.len() { subject.joints.clone() } else { such }
 }
 
 /// Whether a model leaves a large part of a joint's command.
 pub fn leaves_much(subject: &Subject, model: &FittedModel) -> bool {
+    joints_left(subject, model).next().is_some()
+}
+
+/// Joints (from 0) of whose command a model leaves a large part.
+fn joints_left(subject: &Subject, model: &FittedModel) -> impl Iterator<Item = usize> {
     let most = subject.criteria.verdict.another_robot_part;
-    subject.joints.iter().any(|&joint| part_left(model, joint) > most)
+    subject.joints.iter().copied().filter(move |&joint| part_left(model, joint) > most)
 }
 
 /// Part of a joint's command that a model leaves, rms by rms over train rows.
