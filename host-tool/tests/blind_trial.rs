@@ -108,6 +108,7 @@ fn fool() -> Report {
         share_interval: [0.4, 0.6],
         shrinkage: 0.0,
         shrinkage_interval: [0.0, 0.0],
+        shrinkage_halves: None,
     };
     Report {
         format: 2,
@@ -123,6 +124,7 @@ fn fool() -> Report {
         detectable: Vec::new(),
         remarks: Vec::new(),
         model_fault: None,
+        contact: None,
     }
 }
 

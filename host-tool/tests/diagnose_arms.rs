@@ -3,8 +3,9 @@
 
 mod arms;
 
-use arms::{AXIS, PENDULUM, parse, recorded, six_joints};
+use arms::recorded;
 use diagnosis::{Criteria, Diagnosis, Report, Verdict};
+use files::example_arms::{linear_axis, six_axes, two_link_pendulum};
 use files::{ArmFile, RobotFile};
 use model::links::{Link, base_parameters};
 use model::reference_robot::reference_robot;
@@ -21,11 +22,11 @@ fn diagnosed(campaign: &ArmCampaign) -> Diagnosis {
 }
 
 fn of_pendulum(hidden: &[&str]) -> Report {
-    diagnosed(&recorded(&parse(PENDULUM), 500.0, 15.0, hidden)).report
+    diagnosed(&recorded(&two_link_pendulum(), 500.0, 15.0, hidden)).report
 }
 
 fn of_six_joints(hidden: &[&str]) -> Report {
-    diagnosed(&recorded(&six_joints(), 500.0, 20.0, hidden)).report
+    diagnosed(&recorded(&six_axes(), 500.0, 20.0, hidden)).report
 }
 
 /// What is hidden, the effect and the joint to be named, its size, and how near that is to be found.
@@ -95,7 +96,7 @@ fn an_amplifier_that_gives_less_is_named() {
 
 #[test]
 fn a_sliding_axis_is_judged_in_its_own_units() {
-    let campaign = recorded(&parse(AXIS), 500.0, 15.0, &["dac_offset:1:offset_V=3"]);
+    let campaign = recorded(&linear_axis(), 500.0, 15.0, &["dac_offset:1:offset_V=3"]);
     let found = diagnosed(&campaign);
     names(&found.report, "dac_offset", 1, ("offset_V", 3.0), 0.05);
     let said = host_tool::commands::diagnose::in_words(&found);
@@ -204,7 +205,7 @@ fn robot_as_chain() -> ArmFile {
             f.sigma1_v_s_per_rad,
         );
     }
-    parse(&text)
+    ArmFile::parse("arm.toml", text.into_bytes()).unwrap()
 }
 
 /// The same logs, judged by the closed form.

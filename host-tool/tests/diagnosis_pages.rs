@@ -48,6 +48,7 @@ fn partial() -> Diagnosis {
         confidence: 0.02,
         instead_of: Some(1),
         share: 0.3,
+        why: None,
     });
     partial
 }

@@ -94,6 +94,6 @@ fn it_is_drawn_for_a_blind_trial_and_documented() {
     };
     let cases = draw(&settings, &catalogue(), &|| {}).unwrap();
     assert_eq!(cases[0].causes[0].effect, "cubic_drag");
-    let page = documentation::markdown(&catalogue());
+    let page = documentation::markdown(&catalogue(), &Catalogue::of_arm(3));
     assert_eq!(page.matches("| `cubic_drag` |").count(), 3, "{page}");
 }

@@ -6,7 +6,8 @@ use std::path::Path;
 use assert_cmd::Command;
 use files::{ArmFile, ArmLog, Role};
 use servo::prepared;
-use servo::synthetic::{Recording, links_of, pendulum, record};
+use servo::recorded::{Recording, Truth, record};
+use servo::synthetic::{links_of, pendulum};
 
 mod common;
 use common::directory;
@@ -30,7 +31,7 @@ fn exchanged(directory: &Path) {
     let recording =
         Recording { length_s: 24.0, logs: [4, 2], swing_rad: 1.5, ..Recording::default() };
     let servos = prepared::joints(&truth).unwrap();
-    let campaign = record(&truth, &links_of(&truth), &servos, &recording, 41);
+    let campaign = record(&truth, &Truth::of(links_of(&truth), servos), &recording, 41);
     let data = directory.join("data");
     std::fs::create_dir(&data).unwrap();
     let mut list = "format = 1\n".to_owned();
@@ -66,6 +67,36 @@ fn an_exchanged_mass_is_reported_and_written() {
     assert!(model.effects.iter().any(|table| table.effect == "payload"));
     rrr(path, &["identify", "data", "--robot", "out/model.toml", "--out", "again/model.toml"])
         .success();
+}
+
+#[test]
+fn a_simulated_arm_hides_what_it_is_told_to() {
+    let directory = directory();
+    let path = directory.path();
+    pendulum(41, 0.4, 0.15).write(path.join("model.toml")).unwrap();
+    let record = ["simulate", "--model", "model.toml", "--dataset", "gap", "--seed", "3", "--out"];
+    let with = |out: &str, effect: &str| {
+        let hidden = ["--effect", effect];
+        rrr(path, &[&record[..], &[out][..], &hidden[..]].concat())
+    };
+    with("logs", "payload:mass_kg=0.2,com_m=0 0 -0.15").success();
+    let log = std::fs::read_to_string(path.join("logs/motion-01.csv")).unwrap();
+    assert!(log.starts_with("t_s,q1_count,qref1_rad\n"), "{}", &log[..40]);
+    rrr(path, &["diagnose", "logs", "--model", "model.toml", "--out", "out"]).success();
+    let text = std::fs::read_to_string(path.join("out/report.json")).unwrap();
+    let report: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(report["causes"][0]["effect"].as_str(), Some("payload"), "{text}");
+    for (effect, words) in [
+        ("joint_elasticity:1:stiffness_Nm_per_rad=9", "cannot be simulated on position servos"),
+        ("saturation:1:limit_V=-3", "limit_V of saturation is not from 0.01"),
+        ("saturation:2:limit_V=3", "saturation of joint 2"),
+        ("goal_clip:1:lowest_rad=1,highest_rad=-1", "goal_clip of joint 1"),
+    ] {
+        let refused = with("none", effect).code(2);
+        let said = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
+        assert!(said.contains(words), "{said}");
+    }
+    assert!(!path.join("none").exists());
 }
 
 #[test]

@@ -1,8 +1,11 @@
 //! Why a blind trial ends early.
 
+use diagnosis::SubjectError;
 use files::FileError;
 use recordings::StepError;
 use rig::effects::EffectError;
+use rig::plant::PlantError;
+use servo::ServoError;
 use simulation::board::BoardError;
 
 /// Why a blind trial ends early.
@@ -20,6 +23,15 @@ pub enum TrialError {
     /// Logs that cannot be used.
     #[error(transparent)]
     Step(#[from] StepError),
+    /// Logs or an arm that the diagnosis cannot use.
+    #[error(transparent)]
+    Subject(#[from] SubjectError),
+    /// An arm of position servos that cannot be simulated.
+    #[error(transparent)]
+    Servo(#[from] ServoError),
+    /// An arm that describes no plant.
+    #[error(transparent)]
+    Plant(#[from] PlantError),
     /// No draw of a case was fit for use.
     #[error("case {case}: {tries} draws of {what} gave nothing that is detectable and stable")]
     NothingDetectable {

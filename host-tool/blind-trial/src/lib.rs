@@ -9,11 +9,13 @@
 //! | [`outcome`] | writes a case's logs, has them diagnosed |
 //! | [`score`] | how well the answers fit |
 //! | [`diverse`] | robots that share neither friction nor noise with the diagnosis |
+//! | [`arms`] | arms of other kinds |
 //! | [`whole_way`] | record, identify, a change, record, diagnose |
 //! | [`results`], [`markdown`], [`output`] | what is printed and written |
 
 #![forbid(unsafe_code)]
 
+pub mod arms;
 pub mod case;
 pub mod cause;
 pub mod detectability;

@@ -18,6 +18,7 @@
 #![forbid(unsafe_code)]
 
 pub mod criteria;
+mod findings;
 pub mod fit;
 pub mod gap_by_axis;
 pub mod logs;

@@ -112,6 +112,7 @@ pub fn diagnosis(
         noise_floor_v: vec![FLOOR_V; 3],
         refitted_rad: vec![0.4e-3, 0.2e-3, 3.1e-3],
         with_effects_rad: vec![0.4e-3, 0.2e-3, 0.3e-3],
+        ..Gap::default()
     };
     let level = |name: &str, rms_v: &[f64]| Level { name: name.into(), rms_v: rms_v.to_vec() };
     let mut waterfall =
@@ -140,6 +141,7 @@ pub fn diagnosis(
         detectable: detectable(),
         remarks: vec!["excitation-1.csv has 3 gaps; they are left out.".into()],
         model_fault: None,
+        contact: None,
     };
     let model = ModelFile::Robot(Box::new(RobotFile::from_robot(&reference_robot())));
     let units = Default::default();
@@ -162,6 +164,7 @@ pub fn cogging() -> Cause {
         share_interval: [0.93, 0.96],
         shrinkage: 0.78,
         shrinkage_interval: [0.74, 0.81],
+        shrinkage_halves: None,
     }
 }
 
@@ -202,6 +205,7 @@ pub fn slow_friction() -> Remainder {
         joint: 2,
         axis: Axis::Velocity,
         rms_v: 0.012,
+        rms_rad: None,
         share: 0.04,
         detail: "friction below 0.02 rad/s".into(),
         curve: RemainderCurve { x, y_v, deviation_v },

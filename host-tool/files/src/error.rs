@@ -231,7 +231,8 @@ impl Problem {
             }
             Self::UnknownFormat(_) => "update the tool, or write the file with `format = 1`",
             Self::ArmOfAnyKind => {
-                "update the tool, or give a robot.toml or model.toml with `format = 1`"
+                "`rrr identify`, `diagnose`, `simulate` and `inverse-dynamics` take it; this command is for \
+                 the robot of three joints: give a robot.toml or model.toml with `format = 1`"
             }
             Self::UnknownKey(_) => "correct its name, with the unit, or delete the line",
             Self::Urdf(_) => "correct the URDF, or write the joints into the file without `urdf`",

@@ -31,6 +31,7 @@ pub mod arm_log;
 mod bytes;
 pub mod dataset;
 pub mod error;
+pub mod example_arms;
 pub mod excitation_file;
 pub mod log;
 mod number;

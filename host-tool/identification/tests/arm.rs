@@ -1,38 +1,13 @@
 //! Identification of arms of any kind from simulated logs.
 
+use files::arm_file::Encoder;
+use files::example_arms::{six_axes, two_link_pendulum};
 use files::{ArmFile, Dataset};
 use identification::arm::{CommandTime, IdentifiedArm, Settings, identify};
 use recordings::ArmCampaign;
 
 mod arm_simulator;
 use arm_simulator::{Recorder, command_error, forget_links, record, write_dataset};
-
-const PENDULUM: &str = r#"
-format = 2
-[robot]
-name = "two-link pendulum"
-[[joint]]
-kind = "revolute"
-axis = [0.0, -1.0, 0.0]
-mass_kg = 1.4
-com_m = [0.15, 0.0, 0.01]
-inertia_kg_m2 = [2e-3, 0.0, 1e-4, 1.2e-2, 0.0, 1.1e-2]
-armature_kg_m2 = 0.004
-drive = { kind = "voltage", torque_constant_Nm_per_V = 1.6 }
-encoder = { counts_per_rev = 16384 }
-friction = { alpha0_V = 0.2, alpha2_V_s_per_rad = 0.05 }
-[[joint]]
-kind = "revolute"
-origin_xyz_m = [0.3, 0.0, 0.0]
-axis = [0.0, -1.0, 0.0]
-mass_kg = 0.8
-com_m = [0.12, 0.0, 0.0]
-inertia_kg_m2 = [1e-3, 0.0, 0.0, 5e-3, 0.0, 5e-3]
-armature_kg_m2 = 0.002
-drive = { kind = "voltage", torque_constant_Nm_per_V = 0.9 }
-encoder = { counts_per_rev = 16384 }
-friction = { alpha0_V = 0.1, alpha2_V_s_per_rad = 0.03 }
-"#;
 
 const AXIS: &str = r#"
 format = 2
@@ -53,60 +28,13 @@ fn parse(text: &str) -> ArmFile {
     ArmFile::parse("robot.toml", text.as_bytes().to_vec()).unwrap()
 }
 
-/// Six joints with gears: about the size of a small industrial arm.
-fn six_joints() -> ArmFile {
-    let axes = [
-        "0.0, 0.0, 1.0",
-        "0.0, 1.0, 0.0",
-        "0.0, 1.0, 0.0",
-        "1.0, 0.0, 0.0",
-        "0.0, 1.0, 0.0",
-        "1.0, 0.0, 0.0",
-    ];
-    let origins = [
-        "0.0, 0.0, 0.2",
-        "0.05, 0.0, 0.15",
-        "0.0, 0.0, 0.4",
-        "0.1, 0.0, 0.05",
-        "0.3, 0.0, 0.0",
-        "0.08, 0.0, 0.0",
-    ];
-    let masses = [8.0, 6.0, 4.0, 2.5, 1.2, 0.5];
-    let centres = [
-        "0.02, 0.01, 0.1",
-        "0.01, 0.03, 0.18",
-        "0.05, -0.01, 0.03",
-        "0.14, 0.01, 0.0",
-        "0.03, 0.0, 0.01",
-        "0.02, 0.005, 0.0",
-    ];
-    let sizes = [0.15, 0.2, 0.1, 0.12, 0.05, 0.03];
-    let rotors = [1.2, 1.0, 0.6, 0.15, 0.1, 0.04];
-    let (constants, gears) =
-        ([12.0, 12.0, 9.0, 4.0, 4.0, 3.0], [121.0, -101.0, 100.5, 81.0, 80.0, 50.0]);
-    let mut text = "format = 2\n[robot]\nname = \"six\"\n".to_owned();
-    for k in 0..6 {
-        let i = masses[k] * sizes[k] * sizes[k] / 3.0;
-        text += &format!(
-            "[[joint]]\nkind = \"revolute\"\naxis = [{}]\norigin_xyz_m = [{}]\nmass_kg = {}\n\
-             com_m = [{}]\ninertia_kg_m2 = [{i}, 0.0, 0.0, {}, 0.0, {}]\narmature_kg_m2 = {}\n\
-             drive = {{ kind = \"current\", torque_constant_Nm_per_A = {:?}, gear_ratio = {:?} }}\n\
-             encoder = {{ counts_per_rev = 4096, side = \"motor\" }}\n\
-             friction = {{ alpha0_V = {}, alpha2_V_s_per_rad = {} }}\n",
-            axes[k],
-            origins[k],
-            masses[k],
-            centres[k],
-            0.9 * i,
-            0.7 * i,
-            rotors[k],
-            constants[k],
-            gears[k],
-            0.4 + 0.05 * k as f64,
-            0.5,
-        );
+/// The pendulum with encoders of 14 bits.
+fn pendulum() -> ArmFile {
+    let mut arm = two_link_pendulum();
+    for joint in &mut arm.joints {
+        joint.encoder = joint.encoder.map(|encoder| Encoder { counts: 16384.0, ..encoder });
     }
-    parse(&text)
+    arm
 }
 
 fn identified(truth: &ArmFile, robot: &ArmFile, recorders: &[Recorder]) -> IdentifiedArm {
@@ -167,7 +95,7 @@ fn assert_within(truth: &ArmFile, found: &IdentifiedArm, recorder: &Recorder, mo
 
 #[test]
 fn a_pendulum_of_two_unknown_links_is_found() {
-    let truth = parse(PENDULUM);
+    let truth = pendulum();
     let mut robot = truth.clone();
     forget_links(&mut robot);
     let recorder = of_pendulum();
@@ -181,7 +109,7 @@ fn a_pendulum_of_two_unknown_links_is_found() {
 
 #[test]
 fn every_tenth_row_of_it_is_enough() {
-    let truth = parse(PENDULUM);
+    let truth = pendulum();
     let mut robot = truth.clone();
     forget_links(&mut robot);
     let recorder = Recorder { every: 10, duration_s: 60.0, fastest_hz: 0.8, ..of_pendulum() };
@@ -216,7 +144,7 @@ fn a_linear_axis_is_found_and_its_unknown_rotor_not_told_from_its_mass() {
 
 #[test]
 fn six_joints_with_gears_and_wrong_drawings_are_found() {
-    let truth = six_joints();
+    let truth = six_axes();
     let mut robot = truth.clone();
     for (k, joint) in robot.joints.iter_mut().enumerate() {
         let factor = if k % 2 == 0 { 1.12 } else { 0.9 };
@@ -236,7 +164,7 @@ fn six_joints_with_gears_and_wrong_drawings_are_found() {
 
 #[test]
 fn six_joints_of_which_only_the_geometry_is_known_are_found() {
-    let truth = six_joints();
+    let truth = six_axes();
     let mut robot = truth.clone();
     forget_links(&mut robot);
     let recorder = of_six_joints();
@@ -248,7 +176,7 @@ fn six_joints_of_which_only_the_geometry_is_known_are_found() {
 
 #[test]
 fn logs_of_20_hz_and_5_khz_serve_together() {
-    let truth = parse(PENDULUM);
+    let truth = pendulum();
     let mut robot = truth.clone();
     forget_links(&mut robot);
     let slow = Recorder {
@@ -268,7 +196,7 @@ fn logs_of_20_hz_and_5_khz_serve_together() {
 
 #[test]
 fn commands_beyond_the_drive_s_limit_do_no_harm() {
-    let mut truth = parse(PENDULUM);
+    let mut truth = pendulum();
     truth.joints[0].drive.as_mut().unwrap().limit = Some(2.5);
     let mut robot = truth.clone();
     forget_links(&mut robot);

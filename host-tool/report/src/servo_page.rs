@@ -1,8 +1,8 @@
 //! `report.html` of an arm of position servos: motion as it was and as models make it.
 
+use diagnosis::{Alternative, ParameterChange, Report};
 use servo::Outcome;
-use servo::report::{cause_words, sentence};
-use servo::report_types::Report;
+use servo::report_words::{cause_words, sentence};
 
 use super::{Chart, Page, Series, Stroke};
 
@@ -28,7 +28,7 @@ pub fn servo_page(outcome: &Outcome, report: &Report) -> Page {
         page.heading("Not named").list(&alternatives(report));
     }
     page.heading("Where the gap lies");
-    page.list(&report.places.iter().map(|place| place.detail.clone()).collect::<Vec<_>>());
+    page.list(&report.gap_shares.iter().map(|place| place.detail.clone()).collect::<Vec<_>>());
     page.heading("Remarks").list(&report.remarks);
     page
 }
@@ -45,7 +45,7 @@ fn rows(report: &Report) -> Vec<Vec<String>> {
 }
 
 fn changes(report: &Report) -> Vec<Vec<String>> {
-    let row = |change: &servo::report_types::ParameterChange| {
+    let row = |change: &ParameterChange| {
         let share = format!("{:.0} %", 100.0 * change.share);
         let number = |value: f64| format!("{value:.4}");
         vec![change.parameter.clone(), number(change.given), number(change.found), share]
@@ -54,8 +54,9 @@ fn changes(report: &Report) -> Vec<Vec<String>> {
 }
 
 fn alternatives(report: &Report) -> Vec<String> {
-    let sentence = |other: &servo::report_types::Alternative| {
-        format!("{} of joint {}: {}", other.effect, other.joint, other.why)
+    let sentence = |other: &Alternative| {
+        let why = other.why.as_deref().unwrap_or("not confirmed");
+        format!("{} of joint {}: {why}", other.effect, other.joint)
     };
     report.alternatives.iter().map(sentence).collect()
 }

@@ -5,9 +5,10 @@
 //! runs the seeds FROM to TO - 1 and prints a row of a table for each kind: how often the hidden cause is
 //! named first on the right joint, how often something else is named as well, how often nothing is.
 
+use diagnosis::Report;
+use servo::recorded::{Recording, Truth, record};
 use servo::report::report;
-use servo::report_types::Report;
-use servo::synthetic::{Recording, links_of, pendulum, record, six_axes};
+use servo::synthetic::{links_of, pendulum, six_axes};
 use servo::whole_arm::Whole;
 use servo::{Outcome, ServoJoint, Settings, prepared};
 
@@ -45,7 +46,7 @@ fn six(seed: u64, hide: fn(&mut ServoJoint)) -> (Report, usize) {
     let mut servos = prepared::joints(&file).expect("a whole file");
     let joint = (seed * 7 % 6) as usize;
     hide(&mut servos[joint]);
-    (diagnosed(&record(&file, &links_of(&file), &servos, &recording(), seed)), joint + 1)
+    (diagnosed(&record(&file, &Truth::of(links_of(&file), servos), &recording(), seed)), joint + 1)
 }
 
 /// The same with a load in its hand.
@@ -53,7 +54,7 @@ fn loaded(seed: u64) -> Report {
     let file = six_axes(seed);
     let servos = prepared::joints(&file).expect("a whole file");
     let links = Whole::Payload.links(&links_of(&file), &[0.1, 0.04, 0.0, 0.0]);
-    diagnosed(&record(&file, &links, &servos, &recording(), seed))
+    diagnosed(&record(&file, &Truth::of(links, servos), &recording(), seed))
 }
 
 /// A pendulum whose mass was exchanged.
@@ -62,12 +63,12 @@ fn exchanged(seed: u64) -> Report {
     let truth = pendulum(seed, 0.4 + added, 0.15);
     let servos = prepared::joints(&truth).expect("a whole file");
     let recording = Recording { swing_rad: 1.5, ..recording() };
-    let mut campaign = record(&truth, &links_of(&truth), &servos, &recording, seed);
+    let mut campaign = record(&truth, &Truth::of(links_of(&truth), servos), &recording, seed);
     campaign.arm = pendulum(seed, 0.4, 0.15);
     diagnosed(&campaign)
 }
 
-fn tell(kind: &str, seed: u64, joint: usize, report: &Report) {
+fn tell(kind: &str, seed: u64, joint: u8, report: &Report) {
     let named = report.causes.iter().map(|cause| {
         format!(
             "{} {} {:?} ({:.0} %)",
@@ -81,7 +82,7 @@ fn tell(kind: &str, seed: u64, joint: usize, report: &Report) {
     let first = report.causes.first();
     let right = first.is_some_and(|cause| cause.effect == kind && cause.joint == joint)
         || (kind == "none" && first.is_none());
-    println!("{seed} | {kind} | {joint} | {} | {right} | {named}", report.verdict);
+    println!("{seed} | {kind} | {joint} | {:?} | {right} | {named}", report.verdict);
 }
 
 fn main() {
@@ -93,7 +94,7 @@ fn main() {
         tell("payload", seed, 0, &loaded(seed));
         for (kind, hide) in KINDS {
             let (report, joint) = six(seed, hide);
-            tell(kind, seed, joint, &report);
+            tell(kind, seed, joint as u8, &report);
         }
     }
 }

@@ -8,12 +8,14 @@ use crate::record::Record;
 use crate::replay::Replay;
 use crate::step::{Load, State};
 
-/// Simulates all joints together in steps of at most `step_s`; `links` has no rotors.
+/// Simulates all joints together in steps of at most `step_s`; `links` has no rotors, `force_n` acts
+/// on the tip, base frame.
 ///
 /// Joints feel each other's accelerations: Gauss and Seidel's sweeps over them, which converge for
 /// a mass matrix is positive definite.
 pub fn arm_replay(
     links: &SerialChain<f64>,
+    force_n: [f64; 3],
     servos: &[ServoJoint],
     record: &Record,
     step_s: f64,
@@ -24,6 +26,7 @@ pub fn arm_replay(
         State { q, v, u: servo.stiffness * (track.goal[0] - q) }
     });
     let mut arm = Arm::of(links, servos, start.collect());
+    arm.force_n = force_n;
     let mut found = vec![Replay::with_capacity(record.len()); servos.len()];
     for row in 0..record.len() {
         found.iter_mut().zip(&arm.states).for_each(|(joint, state)| joint.push(state));
@@ -44,6 +47,8 @@ pub struct Arm<'a> {
     servos: &'a [ServoJoint],
     /// The joints' states.
     pub states: Vec<State>,
+    /// A force that always acts on the tip, base frame [N].
+    pub force_n: [f64; 3],
     acceleration: Vec<f64>,
     q: Vec<f64>,
     v: Vec<f64>,
@@ -62,6 +67,7 @@ impl<'a> Arm<'a> {
             links,
             servos,
             states,
+            force_n: [0.0; 3],
             acceleration: zeros(),
             q: zeros(),
             v: zeros(),
@@ -83,6 +89,7 @@ impl<'a> Arm<'a> {
         self.links.gravity(&self.q, &mut self.gravity);
         self.links.inverse_dynamics(&self.q, &self.v, &self.zero, &mut self.bias);
         self.links.mass_matrix(&self.q, &mut self.mass);
+        self.push_tip();
         let mut next = self.states.clone();
         for _ in 0..SWEEPS {
             for joint in 0..n {
@@ -101,5 +108,19 @@ impl<'a> Arm<'a> {
             }
         }
         self.states = next;
+    }
+
+    /// Takes what the force on the tip does from what the motion asks: torque = J^T F.
+    fn push_tip(&mut self) {
+        if self.force_n == [0.0; 3] {
+            return;
+        }
+        let n = self.states.len();
+        let mut rows = vec![0.0; 6 * n];
+        self.links.tip_jacobian(&self.q, &mut rows);
+        for joint in 0..n {
+            let given = |axis: usize| rows[axis * n + joint] * self.force_n[axis];
+            self.bias[joint] -= (0..3).map(given).sum::<f64>();
+        }
     }
 }

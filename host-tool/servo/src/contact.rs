@@ -3,20 +3,11 @@
 //! Free joints err by friction and timing, one at a time and while they move. Where the arm leans
 //! on a table several joints stand still away from where their goals would take them, together.
 
+use diagnosis::Contact;
+
 use crate::joint::ServoJoint;
 use crate::judged::Judged;
 use crate::settings::Settings;
-
-/// A contact.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct Contact {
-    /// The log.
-    pub file: String,
-    /// From and to, margins included [s].
-    pub seconds: [f64; 2],
-    /// The joint (from 1) that is held furthest from where it would be, by its own deviation.
-    pub joint: usize,
-}
 
 /// A robust standard deviation: 1.48 times the median of the sizes.
 pub fn robust_deviation(sizes: &mut [f64]) -> f64 {
@@ -48,7 +39,7 @@ pub fn contacts(
                 }
                 _ => {
                     let file = judged.record.file.clone();
-                    found.push((Contact { file, seconds, joint: joint + 1 }, size));
+                    found.push((Contact { file, seconds, joint: joint as u8 + 1 }, size));
                 }
             }
         }

@@ -11,7 +11,7 @@ type Named = (&'static str, Field);
 
 /// The effects on a joint with their parameters; the second of two entries of a name is told from
 /// the first by parameters that only it has.
-const TABLE: [(&str, &[Named]); 18] = [
+const TABLE: [(&str, &[Named]); 19] = [
     ("saturation", &[("limit_V", Field::Limit)]),
     ("load_friction", &[("coefficient_V_per_Nm", Field::JointLoadFriction)]),
     ("motor_load_friction", &[("coefficient_V_per_Nm", Field::MotorLoadFriction)]),
@@ -38,6 +38,7 @@ const TABLE: [(&str, &[Named]); 18] = [
         ],
     ),
     ("delay", &[("delay_s", Field::Delay)]),
+    ("goal_clip", &[("lowest_rad", Field::GoalLow), ("highest_rad", Field::GoalHigh)]),
     ("gravity_scale", &[("scale", Field::Gravity)]),
     ("reading", &[("after_goal_s", Field::ReadAfter)]),
 ];
@@ -68,6 +69,11 @@ pub fn parameter_name(effect: &str, field: Field) -> Option<&'static str> {
     entry.1.iter().find(|named| named.1 == field).map(|named| named.0)
 }
 
+/// Whether a joint of servos can have an effect of the catalogue.
+pub fn is_known(effect: &str) -> bool {
+    TABLE.iter().any(|entry| entry.0 == effect)
+}
+
 /// An effect as a table of a model file; `joint` from 1.
 pub fn table(effect: &str, joint: usize, servo: &ServoJoint) -> EffectTable {
     let number = |(name, value): (&'static str, f64)| (name.to_owned(), toml::Value::Float(value));
@@ -93,6 +99,9 @@ pub fn apply(tables: &[EffectTable], servos: &mut [ServoJoint]) -> Result<(), Se
         let entry = TABLE.iter().find(|entry| entry.0 == name).ok_or_else(unknown)?;
         for (name, field) in entry.1 {
             field.set(servo, number(name).ok_or_else(unknown)?);
+        }
+        if servo.goal_range[0] >= servo.goal_range[1] {
+            return Err(unknown());
         }
     }
     Ok(())

@@ -20,8 +20,20 @@ pub enum ServoError {
     #[error("the data set has no log with role \"train\" of 2 s or more")]
     NoLog,
     /// An effect in the model file that servos cannot have.
-    #[error("the effect {0} of the model file cannot be simulated on position servos")]
+    #[error("the effect {0} cannot be simulated on position servos, or lacks a parameter")]
     Effect(String),
+    /// A parameter of an effect that is out of its bounds.
+    #[error("{parameter} of {effect} is not from {lowest} to {highest}")]
+    Value {
+        /// The effect.
+        effect: String,
+        /// Its parameter.
+        parameter: &'static str,
+        /// The least that it can be.
+        lowest: f64,
+        /// The most.
+        highest: f64,
+    },
 }
 
 impl From<FileError> for ServoError {
@@ -39,7 +51,10 @@ impl ServoError {
             }
             Self::File(_) => "",
             Self::NoLog => "give logs of some seconds in dataset.toml the role \"train\"",
-            Self::Effect(_) => "take the table out of the model file",
+            Self::Effect(_) => {
+                "take it out of the model file or the command line; docs/servo-arms.md lists those of servos"
+            }
+            Self::Value { .. } => "correct the value",
         }
     }
 }

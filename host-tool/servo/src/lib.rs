@@ -14,11 +14,12 @@
 //! | [`fit`], [`base`] | parameters fitted to whole logs; those that are fitted before any effect |
 //! | [`contact`], [`goal_clip`], [`prepared`] | seconds that are no free motion, found and cut |
 //! | [`candidates`], [`cogging_orders`], [`cross`], [`selection`] | effects on one joint |
-//! | [`pooled`] | servos of one type, load friction in common |
+//! | [`pooled`], [`common_fit`] | servos of one type, load friction in common |
 //! | [`whole_arm`], [`whole_normal`], [`whole_cause`] | a payload, a force, a base that leans |
 //! | [`confirm`], [`verdict`], [`joint_effects`], [`outcome`] | what stands on logs that chose nothing |
 //! | [`effect_table`], [`whole_table`], [`model_file`], [`identified`] | what goes into model files |
 //! | [`report`] and those behind it | `report.json` |
+//! | [`simulated`], [`recorded`], [`goals`] | an arm with hidden effects, recorded |
 //! | [`synthetic`] | servo arms for tests and trials |
 #![forbid(unsafe_code)]
 
@@ -27,6 +28,7 @@ pub mod arm_replay;
 pub mod base;
 pub mod candidates;
 pub mod cogging_orders;
+pub mod common_fit;
 pub mod confirm;
 pub mod contact;
 pub mod cross;
@@ -34,6 +36,7 @@ pub mod effect_table;
 pub mod error;
 pub mod fit;
 pub mod goal_clip;
+pub mod goals;
 pub mod identified;
 pub mod joint;
 pub mod joint_effects;
@@ -45,6 +48,7 @@ pub mod pieces;
 pub mod pooled;
 pub mod prepared;
 pub mod record;
+pub mod recorded;
 pub mod replay;
 pub mod report;
 pub mod report_changes;
@@ -52,9 +56,10 @@ pub mod report_gap;
 pub mod report_intervals;
 pub mod report_places;
 pub mod report_remarks;
-pub mod report_types;
+pub mod report_words;
 pub mod selection;
 pub mod settings;
+pub mod simulated;
 pub mod spread;
 pub mod step;
 pub mod synthetic;

@@ -13,6 +13,7 @@ use crate::prepared::Prepared;
 use crate::selection::{Model, Selected};
 use crate::settings::Settings;
 use crate::verdict::JointCause;
+use crate::whole_arm::Whole;
 use crate::whole_cause::{WholeCause, find};
 
 /// What a diagnosis found.
@@ -104,10 +105,11 @@ fn motions(
         None => prepared.links,
     };
     let links = [prepared.links, prepared.links, loaded];
+    let forces = [[0.0; 3], [0.0; 3], force(whole)];
     let of = |(number, log): (usize, &Judged)| {
         let record = &log.record;
         let stage = |k: usize| -> Vec<Vec<f64>> {
-            let found = arm_replay(&links[k], &servos[k], record, settings.step_s);
+            let found = arm_replay(&links[k], forces[k], &servos[k], record, settings.step_s);
             let pairs = found.iter().zip(&servos[k]);
             pairs.map(|(joint, s)| joint.read(&record.time_s, s.read_after_s, s.gap)).collect()
         };
@@ -115,4 +117,11 @@ fn motions(
     };
     let logs = prepared.logs.par_iter().enumerate();
     logs.filter(|(_, log)| log.record.role == Role::Holdout).map(of).collect()
+}
+
+/// The force on the tip that is named, if one is [N].
+fn force(whole: Option<&WholeCause>) -> [f64; 3] {
+    let is_force = |cause: &&WholeCause| cause.is_named && cause.fit.effect == Whole::TipForce;
+    let values = whole.filter(is_force).map(|cause| cause.fit.values.as_slice());
+    values.and_then(|values| values.try_into().ok()).unwrap_or_default()
 }

@@ -2,13 +2,14 @@
 
 use rayon::prelude::*;
 
+use diagnosis::Contact;
 use files::{ArmFile, Role};
 use model::chain::SerialChain;
 use recordings::ArmCampaign;
 
 use crate::along::without_rotors;
 use crate::base::{Base, Frame, refit};
-use crate::contact::{Contact, contacts, cut, deviations};
+use crate::contact::{contacts, cut, deviations};
 use crate::effect_table::apply;
 use crate::error::ServoError;
 use crate::fit::errors;
@@ -17,7 +18,7 @@ use crate::joint::ServoJoint;
 use crate::judged::Judged;
 use crate::record::{Record, period};
 use crate::settings::Settings;
-use crate::whole_table::with_effects;
+use crate::whole_table::{tip_force, with_effects};
 
 /// What everything after works on.
 #[derive(Clone, Debug)]
@@ -59,6 +60,9 @@ impl Prepared {
     pub fn of(campaign: &ArmCampaign, settings: &Settings) -> Result<Self, ServoError> {
         let arm = &campaign.arm;
         let links = with_effects(&without_rotors(&arm.chain()?), &arm.effects)?;
+        if tip_force(&arm.effects)? != [0.0; 3] {
+            return Err(ServoError::Effect("tip_force".to_owned()));
+        }
         let given = joints(arm)?;
         let records: Vec<Record> =
             campaign.recordings.iter().flat_map(|log| Record::of(log, settings)).collect();

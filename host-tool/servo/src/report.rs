@@ -1,5 +1,6 @@
 //! What was found as `report.json` says it.
 
+use diagnosis::{Alternative, Cause, DataParts, Gap, Interval, Report, Value, Verdict};
 use files::Role;
 
 use crate::confirm::{Taken, probability};
@@ -7,7 +8,6 @@ use crate::effect_table::{parameter_name, parameters};
 use crate::joint_effects::noise;
 use crate::outcome::Outcome;
 use crate::report_intervals::intervals;
-use crate::report_types::*;
 use crate::verdict::JointCause;
 use crate::whole_cause::WholeCause;
 use crate::whole_table;
@@ -27,11 +27,13 @@ pub fn report(outcome: &Outcome) -> Report {
         alternatives: alternatives(outcome, &causes),
         parameters_changed: report_changes::changes(outcome),
         remainder: report_gap::remainder(outcome, &gap),
-        places: report_places::places(outcome, &gap),
+        gap_shares: report_places::places(outcome, &gap),
         data: data(outcome),
         untestable: report_remarks::untestable(outcome),
         remarks: report_remarks::remarks(outcome),
-        contact: outcome.prepared.contacts.clone(),
+        contact: Some(outcome.prepared.contacts.clone()),
+        detectable: Vec::new(),
+        model_fault: None,
         causes,
         gap,
     }
@@ -61,8 +63,8 @@ fn of_joint(outcome: &Outcome, cause: &JointCause) -> Cause {
         Some((name.to_owned(), Interval::Number(interval)))
     });
     let (parameters, parameter_intervals) = (values.collect(), found.collect());
-    with_share(cause.effect, cause.joint + 1, &cause.taken, cause.probability)
-        .with(parameters, parameter_intervals)
+    let bare = with_share(cause.effect, cause.joint + 1, &cause.taken, cause.probability);
+    Cause { parameters, parameter_intervals, ..bare }
 }
 
 fn of_whole(cause: &WholeCause) -> Cause {
@@ -82,14 +84,15 @@ fn of_whole(cause: &WholeCause) -> Cause {
         values.push((name.to_owned(), value));
         found.push((name.to_owned(), interval));
     }
-    with_share(fit.effect.name(), 0, &cause.taken, cause.probability)
-        .with(values.into_iter().collect(), found.into_iter().collect())
+    let bare = with_share(fit.effect.name(), 0, &cause.taken, cause.probability);
+    let (parameters, intervals) = (values.into_iter().collect(), found.into_iter().collect());
+    Cause { parameters, parameter_intervals: intervals, ..bare }
 }
 
 fn with_share(effect: &str, joint: usize, taken: &Taken, probability: f64) -> Cause {
     Cause {
         effect: effect.to_owned(),
-        joint,
+        joint: joint as u8,
         parameters: Default::default(),
         parameter_intervals: Default::default(),
         probability,
@@ -98,7 +101,7 @@ fn with_share(effect: &str, joint: usize, taken: &Taken, probability: f64) -> Ca
         share_interval: taken.share_interval,
         shrinkage: taken.shrinkage,
         shrinkage_interval: taken.shrinkage_interval,
-        shrinkage_halves: taken.halves,
+        shrinkage_halves: Some(taken.halves),
     }
 }
 
@@ -139,103 +142,36 @@ const WEIGHT: &str = "gravity's scales, joint by joint, or another effect of the
 fn alternative(effect: &str, joint: usize, probability: f64, share: f64, why: &str) -> Alternative {
     Alternative {
         effect: effect.to_owned(),
-        joint,
+        joint: joint as u8,
         probability,
         confidence: probability,
         instead_of: None,
         share,
-        why: why.to_owned(),
+        why: Some(why.to_owned()),
     }
 }
 
 /// The verdict in one word.
-fn verdict(outcome: &Outcome, causes: &[Cause], gap: &Gap) -> &'static str {
+fn verdict(outcome: &Outcome, causes: &[Cause], gap: &Gap) -> Verdict {
     let times = outcome.settings.gap_by_noise;
     let floor = noise(&outcome.arm).into_iter().map(f64::sqrt);
     let small = outcome.settings.small_gap_rad;
     let limits: Vec<f64> = floor.map(|floor| (times * floor).max(small)).collect();
     let within = |left: &[f64]| left.iter().zip(&limits).all(|(left, limit)| left <= limit);
     match (causes.is_empty(), within(&gap.refitted_rad), within(&gap.with_effects_rad)) {
-        (true, true, _) => "none",
-        (true, false, _) => "unknown",
-        (false, _, true) => "effect",
-        (false, ..) => "partial",
+        (true, true, _) => Verdict::None,
+        (true, false, _) => Verdict::Unknown,
+        (false, _, true) => Verdict::Effect,
+        (false, ..) => Verdict::Partial,
     }
 }
 
-fn data(outcome: &Outcome) -> Data {
+fn data(outcome: &Outcome) -> DataParts {
     let files = |role: Role| {
         let logs = outcome.prepared.logs.iter().filter(|log| log.record.role == role);
         let mut files: Vec<String> = logs.map(|log| log.record.file.clone()).collect();
         files.dedup();
         files
     };
-    Data { fit: files(Role::Train), select: files(Role::Train), confirm: files(Role::Holdout) }
-}
-
-impl Cause {
-    fn with(
-        self,
-        parameters: std::collections::BTreeMap<String, Value>,
-        parameter_intervals: std::collections::BTreeMap<String, Interval>,
-    ) -> Self {
-        Self { parameters, parameter_intervals, ..self }
-    }
-}
-
-/// The verdict, the causes and the remarks, as they go to a terminal.
-pub fn in_words(report: &Report) -> String {
-    let mut text = format!("{}\n", sentence(report));
-    for cause in &report.causes {
-        text += &format!("  {}\n", cause_words(cause));
-    }
-    let mrad =
-        |rad: &[f64]| -> String { rad.iter().map(|rad| format!(" {:6.1}", 1e3 * rad)).collect() };
-    text += "\nPosition on the confirming logs, simulated from the goals, rms by joint [mrad]:\n";
-    text += &format!("  as given     {}\n", mrad(&report.gap.as_given_rad));
-    text += &format!("  refitted     {}\n", mrad(&report.gap.refitted_rad));
-    text += &format!("  with effects {}\n", mrad(&report.gap.with_effects_rad));
-    for remark in &report.remarks {
-        text += &format!("  note: {remark}\n");
-    }
-    text
-}
-
-/// A cause with its numbers.
-pub fn cause_words(cause: &Cause) -> String {
-    let number = |(name, value): (&String, &Value)| match value {
-        Value::Number(value) => format!("{name} = {value:.4}"),
-        Value::Vector(values) => format!("{name} = {values:.4?}"),
-    };
-    let numbers: Vec<String> = cause.parameters.iter().map(number).collect();
-    let place =
-        if cause.joint == 0 { "the arm".to_owned() } else { format!("joint {}", cause.joint) };
-    format!(
-        "{} of {place}: {}; share {:.0} %, shrinkage {:.2} [{:.2}, {:.2}], probability {:.2}",
-        cause.effect,
-        numbers.join(", "),
-        100.0 * cause.share,
-        cause.shrinkage,
-        cause.shrinkage_interval[0],
-        cause.shrinkage_interval[1],
-        cause.probability
-    )
-}
-
-/// The verdict as a sentence.
-pub fn sentence(report: &Report) -> String {
-    let named: Vec<String> = report
-        .causes
-        .iter()
-        .map(|cause| match cause.joint {
-            0 => cause.effect.clone(),
-            joint => format!("{} of joint {joint}", cause.effect),
-        })
-        .collect();
-    match report.verdict {
-        "none" => "No gap: the refitted model moves as the arm does.".to_owned(),
-        "unknown" => "A gap, and no effect that explains it is confirmed.".to_owned(),
-        "effect" => format!("The gap is {}.", named.join(", ")),
-        _ => format!("A part of the gap is {}; something else remains.", named.join(", ")),
-    }
+    DataParts { fit: files(Role::Train), select: files(Role::Train), confirm: files(Role::Holdout) }
 }

@@ -1,12 +1,12 @@
 //! What the refit alone moved.
 
+use diagnosis::ParameterChange;
 use rayon::prelude::*;
 
 use crate::fit::{Field, errors, squares};
 use crate::joint::ServoJoint;
 use crate::outcome::Outcome;
 use crate::report_intervals::of_fit;
-use crate::report_types::ParameterChange;
 
 /// The base's parameters that moved, largest share first: the share is what goes of the squares when
 /// the parameter alone is taken over into the model as given, of all that the refit takes.

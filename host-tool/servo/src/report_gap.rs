@@ -1,8 +1,9 @@
 //! The size of the gap on the confirming logs, and what remains of it.
 
+use diagnosis::{Axis, Gap, Remainder, RemainderCurve};
+
 use crate::joint_effects::noise;
 use crate::outcome::Outcome;
-use crate::report_types::{Gap, Remainder};
 
 /// Rms by joint of a stage: 0 as given, 1 refitted, 2 with effects [rad].
 pub fn stage_rms(outcome: &Outcome, stage: usize) -> Vec<f64> {
@@ -51,12 +52,13 @@ pub fn remainder(outcome: &Outcome, gap: &Gap) -> Vec<Remainder> {
         let rms_rad = gap.with_effects_rad[joint];
         let best = outcome.selected[joint].tried.first();
         Remainder {
-            joint: joint + 1,
-            axis: "velocity",
+            joint: joint as u8 + 1,
+            axis: Axis::Velocity,
             rms_v: gap.with_effects_v[joint],
-            rms_rad,
+            rms_rad: Some(rms_rad),
             share: rms_rad * rms_rad / all.max(f64::MIN_POSITIVE),
             detail: format!("{:.1} mrad of position, simulated from the goals", 1e3 * rms_rad),
+            curve: RemainderCurve::default(),
             nearest: best
                 .filter(|tried| tried.gain.part > 0.0)
                 .map(|tried| tried.effect.to_owned()),

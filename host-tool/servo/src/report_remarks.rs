@@ -1,8 +1,9 @@
 //! What else a reader must know.
 
+use diagnosis::Untestable;
+
 use crate::outcome::Outcome;
 use crate::prepared::Prepared;
-use crate::report_types::Untestable;
 
 /// Sentences.
 pub fn remarks(outcome: &Outcome) -> Vec<String> {
@@ -82,7 +83,7 @@ pub fn untestable(outcome: &Outcome) -> Vec<Untestable> {
     still
         .map(|joint| Untestable {
             effect: "saturation".to_owned(),
-            joint: joint + 1,
+            joint: joint as u8 + 1,
             why: format!(
                 "joint {} hardly moves in the train logs: nothing of it can be told",
                 joint + 1

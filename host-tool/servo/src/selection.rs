@@ -123,46 +123,78 @@ pub fn select(frame: &Frame, joint: usize, base: &Base) -> Selected {
     let first = Model::of_base(frame, joint, base);
     let typical = Typical::of(base, frame.logs, joint);
     let orders = cogging_orders(frame, joint, &base.fitted.servo);
+    let place = Place { frame, joint, base };
     let mut open = of_joint(base, &typical, &orders);
-    let (mut model, mut added, mut tried) = (first.clone(), Vec::new(), Vec::new());
-    let mut undecided = Vec::new();
-    while model.effects.len() < frame.settings.most_effects {
+    let mut found = Selected {
+        base: first.clone(),
+        model: first,
+        added: Vec::new(),
+        undecided: Vec::new(),
+        tried: Vec::new(),
+    };
+    while found.model.effects.len() < frame.settings.most_effects
+        && place.add(&mut found, &mut open)
+    {}
+    found
+}
+
+/// An effect over a model: what it makes of the model, and what it gains on the logs fitted to.
+type Over = (Candidate, Model, Gain);
+
+/// Where effects are sought.
+struct Place<'a> {
+    frame: &'a Frame<'a>,
+    joint: usize,
+    base: &'a Base,
+}
+
+impl Place<'_> {
+    /// Adds the effect that gains most, of those that are open; whether there was one.
+    fn add(&self, found: &mut Selected, open: &mut Vec<Candidate>) -> bool {
+        let Self { frame, joint, base } = *self;
+        let mut over = self.over(&found.model, open);
+        let all: Vec<Tried> = over.iter().map(as_tried).collect();
+        if found.tried.is_empty() {
+            found.tried.clone_from(&all);
+        }
+        let Some((best, gain)) = confirmed(frame, joint, base.scale, &found.model, &over) else {
+            return false;
+        };
+        let rivals = rivals(&all, all[best].effect, frame.settings.rival_part * gain.part);
+        if !rivals.is_empty() {
+            found.undecided = [all[best].clone()].into_iter().chain(rivals).collect();
+            return false;
+        }
+        let (effect, mut next, _) = over.swap_remove(best);
+        next.polish(frame, joint, base.scale);
+        found.added.push(gain);
+        // What did nothing over the base does nothing beside an effect, either.
+        let least = 0.25 * frame.settings.least_gain;
+        let gains = |o: &Candidate| all.iter().any(|t| t.effect == o.effect && t.gain.part > least);
+        open.retain(|other| other.effect != effect.effect && gains(other));
+        found.model = next;
+        true
+    }
+
+    /// The promising effects over a model, best first.
+    fn over(&self, model: &Model, open: &[Candidate]) -> Vec<Over> {
+        let Self { frame, joint, base } = *self;
         let with = |effect: &Candidate| {
             let with = model.with(frame, joint, base.scale, effect)?;
             let gain = Gain::of(&with.left, &model.left);
             Some((effect.clone(), with, gain))
         };
-        let promising = promising(frame, joint, base, &model, &open);
-        let mut found: Vec<_> = promising.par_iter().filter_map(with).collect();
+        let promising = promising(frame, joint, base, model, open);
+        let mut found: Vec<Over> = promising.par_iter().filter_map(with).collect();
         found.sort_by(|a, b| b.2.part.total_cmp(&a.2.part));
-        let all: Vec<Tried> = found.iter().map(as_tried).collect();
-        if tried.is_empty() {
-            tried.clone_from(&all);
-        }
-        let Some((best, gain)) = confirmed(frame, joint, base.scale, &model, &found) else {
-            break;
-        };
-        let (effect, mut next, _) = found.swap_remove(best);
-        next.polish(frame, joint, base.scale);
-        let near = frame.settings.rival_part * gain.part;
-        let is_rival = |other: &&Tried| other.effect != effect.effect && other.gain.part >= near;
-        let rivals: Vec<Tried> = all.iter().filter(is_rival).cloned().collect();
-        if !rivals.is_empty() {
-            undecided = rivals;
-            undecided.insert(0, all[best].clone());
-            break;
-        }
-        added.push(gain);
-        // What did nothing over the base does nothing beside an effect, either.
-        open.retain(|other| {
-            let gains = |t: &Tried| {
-                t.effect == other.effect && t.gain.part > 0.25 * frame.settings.least_gain
-            };
-            other.effect != effect.effect && all.iter().any(gains)
-        });
-        model = next;
+        found
     }
-    Selected { base: first, model, added, undecided, tried }
+}
+
+/// Other effects that gain as much.
+fn rivals(all: &[Tried], effect: &str, near: f64) -> Vec<Tried> {
+    let is_rival = |other: &&Tried| other.effect != effect && other.gain.part >= near;
+    all.iter().filter(is_rival).cloned().collect()
 }
 
 /// The logs of which a model leaves most, up to a length in all.
@@ -210,7 +242,7 @@ fn confirmed(
     joint: usize,
     scale: f64,
     before: &Model,
-    found: &[(Candidate, Model, Gain)],
+    found: &[Over],
 ) -> Option<(usize, Gain)> {
     let promising = |k: &usize| suffices(&found[*k].2, frame.settings);
     let mut promising = (0..found.len()).filter(promising).peekable();
@@ -222,7 +254,7 @@ fn confirmed(
     })
 }
 
-fn as_tried((effect, model, gain): &(Candidate, Model, Gain)) -> Tried {
+fn as_tried((effect, model, gain): &Over) -> Tried {
     let value = |unknown: &Unknown| unknown.field.of(&model.fitted.servo);
     let values = effect.unknowns.iter().map(value).collect();
     Tried { effect: effect.effect, values, gain: gain.clone() }

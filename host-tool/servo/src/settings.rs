@@ -70,6 +70,10 @@ pub struct Settings {
     pub gap_by_noise: f64,
     /// Nor up to this [rad]: friction that sticks makes a sixth of a degree a matter of chance.
     pub small_gap_rad: f64,
+    /// How far from the last link's own centre a load may sit, in parts of that centre's distance: rows
+    /// hold fewer independent deviations than are counted, so that a wider doubt lets them place it
+    /// anywhere. Tried on seeds of its own, `docs/servo-arms.md`.
+    pub place_doubt: f64,
     /// Length of logs in which effects of the whole arm are searched for [s].
     pub whole_arm_s: f64,
 }
@@ -106,6 +110,7 @@ impl Default for Settings {
             whole_part_of_scales: 0.95,
             gap_by_noise: 5.0,
             small_gap_rad: 3e-3,
+            place_doubt: 0.01,
             whole_arm_s: 200.0,
         }
     }

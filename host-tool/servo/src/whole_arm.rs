@@ -14,6 +14,7 @@ use crate::base::{Base, Frame};
 use crate::fit::{Field, Problem, Unknown, errors, fit};
 use crate::joint::ServoJoint;
 use crate::judged::Judged;
+use crate::settings::Settings;
 use crate::whole_normal::{STEP_PART, normal};
 
 /// An effect of the whole arm.
@@ -40,6 +41,15 @@ impl Whole {
         }
     }
 
+    /// How many values it has.
+    pub fn count(self) -> usize {
+        match self {
+            Self::Payload => 4,
+            Self::TipForce => 3,
+            Self::BaseTilt => 2,
+        }
+    }
+
     /// Values without the effect; where a payload's centre is likely: that of the last link.
     fn start(self, links: &SerialChain<f64>) -> Vec<f64> {
         match self {
@@ -53,13 +63,13 @@ impl Whole {
     }
 
     /// Deviations before the logs are seen, and steps of slopes, from the arm's own size.
-    fn doubts(self, links: &SerialChain<f64>) -> Vec<f64> {
+    fn doubts(self, links: &SerialChain<f64>, settings: &Settings) -> Vec<f64> {
         let mass = links.joints().map(|joint| joint.body.mass_kg).sum::<f64>().max(1e-3);
         match self {
             Self::Payload => {
                 // A load sits about where the last link's own mass does.
                 let far = last_centre(links).iter().map(|x| x * x).sum::<f64>().sqrt();
-                let doubt = (PLACE_DOUBT * far).max(1e-3);
+                let doubt = (settings.place_doubt * far).max(1e-3);
                 vec![mass, doubt, doubt, doubt]
             }
             Self::TipForce => vec![9.81 * mass; 3],
@@ -93,10 +103,6 @@ impl Whole {
         }
     }
 }
-
-/// How far from the last link's own centre a load may sit, in parts of that centre's distance: rows hold
-/// fewer independent deviations than are counted, so that a wider doubt lets them place it anywhere.
-const PLACE_DOUBT: f64 = 0.01;
 
 fn last_centre(links: &SerialChain<f64>) -> [f64; 3] {
     let Some(last) = links.joints().last() else { return [0.0; 3] };
@@ -149,7 +155,7 @@ pub fn fit_whole(
     const ROUNDS: usize = 4;
     let kind = effect.unwrap_or(Whole::Payload);
     let mut values = kind.start(links);
-    let (prior, doubts) = (values.clone(), kind.doubts(links));
+    let (prior, doubts) = (values.clone(), kind.doubts(links, frame.settings));
     let mut deviations = vec![0.0; values.len()];
     let begin = |base: &Base| ServoJoint { gravity: 1.0, ..base.fitted.servo };
     let mut servos: Vec<ServoJoint> = bases.iter().map(begin).collect();

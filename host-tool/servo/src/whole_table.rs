@@ -35,7 +35,7 @@ pub fn table(effect: Whole, values: &[f64]) -> EffectTable {
     }
 }
 
-/// The links with the payloads and tilts of a model file.
+/// The links with the payloads and tilts of a model file; forces are none of theirs.
 ///
 /// # Errors
 /// Another effect of the whole arm, or a parameter that is missing.
@@ -46,23 +46,50 @@ pub fn with_effects(
     let mut changed = *links;
     for table in tables.iter().filter(|table| table.joint == 0) {
         let unknown = || ServoError::Effect(table.effect.clone());
-        let effect = [Whole::Payload, Whole::BaseTilt]
-            .into_iter()
-            .find(|effect| effect.name() == table.effect)
-            .ok_or_else(unknown)?;
-        let count = if effect == Whole::Payload { 4 } else { 2 };
-        let mut values = Vec::new();
-        for (name, ..) in parameters(effect, &vec![0.0; count]) {
-            let value = table.parameters.get(name).ok_or_else(unknown)?;
-            match value.as_array() {
-                Some(array) => values.extend(array.iter().filter_map(toml::Value::as_float)),
-                None => values.extend(value.as_float()),
-            }
-        }
-        if values.len() != count {
-            return Err(unknown());
-        }
-        changed = effect.links(&changed, &values);
+        let named = |effect: &Whole| effect.name() == table.effect;
+        let effect = Whole::ALL.into_iter().find(named).ok_or_else(unknown)?;
+        changed = effect.links(&changed, &values(effect, table)?);
     }
     Ok(changed)
+}
+
+/// The force on the tip that a model file's tables tell, base frame [N].
+///
+/// # Errors
+/// A parameter that is missing.
+pub fn tip_force(tables: &[EffectTable]) -> Result<[f64; 3], ServoError> {
+    let mut sum = [0.0; 3];
+    let name = Whole::TipForce.name();
+    for table in tables.iter().filter(|table| table.joint == 0 && table.effect == name) {
+        let force = values(Whole::TipForce, table)?;
+        sum.iter_mut().zip(&force).for_each(|(sum, force)| *sum += force);
+    }
+    Ok(sum)
+}
+
+/// An effect's values in the order of [`parameters`]; a payload is at the tip where its place is left out.
+fn values(effect: Whole, table: &EffectTable) -> Result<Vec<f64>, ServoError> {
+    let mut all = Vec::new();
+    for (name, neutral, _) in parameters(effect, &[0.0; 4][..effect.count()]) {
+        let value = table.parameters.get(name);
+        let given = match value {
+            None if name == "com_m" => Some(neutral.clone()),
+            None => None,
+            Some(value) => numbers(value),
+        };
+        let fits = |values: &Vec<f64>| values.len() == neutral.len();
+        all.extend(given.filter(fits).ok_or_else(|| ServoError::Effect(table.effect.clone()))?);
+    }
+    Ok(all)
+}
+
+/// A number, or an array of them.
+fn numbers(value: &toml::Value) -> Option<Vec<f64>> {
+    let number = |value: &toml::Value| {
+        value.as_float().or(value.as_integer().map(|whole| whole as f64)).filter(|x| x.is_finite())
+    };
+    match value {
+        toml::Value::Array(entries) => entries.iter().map(number).collect(),
+        single => number(single).map(|number| vec![number]),
+    }
 }

@@ -1,8 +1,9 @@
 //! Simulated servo arms: what is hidden in them is found, and nothing where nothing is.
 
+use diagnosis::{Report, Value, Verdict};
+use servo::recorded::{Recording, Truth, record};
 use servo::report::report;
-use servo::report_types::{Report, Value};
-use servo::synthetic::{Recording, links_of, pendulum, record, six_axes};
+use servo::synthetic::{links_of, pendulum, six_axes};
 use servo::{Outcome, ServoJoint, Settings, prepared};
 
 fn short() -> Recording {
@@ -29,7 +30,7 @@ fn exchanged(seed: u64, added_kg: f64) -> recordings::ArmCampaign {
     let truth = pendulum(seed, 0.4 + added_kg, 0.15);
     let recording = Recording { swing_rad: 1.5, ..short() };
     let servos = prepared::joints(&truth).unwrap();
-    let mut campaign = record(&truth, &links_of(&truth), &servos, &recording, seed);
+    let mut campaign = record(&truth, &Truth::of(links_of(&truth), servos), &recording, seed);
     campaign.arm = pendulum(seed, 0.4, 0.15);
     campaign
 }
@@ -48,8 +49,8 @@ fn an_exchanged_mass_is_named_within_a_tenth() {
 fn an_arm_with_nothing_hidden_has_no_gap() {
     let file = six_axes(21);
     let servos = prepared::joints(&file).unwrap();
-    let (_, report) = diagnosed(&record(&file, &links_of(&file), &servos, &short(), 21));
-    assert_eq!(report.verdict, "none", "{:?} {:?}", report.causes, report.gap);
+    let (_, report) = diagnosed(&record(&file, &Truth::of(links_of(&file), servos), &short(), 21));
+    assert_eq!(report.verdict, Verdict::None, "{:?} {:?}", report.causes, report.gap);
 }
 
 #[test]
@@ -57,7 +58,7 @@ fn the_amended_model_moves_as_the_arm_does() {
     let file = six_axes(31);
     let mut servos = prepared::joints(&file).unwrap();
     servos[2] = ServoJoint { limit: 1.4, ..servos[2] };
-    let campaign = record(&file, &links_of(&file), &servos, &short(), 31);
+    let campaign = record(&file, &Truth::of(links_of(&file), servos), &short(), 31);
     let (outcome, report) = diagnosed(&campaign);
     let cause = &report.causes[0];
     assert_eq!((cause.effect.as_str(), cause.joint), ("saturation", 3), "{:?}", report.causes);

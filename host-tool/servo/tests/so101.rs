@@ -46,7 +46,7 @@ fn what_is_known_of_the_arm_is_named_and_nothing_else() {
     let Some(campaign) = campaign() else { return };
     let outcome = Outcome::of(&campaign, &Settings::default(), &|_| ()).unwrap();
     let report = report(&outcome);
-    let named = |effect: &str, joint: usize| {
+    let named = |effect: &str, joint: u8| {
         report.causes.iter().any(|cause| cause.effect == effect && cause.joint == joint)
     };
     assert!(named("saturation", 6) && named("load_friction", 2), "{:?}", report.causes);

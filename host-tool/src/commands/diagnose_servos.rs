@@ -3,7 +3,9 @@
 use files::{ArmFile, Dataset};
 use recordings::ArmCampaign;
 use report::servo_page::servo_page;
-use servo::{Outcome, ServoError, Settings, is_servo_arm, model_file, report as words};
+use servo::{
+    Outcome, ServoError, Settings, is_servo_arm, model_file, report::report, report_words::in_words,
+};
 
 use super::diagnose::{Arguments, Choice, MODEL, PAGE, REPORT, refuse_to_replace};
 use crate::failure::Failure;
@@ -39,7 +41,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let arm = ArmFile::read(&arguments.model)?;
     let campaign = ArmCampaign::read(&Dataset::read(&arguments.dataset)?, arm)?;
     let outcome = Outcome::of(&campaign, &Settings::default(), &|what| steps.at(what))?;
-    let report = words::report(&outcome);
+    let report = report(&outcome);
     steps.at("drawing the pictures");
     let path = out.join(REPORT);
     let text = json(&report, &path)? + "\n";
@@ -49,7 +51,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     page.write(&out.join(PAGE))?;
     write_text(&text, &path)?;
     steps.finish();
-    print!("{}", words::in_words(&report));
+    print!("{}", in_words(&report));
     println!("\nPictures: {}", out.join(PAGE).display());
     Ok(())
 }

@@ -7,6 +7,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::failure::Failure;
 
+mod arm_simulation;
 pub mod blind_trial;
 mod board_table;
 pub mod clear_fault;
@@ -28,6 +29,7 @@ pub mod set_key;
 pub mod simulate;
 mod simulate_arm;
 pub mod simulate_board;
+mod simulate_servos;
 pub mod stop;
 pub mod upload;
 pub mod validate;

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use firmware::Mode;
 
-use super::simulate_arm::{self, ArmSimulation};
+use super::arm_simulation::ArmSimulation;
+use super::simulate_arm;
 use crate::failure::Failure;
 use crate::options::compensation::compensated;
 use crate::options::effects;

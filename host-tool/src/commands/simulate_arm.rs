@@ -1,13 +1,14 @@
 //! `rrr simulate` of an arm of any kind: under a PD loop, in this process.
 
-use std::path::Path;
-
 use files::{ArmFile, Dataset, Entry};
 use rig::Plant;
 use rig::effects::{Catalogue, Effect};
+use servo::is_servo_arm;
 use simulation::arm_recording::{ArmPlan, gap_plans};
 use simulation::record_arm;
 
+use super::arm_simulation::ArmSimulation;
+use super::simulate_servos;
 use crate::failure::Failure;
 use crate::options::effects;
 use crate::output_files::create_directory;
@@ -17,23 +18,6 @@ const DATASET: &str = "gap";
 /// Rate of an arm whose file tells none [Hz].
 const USUAL_HZ: f64 = 500.0;
 
-/// What is to be simulated.
-#[derive(Clone, Copy, Debug)]
-pub struct ArmSimulation<'a> {
-    /// The arm's file.
-    pub model: &'a Path,
-    /// What to record.
-    pub dataset: &'a str,
-    /// Directory for dataset.toml and the logs.
-    pub out: &'a Path,
-    /// Effects that the model does not have.
-    pub effects: &'a [String],
-    /// Seed of all noises.
-    pub seed: u32,
-    /// An option that is for the three-joint robot and its board, if one was given.
-    pub of_board: Option<&'a str>,
-}
-
 /// Runs the command.
 ///
 /// # Errors
@@ -41,6 +25,9 @@ pub struct ArmSimulation<'a> {
 pub fn run(arguments: &ArmSimulation) -> Result<(), Failure> {
     refuse_what_boards_take(arguments)?;
     let arm = ArmFile::read(arguments.model)?;
+    if is_servo_arm(&arm) {
+        return simulate_servos::run(arguments, &arm);
+    }
     let plant = Plant::of_arm(&arm)?;
     all_effects(arguments, &arm)?;
     create_directory(arguments.out)?;

@@ -9,7 +9,8 @@ impl From<PlantError> for Failure {
         let hint = match &error {
             PlantError::File(file) => return Self::from_file(file),
             PlantError::PositionServo { .. } => {
-                "give drives of one kind: servos alone, or such that take voltages, currents or torques"
+                "give all drives of the arm the kind \"position-servo\", or none of them: goals are judged on motion, \
+                 voltages, currents and torques on the command"
             }
             PlantError::NoTorqueConstant { .. } => {
                 "give it in [joint.drive], as the data sheet tells it: torque_constant_Nm_per_V, say"

@@ -69,17 +69,18 @@ pub(crate) fn diagnose_written(
 }
 
 /// What this thread has computed for so far.
-fn thread_time() -> Duration {
+pub(crate) fn thread_time() -> Duration {
     clock_gettime(ClockId::CLOCK_THREAD_CPUTIME_ID).map_or(Duration::ZERO, Duration::from)
 }
 
 /// The verdict as `report.json` writes it.
-fn verdict(answer: &Answer) -> String {
+pub(crate) fn verdict(answer: &Answer) -> String {
     let verdict = answer.report().map(|report| serde_json::json!(report.verdict));
     verdict.as_ref().and_then(|word| word.as_str()).unwrap_or("failed").to_owned()
 }
 
-fn claim(cause: &Cause) -> Claim {
+/// A cause that is named, for the score.
+pub(crate) fn claim(cause: &Cause) -> Claim {
     let intervals = cause.parameter_intervals.iter();
     Claim {
         effect: cause.effect.clone(),

@@ -36,6 +36,7 @@ fn named(truth: &TrueCause, confidence: f64) -> Cause {
         share_interval: [0.8, 1.0],
         shrinkage: 0.8,
         shrinkage_interval: [0.7, 0.9],
+        shrinkage_halves: None,
     }
 }
 
@@ -66,6 +67,7 @@ fn report(verdict: Verdict, causes: Vec<Cause>, with_effects_v: f64) -> Report {
         detectable: Vec::new(),
         remarks: Vec::new(),
         model_fault: None,
+        contact: None,
     }
 }
 
@@ -200,6 +202,7 @@ fn a_truth_that_was_not_ruled_out_is_told_apart() {
             confidence: 0.1,
             instead_of: Some(0),
             share: 0.3,
+            why: None,
         };
         report.alternatives.push(right);
     }

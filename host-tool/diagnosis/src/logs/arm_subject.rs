@@ -1,6 +1,8 @@
 //! An arm of any kind as the subject of a diagnosis.
 
 use files::{ArmFile, ArmJoint};
+use model::Friction;
+use model::friction_parameters::COUNT;
 use recordings::Trace;
 use recordings::campaign::Known;
 use rig::Plant;
@@ -29,20 +31,15 @@ impl Subject {
         catalogue: &Catalogue,
         criteria: &Criteria,
     ) -> Result<Self, SubjectError> {
-        let constants = torque_constants(arm)?;
-        let (body, spread) =
-            linked(arm, arm.chain().map_err(PlantError::from)?, criteria.prior.relative);
-        let base_prior = spread.deviations().into_iter().enumerate().collect();
+        let joints = OfJoints::of(arm, traces, criteria);
+        let torque_constant_nm_per_v = torque_constants(arm)?;
+        let chain = arm.chain().map_err(PlantError::from)?;
+        let (body, link_spread) = linked(arm, chain, criteria.prior.relative);
         let base_names = body.directions().names.clone();
-        let numbers: Vec<u8> = (1..=arm.joints.len() as u8).collect();
-        let shown: Vec<Shown> = numbers.iter().map(|number| shown(traces, *number)).collect();
-        let frictions = arm.joints.iter().zip(&shown).map(|(joint, shown)| friction(joint, *shown));
-        let (friction, friction_deviations) = frictions.unzip();
+        let (body, friction) = (Body::Chain(Box::new(body)), joints.friction);
         let gears = arm.joints.iter().map(Gear::of).collect();
-        let body = Body::Chain(Box::new(body));
-        let plant = Plant { body, torque_constant_nm_per_v: constants, friction, gears };
-        let limit = |joint: &ArmJoint| joint.drive.as_ref().and_then(|drive| drive.limit);
-        let bristles = |joint: &ArmJoint| joint.friction.is_some_and(|f| f.sigma0.is_some());
+        let plant = Plant { body, torque_constant_nm_per_v, friction, gears };
+        let numbers: Vec<u8> = (1..=arm.joints.len() as u8).collect();
         let mut subject = Self {
             catalogue: catalogue.clone(),
             known_effects: Vec::new(),
@@ -51,21 +48,14 @@ impl Subject {
             one_joint: false,
             known: known(arm, &plant, &numbers),
             encoder_step_rad: encoder_steps(arm, traces, criteria),
-            command_limits_v: arm
-                .joints
-                .iter()
-                .map(|joint| limit(joint).unwrap_or(f64::INFINITY))
-                .collect(),
-            table_deviations_v: shown
-                .iter()
-                .map(|shown| criteria.prior.table_v * shown.command / USUAL_RMS_V)
-                .collect(),
+            command_limits_v: joints.command_limits_v,
+            table_deviations_v: joints.table_deviations_v,
             units: arm.joints.iter().map(JointUnits::of).collect(),
-            base_prior,
-            link_spread: spread,
+            base_prior: link_spread.deviations().into_iter().enumerate().collect(),
             base_names,
-            bristles_known: arm.joints.iter().map(bristles).collect(),
-            friction_deviations,
+            link_spread,
+            bristles_known: joints.bristles_known,
+            friction_deviations: joints.friction_deviations,
             friction_names: arm.joints.iter().map(ArmJoint::friction_names).collect(),
             plant,
             numbers,
@@ -73,6 +63,38 @@ impl Subject {
         };
         subject.take_effects(&arm.effects)?;
         Ok(subject)
+    }
+}
+
+/// What a subject holds joint by joint.
+struct OfJoints {
+    friction: Vec<Friction<f64>>,
+    friction_deviations: Vec<[Option<f64>; COUNT]>,
+    command_limits_v: Vec<f64>,
+    table_deviations_v: Vec<f64>,
+    bristles_known: Vec<bool>,
+}
+
+impl OfJoints {
+    fn of(arm: &ArmFile, traces: &[Trace], criteria: &Criteria) -> Self {
+        let shown: Vec<Shown> =
+            (1..=arm.joints.len()).map(|number| shown(traces, number as u8)).collect();
+        let frictions = arm.joints.iter().zip(&shown).map(|(joint, shown)| friction(joint, *shown));
+        let (friction, friction_deviations) = frictions.unzip();
+        let limit = |joint: &ArmJoint| joint.drive.as_ref().and_then(|drive| drive.limit);
+        let bristles = |joint: &ArmJoint| joint.friction.is_some_and(|f| f.sigma0.is_some());
+        let table = |shown: &Shown| criteria.prior.table_v * shown.command / USUAL_RMS_V;
+        Self {
+            friction,
+            friction_deviations,
+            command_limits_v: arm
+                .joints
+                .iter()
+                .map(|j| limit(j).unwrap_or(f64::INFINITY))
+                .collect(),
+            table_deviations_v: shown.iter().map(table).collect(),
+            bristles_known: arm.joints.iter().map(bristles).collect(),
+        }
     }
 }
 

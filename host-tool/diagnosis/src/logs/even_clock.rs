@@ -88,11 +88,7 @@ impl<'a> EvenClock<'a> {
     /// What acts on average between sample k and the next.
     fn value(&self, signal: &[f64], k: usize) -> f64 {
         let gap = self.time_s[k + 1] - self.time_s[k];
-        if gap > self.longest_hold_s {
-            0.5 * (signal[k] + signal[k + 1])
-        } else {
-            signal[k]
-        }
+        if gap > self.longest_hold_s { 0.5 * (signal[k] + signal[k + 1]) } else { signal[k] }
     }
 
     /// Integral from the first sample to each.

@@ -376,7 +376,12 @@ fn samples_taken_together(period_s: f64, broadband: bool, criteria: &LogCriteria
 }
 
 /// Angles of a fast log on a coarser clock, without what that would fold back.
-fn thinned(even: Vec<f64>, fine: &EvenClock, coarse: &EvenClock, criteria: &LogCriteria) -> Vec<f64> {
+fn thinned(
+    even: Vec<f64>,
+    fine: &EvenClock,
+    coarse: &EvenClock,
+    criteria: &LogCriteria,
+) -> Vec<f64> {
     if coarse.period_s() < 1.5 * fine.period_s() {
         return even;
     }

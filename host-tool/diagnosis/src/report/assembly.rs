@@ -74,6 +74,7 @@ impl Assembly<'_> {
             detectable,
             remarks,
             model_fault: self.model_fault(),
+            contact: None,
         };
         Diagnosis {
             report,
@@ -149,6 +150,7 @@ impl Assembly<'_> {
             noise_floor_v: self.noise_rms_v(),
             refitted_rad: drift(&confirmation.refitted),
             with_effects_rad: drift(&confirmation.full),
+            ..Gap::default()
         }
     }
 

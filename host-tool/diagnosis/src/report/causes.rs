@@ -44,6 +44,7 @@ fn cause(subject: &Subject, judgement: &Judgement, named: &Named, index: usize) 
         share_interval: named.worth.share_interval,
         shrinkage: named.worth.shrinkage,
         shrinkage_interval: named.worth.shrinkage_interval,
+        shrinkage_halves: None,
     }
 }
 
@@ -99,6 +100,7 @@ fn of_rivals(
             confidence: probability,
             instead_of: Some(place),
             share: confirmation.worth_of(last, &rival.effect, without_v, with_v).share,
+            why: None,
         }
     };
     let mut all: Vec<Alternative> = named.added.rivals.iter().map(alternative).collect();
@@ -117,6 +119,7 @@ fn unconfirmed(subject: &Subject, judgement: &Judgement) -> Vec<Alternative> {
             confidence: *probability,
             instead_of: None,
             share: worth.share,
+            why: None,
         }
     };
     judgement.unconfirmed.iter().map(alternative).collect()

@@ -30,6 +30,7 @@ pub fn remainder(
             joint: share.joint,
             axis: share.axis,
             rms_v: (square_v2 / samples.len().max(1) as f64).sqrt(),
+            rms_rad: None,
             share: square_v2 / gap_v2.max(f64::MIN_POSITIVE),
             detail: units
                 .get(&share.joint)

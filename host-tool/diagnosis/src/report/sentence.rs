@@ -282,6 +282,7 @@ mod tests {
             confidence: 0.12,
             instead_of: Some(0),
             share: 0.9,
+            why: None,
         });
         let said = sentence(&found);
         let words = "Not ruled out: torque ripple on joint 3 in place of cogging (12 %).";

@@ -192,6 +192,7 @@ pub(crate) fn typical(
 ) -> Typical {
     /// The load changes slowly: every so many samples tell its rms.
     const SAMPLES: usize = 20;
+    let is_of_all = joint == 0;
     let joint = usize::from(joint.max(1)) - 1;
     let plant = &linear.hypothesis.plant;
     let all = |signal: fn(&crate::logs::stretch::Stretch, usize) -> &[f64]| {
@@ -214,5 +215,19 @@ pub(crate) fn typical(
         speed_rad_per_s: largest(&mut all(|s, j| &s.motion.qd_rad_per_s[j])),
         position_rad: angles.iter().sum::<f64>() / angles.len().max(1) as f64,
         inertia_kg_m2: subject.inertia_kg_m2(joint),
+        tip_height_m: if is_of_all { tip_height_m(evidence, plant, SAMPLES) } else { [0.0; 2] },
     }
+}
+
+/// Lowest and highest place of the tip along the logs [m], every so many samples.
+fn tip_height_m(evidence: &Evidence, plant: &rig::Plant, samples: usize) -> [f64; 2] {
+    let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+    for stretch in evidence.stretches.iter() {
+        for k in (0..stretch.len()).step_by(samples) {
+            let q: Vec<f64> = stretch.motion.q_rad.iter().map(|q| q[k]).collect();
+            let height_m = plant.body.tip_height_m(&q);
+            range = [range[0].min(height_m), range[1].max(height_m)];
+        }
+    }
+    range
 }

@@ -11,4 +11,6 @@ pub mod reading;
 pub mod residual_rows;
 pub mod rigid_body;
 #[cfg(test)]
+mod test_stretch;
+#[cfg(test)]
 mod tests;

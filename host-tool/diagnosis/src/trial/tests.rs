@@ -8,15 +8,14 @@ use rand_pcg::Pcg64Mcg;
 
 use super::equation::Trial;
 use super::hypothesis::{EffectInstance, Hypothesis};
+use super::test_stretch::{PERIOD_S, stretch_of};
 use crate::criteria::FitCriteria;
 use crate::logs::stretch::{Kinematics, Stretch};
-use files::Role;
 use rig::Plant;
 use rig::effects::Catalogue;
 use signal::{LowPass, derivative, rms};
 use simulation::robot::{Settings, SimulatedRobot};
 
-const PERIOD_S: f64 = 1e-3;
 const COUNT_RAD: f64 = TAU / 655_360.0;
 
 fn backlash(values: [f64; 4]) -> EffectInstance {
@@ -43,26 +42,7 @@ fn driven(effect: Option<&EffectInstance>) -> Stretch {
         (0..3).for_each(|i| command_v[i].push(command[i]));
         robot.advance(&command);
     }
-    let motion = motion(angles);
-    let (role, settled) = (Role::Train, vec![0; 3]);
-    let (log, start_s, period_s, broadband) = (0, 0.0, PERIOD_S, true);
-    let postures = motion.postures();
-    let middles = Default::default();
-    Stretch {
-        log,
-        role,
-        start_s,
-        period_s,
-        motion,
-        postures,
-        middles,
-        command_v,
-        broadband,
-        settled,
-        unseen: Vec::new(),
- roughness: Vec::new(),
- sampled_s: PERIOD_S,
-    }
+    stretch_of(motion(angles), command_v, true)
 }
 
 fn motion(angles: Vec<Vec<f64>>) -> Kinematics {

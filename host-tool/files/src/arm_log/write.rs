@@ -4,6 +4,7 @@ use std::io::Write;
 use std::path::Path;
 
 use super::ArmLog;
+use super::columns::Columns;
 use crate::arm_file::{ArmFile, ArmJoint};
 use crate::error::{FileError, Problem};
 use crate::replace::replace_file;
@@ -39,9 +40,6 @@ impl ArmLog {
 }
 
 fn header(number: usize, joint: &ArmJoint) -> String {
-    let position = match (joint.count_step(), joint.position_unit()) {
-        (Some(_), _) => "count",
-        (None, unit) => unit,
-    };
-    format!(",q{number}_{position},u{number}_{}", joint.command_unit())
+    let Columns { position, count, command, .. } = Columns::of(number, joint);
+    format!(",{},{command}", if joint.count_step().is_some() { count } else { position })
 }

@@ -63,22 +63,39 @@ a joint, MAX_KNOTS knots each; of a finer curve it leaves out the knots that are
 `--compensate` says by how much its curve is off.
 ";
 
-/// The page of a catalogue, in Markdown.
-pub fn markdown(catalogue: &Catalogue) -> String {
-    let what = table(
-        ["effect", "acts on", "what it is", "equation", "parameters and their bounds"],
-        catalogue.iter().map(what_it_is),
-    );
-    let shown = table(
-        ["effect", "changes", "on", "searched for", "more of it is", "shown best by", "the board"],
-        catalogue.iter().map(how_it_shows),
-    );
-    let confused = catalogue.iter().flat_map(|definition| {
+const OF_ARMS: &str = "
+## On an arm of any kind
+
+An arm of format 2 ([mechanisms.md](mechanisms.md)) has all of the above, some of them in other terms, and
+more. Its joints may slide and its drives take other units; names keep `_V` and `_rad`.
+";
+
+/// The page of the effects of the robot and of those that arms of any kind have, in Markdown.
+pub fn markdown(catalogue: &Catalogue, of_arms: &Catalogue) -> String {
+    let others = || of_arms.iter().filter(|effect| !catalogue.iter().any(|own| same(own, effect)));
+    let arms = table(WHAT, others().map(what_it_is));
+    let shown_of_arms = table(SHOWS, others().map(how_it_shows));
+    let what = table(WHAT, catalogue.iter().map(what_it_is));
+    let shown = table(SHOWS, catalogue.iter().map(how_it_shows));
+    let is_new = |effect: &&Definition| catalogue.by_name(effect.name).is_none();
+    let all = catalogue.iter().chain(of_arms.iter().filter(|effect| is_new(effect)));
+    let confused = all.flat_map(|definition| {
         definition.confused_with.iter().map(|confusion| confusion_row(definition, confusion))
     });
     let confused = table(["this", "or that", "why", "told apart by", ""], confused);
     let rest = [TABLES, "\n", &table_axes(), &table_rules()].concat();
-    [HEAD, "\n", &what, SHOWN, "\n", &shown, CONFUSED, "\n", &confused, &rest].concat()
+    let arms = [OF_ARMS, "\n", &arms, "\n", &shown_of_arms].concat();
+    [HEAD, "\n", &what, SHOWN, "\n", &shown, &arms, CONFUSED, "\n", &confused, &rest].concat()
+}
+
+const WHAT: [&str; 5] =
+    ["effect", "acts on", "what it is", "equation", "parameters and their bounds"];
+const SHOWS: [&str; 7] =
+    ["effect", "changes", "on", "searched for", "more of it is", "shown best by", "the board"];
+
+/// Whether two are one definition.
+fn same(one: &Definition, other: &Definition) -> bool {
+    one.name == other.name && one.equation == other.equation
 }
 
 fn table_axes() -> String {
@@ -193,7 +210,7 @@ mod tests {
     #[test]
     fn docs_effects_md_is_what_the_catalogue_says() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/effects.md");
-        let page = markdown(&Catalogue::standard());
+        let page = markdown(&Catalogue::standard(), &Catalogue::of_arm(3));
         if std::env::var_os("RRR_WRITE_DOCS").is_some() {
             std::fs::write(path, &page).unwrap();
         }

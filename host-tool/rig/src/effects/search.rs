@@ -38,6 +38,8 @@ pub struct Typical {
     pub position_rad: f64,
     /// Inertia that the motor feels [kg m^2].
     pub inertia_kg_m2: f64,
+    /// Lowest and highest place of the tip in the base frame [m]; zeros for what acts on one joint.
+    pub tip_height_m: [f64; 2],
 }
 
 impl Typical {

@@ -112,6 +112,17 @@ impl Body {
         }
     }
 
+    /// Height of the tip in the base frame [m]; above axis 2 in the closed form.
+    pub fn tip_height_m(&self, q: &[f64]) -> f64 {
+        match self {
+            Self::Rrr(rrr) => {
+                let Posture { s2, s23, .. } = Posture::new(q[1], q[2]);
+                rrr.geometry.a2_m * s2 + rrr.geometry.a3_m * s23
+            }
+            Self::Chain(linked) => linked.chain.tip(q).position[2],
+        }
+    }
+
     /// Adds what a force on the tip does to the joints, in the base frame [N].
     pub fn add_tip_force(&self, q: &[f64], force_n: &Vector3<f64>, torque: &mut [f64]) {
         match self {

@@ -1,5 +1,6 @@
 //! `rrr blind-trial`: how well the diagnosis does on robots with hidden effects.
 
+mod arms;
 mod diverse;
 mod whole_way;
 mod workers;
@@ -13,6 +14,7 @@ use self::workers::on_all_cores;
 use crate::failure::Failure;
 use crate::output_files::create_directory;
 use crate::terminal::progress::Progress;
+use blind_trial::arms::{ArmKind, ArmTrialSettings};
 use blind_trial::diverse::{DiverseSettings, Ranges};
 use blind_trial::whole_way::WholeWaySettings;
 use blind_trial::{
@@ -33,6 +35,9 @@ pub struct Arguments {
     /// campaigns, identify them, change one thing, record again, diagnose.
     #[arg(long, conflicts_with_all = ["diverse", "noise_mv", "kind", "ceiling", "draw_only"])]
     pub whole_way: bool,
+    /// Another arm than the robot of three joints, with one effect hidden in each case, or none.
+    #[arg(long, value_enum, value_name = "KIND", conflicts_with_all = ["diverse", "whole_way", "noise_mv", "only", "ceiling", "draw_only", "duration_scale"])]
+    pub arm: Option<ArmKind>,
     /// How many cases to draw.
     #[arg(long, visible_alias = "robots", value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub cases: u32,
@@ -75,7 +80,11 @@ pub struct Arguments {
 /// Arguments out of range, files that cannot be written, or a case that cannot be drawn.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let settings = arguments.draw_settings()?;
+    let of_arm = arguments.arm.map(|arm| arguments.arm_settings(arm)).transpose()?;
     create_directory(&arguments.out)?;
+    if let Some(settings) = of_arm {
+        return arms::run(&settings, &arguments.run_settings());
+    }
     if arguments.diverse {
         return arguments.run_diverse();
     }
@@ -132,6 +141,15 @@ impl Arguments {
             duration_scale: self.duration_scale,
             ranges,
         }
+    }
+
+    fn arm_settings(&self, arm: ArmKind) -> Result<ArmTrialSettings, Failure> {
+        if matches!(self.kind, Some(Kind::Pair | Kind::Foreign)) {
+            let message = "--kind: other arms hide one effect of the catalogue, or none";
+            return Err(Failure::new(message, "take --kind single or none, or leave it out"));
+        }
+        let (seed, first, cases, kind) = (self.seed, self.first, self.cases, self.kind);
+        Ok(ArmTrialSettings { arm, seed, first, cases, kind })
     }
 
     fn whole_way_settings(&self) -> WholeWaySettings {

@@ -20,7 +20,10 @@ impl DiverseOutcome {
     pub fn is_true(&self, claim: &Claim) -> bool {
         let hidden = self.truth.iter().chain(&self.reality.clutter);
         let has_sign = |truth: &TrueCause| {
-            truth.parameters.iter().all(|(name, truth)| is_of_sign(claim.parameters.get(name), truth))
+            truth
+                .parameters
+                .iter()
+                .all(|(name, truth)| is_of_sign(claim.parameters.get(name), truth))
         };
         hidden.into_iter().any(|truth| names(claim, truth))
             || self.beside.iter().any(|truth| names(claim, truth) && has_sign(truth))

@@ -7,6 +7,7 @@ mod reliability;
 mod rows;
 
 pub use answers::{Answers, KNOWABLE};
+pub(crate) use equivalence::names;
 pub use intervals::Intervals;
 pub use reliability::Reliability;
 pub use rows::{Row, Times};

@@ -6,10 +6,12 @@ mod backlash;
 mod base_tilt;
 mod cable_spring;
 mod cogging;
+mod contact;
 mod dac_offset;
 mod dead_zone;
 mod delay;
 mod encoder_eccentricity;
+mod encoder_offset;
 mod friction_drift;
 mod joint_elasticity;
 mod load_friction;
@@ -17,9 +19,11 @@ mod payload;
 mod position_friction;
 mod quadratic_drag;
 mod saturation;
+mod stribeck;
 mod tip_force;
 mod torque_constant;
 mod torque_ripple;
+mod viscous_asymmetry;
 
 use super::definition::{BOARD_JOINTS, Definition};
 
@@ -48,7 +52,15 @@ const STANDARD: [&Definition; 20] = [
 ];
 
 /// Those that are others on an arm of any kind.
-const OF_ARM: [&Definition; 2] = [&payload::OF_ARM, &base_tilt::OF_ARM];
+const OF_ARM: [&Definition; 3] = [&payload::OF_ARM, &base_tilt::OF_ARM, &quadratic_drag::OF_ARM];
+
+/// Those that only an arm of any kind has: what measured machines demand beyond the board's robot.
+const ONLY_OF_ARM: [&Definition; 4] = [
+    &stribeck::DEFINITION,
+    &viscous_asymmetry::DEFINITION,
+    &encoder_offset::DEFINITION,
+    &contact::DEFINITION,
+];
 
 /// Effects, looked up by their names.
 #[derive(Clone, Debug)]
@@ -70,7 +82,8 @@ impl Catalogue {
             let of_arm = OF_ARM.iter().find(|general| general.name == definition.name);
             of_arm.copied().unwrap_or(definition)
         };
-        Self { definitions: STANDARD.iter().map(general).collect(), joints: joints as u8 }
+        let definitions = STANDARD.iter().map(general).chain(ONLY_OF_ARM).collect();
+        Self { definitions, joints: joints as u8 }
     }
 
     /// Of how many joints the robot is.
@@ -102,8 +115,9 @@ mod tests {
 
     #[test]
     fn every_effect_has_another_name_and_finite_bounds() {
-        for (index, definition) in STANDARD.iter().enumerate() {
-            assert!(STANDARD[..index].iter().all(|other| other.name != definition.name));
+        let all: Vec<_> = Catalogue::of_arm(3).iter().collect();
+        for (index, definition) in all.iter().enumerate() {
+            assert!(all[..index].iter().all(|other| other.name != definition.name));
             for parameter in definition.parameters {
                 assert!(parameter.lowest < parameter.highest, "{}", definition.name);
             }
@@ -112,7 +126,7 @@ mod tests {
 
     #[test]
     fn what_an_effect_is_confused_with_is_another_one() {
-        let catalogue = Catalogue::standard();
+        let catalogue = Catalogue::of_arm(3);
         for definition in catalogue.iter() {
             for confusion in definition.confused_with {
                 let Confused::Effect(other) = confusion.with else { continue };

@@ -49,6 +49,15 @@ pub(super) const DEFINITION: Definition = Definition {
     },
 };
 
+/// On an arm of any kind: negative where friction grows less than with the velocity.
+pub(super) const OF_ARM: Definition = Definition {
+    words: "air drags with the square of speed, or viscous friction grows less than with speed",
+    equation: "u - b qd |qd|, b negative where friction is degressive",
+    parameters: &[Parameter::new("coefficient_V_s2_per_rad2", Kind::Coefficient, -1e3, 1e3)],
+    compensation: Compensation::None("the board drives another arm"),
+    ..DEFINITION
+};
+
 #[derive(Clone, Debug)]
 struct QuadraticDrag {
     joint: usize,

@@ -1,0 +1,60 @@
+//! Has a case diagnosed from its files alone.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use diagnosis::Report;
+use recordings::ArmCampaign;
+
+use super::case::ArmCase;
+use super::logs::{read, write};
+use super::outcome::ArmOutcome;
+use crate::diverse::{claim, thread_time, verdict};
+use crate::error::TrialError;
+use crate::logs;
+use crate::outcome::{Answer, RunSettings};
+
+/// Whatever diagnoses an arm's logs: the report, or why there is none.
+pub type DiagnoseArm<'a> = &'a dyn Fn(&ArmCampaign) -> Result<Report, String>;
+
+/// Writes the logs of a case, reads them back and has them diagnosed. Processor time is this thread's,
+/// which must do all the work.
+///
+/// # Errors
+/// Logs that cannot be recorded, written or read. A diagnosis that fails is an answer.
+pub fn diagnose_arm_case(
+    case: &ArmCase,
+    settings: &RunSettings,
+    diagnose: DiagnoseArm,
+) -> Result<ArmOutcome, TrialError> {
+    let directory = logs::directory(&settings.out, case.number);
+    write(&case.record()?, &directory)?;
+    let campaign = read(&directory)?;
+    let began = thread_time();
+    let answer = match catch_unwind(AssertUnwindSafe(|| diagnose(&campaign))) {
+        Ok(Ok(report)) => Answer::Report(Box::new(report)),
+        Ok(Err(why)) => Answer::Failed(why),
+        Err(_) => Answer::Failed("it panicked".into()),
+    };
+    let seconds = thread_time().saturating_sub(began).as_secs_f64();
+    if !settings.keep_logs {
+        logs::remove(&directory)?;
+    }
+    Ok(outcome(case, &answer, seconds))
+}
+
+fn outcome(case: &ArmCase, answer: &Answer, seconds: f64) -> ArmOutcome {
+    ArmOutcome {
+        case: case.number,
+        arm: case.arm,
+        kind: case.kind,
+        truth: case.cause.clone(),
+        oracle: case.oracle,
+        verdict: verdict(answer),
+        failure: match answer {
+            Answer::Failed(why) => Some(why.clone()),
+            Answer::Report(_) => None,
+        },
+        claims: answer.named().iter().map(claim).collect(),
+        seconds,
+    }
+}

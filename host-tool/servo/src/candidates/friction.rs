@@ -1,0 +1,64 @@
+//! Effects that change friction.
+
+use super::candidate::{Candidate, free};
+use super::typical::Typical;
+use crate::base::Base;
+use crate::fit::{Field, Unknown};
+
+/// The part of the motor's torque that friction in a gear may take: four tenths were measured.
+pub const MOST_LOST: f64 = 0.6;
+/// The part of the torque on the joint that friction may take.
+const MOST_OF_LOAD: f64 = 0.9;
+
+/// All that are tried.
+pub fn effects(base: &Base, typical: &Typical) -> Vec<Candidate> {
+    let mut all = vec![
+        load_friction(base, Field::MotorLoadFriction, MOST_LOST),
+        stribeck(base),
+        one_way("viscous_asymmetry", Field::ViscousAsymmetry),
+        one_way("asymmetric_friction", Field::Asymmetry),
+        degressive(base),
+        drift(),
+    ];
+    if typical.bears_load() {
+        all.push(load_friction(base, Field::JointLoadFriction, MOST_OF_LOAD));
+    }
+    all
+}
+
+/// Friction by a torque, of which it takes no more than a part.
+fn load_friction(base: &Base, field: Field, most: f64) -> Candidate {
+    let one = 1.0 / base.fitted.servo.torque_constant;
+    Candidate::of_one("load_friction", free(field, [0.0, most * one], 0.2 * one), 0.3 * one)
+}
+
+fn stribeck(base: &Base) -> Candidate {
+    let level = base.fitted.servo.coulomb.max(0.01);
+    let velocity = Unknown::positive(Field::StribeckVelocity, 0.1, 0.7);
+    let unknowns = vec![
+        free(Field::Stribeck, [0.0, 4.0 * level], 0.3 * level),
+        Unknown { low: 0.01, high: 1.0, ..velocity },
+    ];
+    Candidate::new("stribeck", unknowns, vec![vec![0.2 * level, 0.1]])
+}
+
+/// More of it one way than the other.
+fn one_way(effect: &'static str, field: Field) -> Candidate {
+    Candidate::of_one(effect, free(field, [-0.9, 0.9], 0.2), 0.0)
+}
+
+/// Viscous friction that grows less than with the velocity.
+fn degressive(base: &Base) -> Candidate {
+    let viscous = base.fitted.servo.viscous.max(0.01);
+    let drag = free(Field::Drag, [-2.0 * viscous, 0.0], 0.2 * viscous);
+    Candidate::of_one("quadratic_drag", drag, -0.1 * viscous)
+}
+
+fn drift() -> Candidate {
+    let usual_s = 40.0;
+    let time = Unknown::positive(Field::DriftTime, usual_s, 1.0);
+    let unknowns =
+        vec![free(Field::Drift, [-0.9, 3.0], 0.2), Unknown { low: 3.0, high: 600.0, ..time }];
+    let drift = Candidate::new("friction_drift", unknowns, vec![vec![-0.1, usual_s]]);
+    Candidate { fixed: vec![(Field::DriftTime, usual_s)], ..drift }
+}

@@ -1,0 +1,58 @@
+//! `rrr blind-trial --arm`: other arms than the robot of three joints.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use super::workers::on_all_cores;
+use crate::failure::Failure;
+use crate::terminal::progress::Progress;
+use blind_trial::arms::{
+    ArmCase, ArmOutcome, ArmResults, ArmTrialSettings, answer, diagnose_arm_case, draw_arms, short,
+    write,
+};
+use blind_trial::{RunSettings, SealedTruth};
+use diagnosis::{Criteria, Report, diagnose_arm};
+use recordings::ArmCampaign;
+use rig::effects::Catalogue;
+use servo::{Outcome, Settings, is_servo_arm, report::report};
+
+/// Draws, seals, has diagnosed, and scores.
+pub(super) fn run(settings: &ArmTrialSettings, run: &RunSettings) -> Result<(), Failure> {
+    let cases = drawn(settings)?;
+    let truth = SealedTruth::of(cases.clone());
+    println!("SHA-256 of the truth: {}", truth.hash());
+    truth.write_hash(&run.out)?;
+    let mut outcomes = on_all_cores(&cases, &|case| diagnose_one(case, run))?;
+    outcomes.sort_by_key(|outcome| outcome.case);
+    truth.reveal(&run.out)?;
+    println!("SHA-256 of the truth, opened: {}\n", truth.hash());
+    let results = ArmResults::new(settings, truth.hash(), outcomes);
+    write(&results, &run.out)?;
+    println!("{}", short(&results));
+    println!("Cases: {}", run.out.join("arm-trial.md").display());
+    Ok(())
+}
+
+fn drawn(settings: &ArmTrialSettings) -> Result<Vec<ArmCase>, Failure> {
+    let progress = Progress::new("drawing cases", u64::from(settings.cases));
+    let done = AtomicU64::new(0);
+    let cases = draw_arms(settings, &|| progress.at(done.fetch_add(1, Ordering::Relaxed) + 1))?;
+    progress.finish();
+    Ok(cases)
+}
+
+fn diagnose_one(case: &ArmCase, run: &RunSettings) -> Result<ArmOutcome, Failure> {
+    let outcome = diagnose_arm_case(case, run, &diagnosed)?;
+    println!("case {:03}: {}, {:.0} s", outcome.case, answer(&outcome), outcome.seconds);
+    Ok(outcome)
+}
+
+/// As `rrr diagnose` does.
+fn diagnosed(campaign: &ArmCampaign) -> Result<Report, String> {
+    if is_servo_arm(&campaign.arm) {
+        let outcome = Outcome::of(campaign, &Settings::default(), &|_| ());
+        return outcome.map(|found| report(&found)).map_err(|error| error.to_string());
+    }
+    let catalogue = Catalogue::of_arm(campaign.arm.joints.len());
+    let found = diagnose_arm(campaign, &catalogue, &Criteria::default(), &|_| ());
+    found.map(|found| found.report).map_err(|error| error.to_string())
+}

@@ -1,0 +1,43 @@
+//! `rrr blind-trial --arm`, end to end.
+#![allow(missing_docs)]
+
+use assert_cmd::Command;
+
+#[test]
+fn two_cases_of_another_arm_are_drawn_sealed_diagnosed_and_scored() {
+    let directory = tempfile::tempdir().unwrap();
+    let mut command = Command::cargo_bin("rrr").unwrap();
+    command.args(["blind-trial", "--arm", "linear-joint", "--cases", "2", "--seed", "14"]);
+    command.arg("--out").arg(directory.path());
+    let output = command.assert().success().get_output().stdout.clone();
+    let said = String::from_utf8(output).unwrap();
+    let read = |name: &str| std::fs::read_to_string(directory.path().join(name)).unwrap();
+    let seal = read("seal.txt");
+    assert!(said.contains(seal.split_whitespace().next().unwrap()), "{said}");
+    let results: serde_json::Value = serde_json::from_str(&read("arm-trial.json")).unwrap();
+    assert_eq!(results["cases"].as_array().unwrap().len(), 2);
+    assert_eq!(results["score"]["wrong_name"]["of"], 2);
+    assert_eq!(results["score"]["wrong_name"]["count"], 0, "{said}");
+    assert!(read("arm-trial.md").contains("## Cases"));
+    assert!(!directory.path().join("case-001").exists(), "logs are taken away");
+}
+
+#[test]
+fn what_the_trial_of_another_arm_does_not_take_is_named() {
+    for (arguments, words) in [
+        (["--kind", "pair"], "one effect of the catalogue"),
+        (["--only", "cogging"], "--only"),
+        (["--arm", "seven-axes"], "six-axes"),
+    ] {
+        let mut command = Command::cargo_bin("rrr").unwrap();
+        let place = tempfile::tempdir().unwrap();
+        let out = place.path().join("out");
+        command.args(["blind-trial", "--out"]).arg(&out).args(arguments);
+        if arguments[0] != "--arm" {
+            command.args(["--arm", "rotary-joint"]);
+        }
+        let assert = command.assert().code(2);
+        let said = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
+        assert!(said.contains(words) && !out.exists(), "{said}");
+    }
+}
