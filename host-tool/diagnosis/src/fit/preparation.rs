@@ -107,8 +107,7 @@ fn noise(subject: &Subject, stretches: &[Stretch], hypothesis: &Hypothesis) -> N
         };
         let inertia2 = |joint: usize| lightest(stretch, hypothesis, joint).powi(2);
         let of_steps = |joint: usize| of_encoder(step_rad[joint], sampled_s) * inertia2(joint);
-        let same: Vec<&Stretch> = alike.clone().copied().collect();
-        let jitter_rad2 = jitter_s(&same).powi(2);
+        let jitter_rad2 = jitter_s(alike.clone().flat_map(|stretch| &stretch.roughness)).powi(2);
         let of_jitter = |joint: usize| of_white_angles(jitter_rad2, sampled_s) * inertia2(joint);
         let joints = 0..subject.plant.joints();
         let seen: Vec<Option<Noise>> = joints.clone().map(of_joint).collect();

@@ -5,7 +5,6 @@
 //! larger while a joint moves fast than while it is slow, by more than the encoder's steps, the clock
 //! jitters: sigma_q = jitter |qd|.
 
-use super::stretch::Stretch;
 use crate::criteria::LogCriteria;
 
 /// Binomial coefficients of the eighth difference.
@@ -15,11 +14,11 @@ const SQUARES: f64 = 12_870.0;
 /// Median of the squares of a Gaussian variable of unit variance.
 const MEDIAN_SQUARE: f64 = 0.454_936;
 
-/// Time by which samples of these stretches lie off, rms [s]; all joints have one clock. Zero where
-/// nothing grows with speed.
-pub fn jitter_s(stretches: &[&Stretch]) -> f64 {
+/// Time by which samples of angles as rough as these lie off, rms [s]; all joints have one clock. Zero
+/// where nothing grows with speed.
+pub fn jitter_s<'a>(angles: impl IntoIterator<Item = &'a Roughness>) -> f64 {
     let (mut growth, mut speeds) = (0.0, 0.0);
-    for roughness in stretches.iter().flat_map(|stretch| &stretch.roughness) {
+    for roughness in angles {
         growth += roughness.growth_rad2;
         speeds += roughness.speed2;
     }

@@ -1,5 +1,6 @@
 //! Which logs a diagnosis can use, and what must be said of them.
 
+use super::lost_samples::stretches_of;
 use super::stamps::evened_where_smoother;
 use super::stretch::Stretch;
 use super::subject::Subject;
@@ -76,7 +77,7 @@ impl Usable {
             return Err(unusable(why));
         }
         self.remarks.extend(remarks);
-        let stretches = Stretch::of(&trace, index, subject);
+        let stretches = stretches_of(&trace, index, subject);
         if stretches.is_empty() {
             return Err(unusable(
                 "no second and a half without a gap that matters, which under driven noise is \

@@ -9,7 +9,8 @@ use model::FrictionState;
 use rayon::prelude::*;
 
 use crate::criteria::Criteria;
-use crate::logs::stretch::{Joints, Stretch};
+use crate::logs::kinematics::Joints;
+use crate::logs::stretch::Stretch;
 use crate::rows::evidence::Evidence;
 use crate::trial::equation::Trial;
 use crate::trial::hypothesis::Hypothesis;

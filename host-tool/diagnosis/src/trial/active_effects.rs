@@ -14,7 +14,8 @@ use model::{Dual, Friction, FrictionState, Real};
 
 use super::hypothesis::Hypothesis;
 use super::reading;
-use crate::logs::stretch::{Joints, Kinematics, Middles, Stretch};
+use crate::logs::kinematics::{Joints, Kinematics, Middles};
+use crate::logs::stretch::Stretch;
 use rig::Plant;
 use rig::effects::{Effect, JointState, Table, TableAxis, Transmission};
 use signal::derivative;

@@ -1,6 +1,6 @@
 //! A joint's equation of motion along the measured motion of the arm.
 
-use crate::logs::stretch::{Joints, Kinematics};
+use crate::logs::kinematics::{Joints, Kinematics};
 use rig::effects::Transmission;
 use rig::plant::Body;
 

@@ -4,7 +4,7 @@ use nalgebra::RowVector2;
 
 use super::joint_dynamics::JointDynamics;
 use super::link_covariance::LinkCovariance;
-use crate::logs::stretch::Kinematics;
+use crate::logs::kinematics::Kinematics;
 use rig::effects::Transmission;
 use signal::derivative;
 

@@ -93,7 +93,8 @@ mod tests {
 
     use super::*;
     use crate::criteria::FitCriteria;
-    use crate::logs::stretch::{Kinematics, Stretch};
+    use crate::logs::kinematics::Kinematics;
+use crate::logs::stretch::Stretch;
     use crate::trial::hypothesis::Hypothesis;
     use crate::trial::test_stretch::{PERIOD_S, stretch_of};
 

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use model::chain::MAX_JOINTS;
 
-use crate::logs::stretch::Kinematics;
+use crate::logs::kinematics::Kinematics;
 use rig::effects::Effect;
 
 /// The motion with the effects' changes of the reading undone.

@@ -6,7 +6,7 @@ use model::base::COUNT;
 use model::mechanism::Rrr;
 use rig::plant::{Body, LinkedBody};
 
-use crate::logs::stretch::{Joints, Kinematics};
+use crate::logs::kinematics::{Joints, Kinematics};
 
 /// A motion, with its sines and cosines where the closed form takes them.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,8 @@
 
 use files::Role;
 
-use crate::logs::stretch::{Kinematics, Stretch};
+use crate::logs::kinematics::Kinematics;
+use crate::logs::stretch::Stretch;
 
 /// Distance of its samples [s].
 pub const PERIOD_S: f64 = 1e-3;

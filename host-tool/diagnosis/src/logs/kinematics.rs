@@ -1,0 +1,130 @@
+//! Angles of the joints and their derivatives along a stretch.
+
+use model::Posture;
+use model::chain::MAX_JOINTS;
+use rig::Plant;
+use signal::{LowPass, derivative};
+
+/// A joint's value at an instant, joint by joint; those that the rig lacks are zero.
+pub type Joints = [f64; MAX_JOINTS];
+
+/// Angles of the joints and their derivatives, joint by joint.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Kinematics {
+    /// Angles as measured [rad].
+    pub raw_rad: Vec<Vec<f64>>,
+    /// Angles, smoothed [rad].
+    pub q_rad: Vec<Vec<f64>>,
+    /// Velocities [rad/s].
+    pub qd_rad_per_s: Vec<Vec<f64>>,
+    /// Accelerations [rad/s^2].
+    pub qdd_rad_per_s2: Vec<Vec<f64>>,
+}
+
+impl Kinematics {
+    /// Of so many joints, with no sample yet.
+    pub fn of_joints(joints: usize) -> Self {
+        let none = vec![Vec::new(); joints];
+        Self {
+            raw_rad: none.clone(),
+            q_rad: none.clone(),
+            qd_rad_per_s: none.clone(),
+            qdd_rad_per_s2: none,
+        }
+    }
+
+    /// How many joints there are.
+    pub fn joints(&self) -> usize {
+        self.q_rad.len()
+    }
+
+    /// Angles, velocities, accelerations of three joints at an instant.
+    #[inline]
+    pub fn of_three(&self, k: usize) -> ([f64; 3], [f64; 3], [f64; 3]) {
+        let at = |signal: &[Vec<f64>]| [signal[0][k], signal[1][k], signal[2][k]];
+        (at(&self.q_rad), at(&self.qd_rad_per_s), at(&self.qdd_rad_per_s2))
+    }
+
+    /// Angles, velocities, accelerations at an instant.
+    #[inline]
+    pub fn state(&self, k: usize) -> [Joints; 3] {
+        let at = |signal: &[Vec<f64>]| {
+            let mut values = Joints::default();
+            values.iter_mut().zip(signal).for_each(|(value, signal)| *value = signal[k]);
+            values
+        };
+        [at(&self.q_rad), at(&self.qd_rad_per_s), at(&self.qdd_rad_per_s2)]
+    }
+}
+
+/// Angles and velocities of all joints in the middle of every interval, joint after joint, interval
+/// after interval.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Middles {
+    joints: usize,
+    q_rad: Vec<f64>,
+    qd_rad_per_s: Vec<f64>,
+}
+
+impl Middles {
+    /// Those of a motion.
+    pub fn of(motion: &Kinematics) -> Self {
+        let joints = motion.joints();
+        let between = |signals: &[Vec<f64>]| {
+            let count = signals[0].len();
+            let mut all = vec![0.0; joints * count];
+            for (joint, signal) in signals.iter().enumerate() {
+                for k in 0..count {
+                    let next = (k + 1).min(count - 1);
+                    all[joints * k + joint] = 0.5 * (signal[k] + signal[next]);
+                }
+            }
+            all
+        };
+        Self { joints, q_rad: between(&motion.q_rad), qd_rad_per_s: between(&motion.qd_rad_per_s) }
+    }
+
+    /// Angles and velocities in the interval after a sample.
+    #[inline]
+    pub fn at(&self, k: usize) -> (&[f64], &[f64]) {
+        let range = self.joints * k..self.joints * (k + 1);
+        (&self.q_rad[range.clone()], &self.qd_rad_per_s[range])
+    }
+}
+
+impl Kinematics {
+    /// Sines and cosines of the three-joint robot at every sample.
+    pub fn postures(&self) -> Vec<Posture<f64>> {
+        self.q_rad[1].iter().zip(&self.q_rad[2]).map(|(&q2, &q3)| Posture::new(q2, q3)).collect()
+    }
+
+    /// Every signal, by joints.
+    pub fn all_mut(&mut self) -> impl Iterator<Item = &mut Vec<Vec<f64>>> {
+        let Self { raw_rad, q_rad, qd_rad_per_s, qdd_rad_per_s2 } = self;
+        [raw_rad, q_rad, qd_rad_per_s, qdd_rad_per_s2].into_iter()
+    }
+
+    /// Takes the angles of a joint, sampled evenly, smoothed below a cut-off.
+    pub fn set(&mut self, joint: usize, q_rad: &[f64], period_s: f64, cutoff_hz: f64) {
+        let smooth = LowPass::new(cutoff_hz, period_s).zero_phase(q_rad);
+        self.qd_rad_per_s[joint] = derivative::first(&smooth, period_s);
+        self.qdd_rad_per_s2[joint] = second_difference(q_rad, period_s);
+        self.q_rad[joint] = smooth;
+        self.raw_rad[joint] = q_rad.to_vec();
+    }
+}
+
+/// Sines and cosines along a motion, where the closed form takes them.
+pub fn postures_for(plant: &Plant, motion: &Kinematics) -> Vec<Posture<f64>> {
+    if plant.body.as_rrr().is_some() { motion.postures() } else { Vec::new() }
+}
+
+fn second_difference(q_rad: &[f64], period_s: f64) -> Vec<f64> {
+    let last = q_rad.len().saturating_sub(1);
+    let at = |k: usize| {
+        let k = k.clamp(1, last.max(2) - 1);
+        (q_rad[k + 1] + q_rad[k - 1] - 2.0 * q_rad[k]) / (period_s * period_s)
+    };
+    (0..q_rad.len()).map(at).collect()
+}
+
