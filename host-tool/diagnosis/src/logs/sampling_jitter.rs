@@ -95,19 +95,39 @@ fn eighth_differences_squared(angles: &[f64]) -> impl Iterator<Item = f64> + '_ 
 
 #[cfg(test)]
 mod tests {
+    use rand_distr::{Distribution, StandardNormal};
+    use rand_pcg::Pcg64Mcg;
+
     use super::*;
 
     #[test]
-    fn a_white_signal_has_its_variance() {
-        let mut state = 1_u64;
-        let mut uniform = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+    fn a_clock_that_jitters_shows_by_how_much() {
+        const JITTER_S: f64 = 1e-4;
+        let mut random = Pcg64Mcg::new(5);
+        let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
+        let swing = |t: f64| (3.0 * t).sin();
+        let read = |step_rad: f64, jitter_s: f64, normal: &mut dyn FnMut() -> f64| -> Vec<f64> {
+            let at = |k: u32| swing(f64::from(k) * 1e-3 + jitter_s * normal());
+            (0..20_000).map(at).map(|q| (q / step_rad).round() * step_rad).collect()
         };
-        let angles: Vec<f64> = (0..20_000).map(|_| 1e-3 * uniform()).collect();
+        let criteria = LogCriteria::default();
+        let found = |jitter_s: f64, normal: &mut dyn FnMut() -> f64| {
+            let angles = read(1e-5, jitter_s, normal);
+            super::jitter_s([&Roughness::of(&angles, 1e-3, 1e-5, &criteria)])
+        };
+        let ratio = found(JITTER_S, &mut normal) / JITTER_S;
+        assert!((ratio - 1.0).abs() < 0.2, "{ratio}");
+        assert!(found(0.0, &mut normal) < 1e-6);
+    }
+
+    #[test]
+    fn a_white_signal_has_its_variance() {
+        let mut random = Pcg64Mcg::new(3);
+        let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
+        let angles: Vec<f64> = (0..20_000).map(|_| 1e-3 * normal()).collect();
         let squares = eighth_differences_squared(&angles);
         let samples: Vec<(f64, f64)> = squares.map(|square| (1.0, square)).collect();
         let (variance, _) = typical(samples.iter()).unwrap();
-        assert!((variance / (1e-6 / 12.0) - 1.0).abs() < 0.1, "{variance:e}");
+        assert!((variance / 1e-6 - 1.0).abs() < 0.1, "{variance:e}");
     }
 }
