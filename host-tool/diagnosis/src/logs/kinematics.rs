@@ -127,4 +127,3 @@ fn second_difference(q_rad: &[f64], period_s: f64) -> Vec<f64> {
     };
     (0..q_rad.len()).map(at).collect()
 }
-

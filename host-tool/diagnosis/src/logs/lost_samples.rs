@@ -48,9 +48,8 @@ fn near_lost(stretch: &Stretch, trace: &Trace, longest_s: f64, subject: &Subject
     let begin_s = trace.time_s[0] + stretch.start_s;
     let end_s = begin_s + stretch.duration_s();
     let sample = |time_s: f64| ((time_s - begin_s) / stretch.period_s).round().max(0.0) as usize;
-    let is_gap = |pair: &&[f64]| {
-        pair[1] - pair[0] > longest_s && pair[1] > begin_s && pair[0] < end_s
-    };
+    let is_gap =
+        |pair: &&[f64]| pair[1] - pair[0] > longest_s && pair[1] > begin_s && pair[0] < end_s;
     let gaps: Vec<&[f64]> = trace.time_s.windows(2).filter(is_gap).collect();
     let mut unseen = if gaps.is_empty() { Vec::new() } else { vec![false; stretch.len()] };
     for gap in gaps {
@@ -85,4 +84,3 @@ fn lost_part(time_s: &[f64], period_s: f64) -> f64 {
     let whole = (time_s[time_s.len() - 1] - time_s[0]) / period_s;
     (1.0 - (time_s.len() - 1) as f64 / whole).max(0.0)
 }
-

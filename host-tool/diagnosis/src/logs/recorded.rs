@@ -71,12 +71,7 @@ fn fill_absent(stretch: &mut Stretch) {
 }
 
 /// Cut-off that keeps what the encoder's steps add to the velocity to a small part of it.
-fn motion_cutoff_hz(
-    q_rad: &[f64],
-    joint: usize,
-    stretch: &Stretch,
-    subject: &Subject,
-) -> f64 {
+fn motion_cutoff_hz(q_rad: &[f64], joint: usize, stretch: &Stretch, subject: &Subject) -> f64 {
     let Stretch { period_s, broadband, .. } = *stretch;
     let criteria = &subject.criteria.logs;
     let highest_hz = if broadband { criteria.broadband_cutoff_hz } else { criteria.calm_cutoff_hz };

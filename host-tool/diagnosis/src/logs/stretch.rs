@@ -116,4 +116,3 @@ pub fn rms_above(signal: &[f64], period_s: f64, frequency_hz: f64) -> f64 {
     let fast: Vec<f64> = signal.iter().zip(&slow).map(|(u, s)| u - s).collect();
     signal::rms(&fast)
 }
-

@@ -94,7 +94,7 @@ mod tests {
     use super::*;
     use crate::criteria::FitCriteria;
     use crate::logs::kinematics::Kinematics;
-use crate::logs::stretch::Stretch;
+    use crate::logs::stretch::Stretch;
     use crate::trial::hypothesis::Hypothesis;
     use crate::trial::test_stretch::{PERIOD_S, stretch_of};
 
