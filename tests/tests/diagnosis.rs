@@ -8,7 +8,7 @@ use blind_trial::Rng;
 use blind_trial::robots::nominal_model;
 use diagnosis::fit::gauss_newton::fit_held;
 use diagnosis::fit::preparation::prepared;
-use diagnosis::logs::stretch::Stretch;
+use diagnosis::logs::lost_samples::stretches_of;
 use diagnosis::logs::subject::Subject;
 use diagnosis::{Criteria, Diagnosis, Verdict, diagnose};
 use files::{EffectTable, Log, RobotFile};
@@ -106,7 +106,7 @@ fn recorded(
 fn refitted(campaign: &Campaign) -> Robot<f64> {
     let subject = Subject::of(campaign, &Catalogue::standard(), &Criteria::default()).unwrap();
     let logs = campaign.traces.iter().enumerate();
-    let stretches = logs.flat_map(|(log, trace)| Stretch::of(trace, log, &subject)).collect();
+    let stretches = logs.flat_map(|(log, trace)| stretches_of(trace, log, &subject)).collect();
     let (_, free) = prepared(&subject, stretches).unwrap();
     let held = fit_held(&free.evidence, &subject, &free.linear).unwrap();
     held.hypothesis.plant.as_robot().unwrap()
