@@ -123,8 +123,7 @@ fn diagnosed(
 ) -> Result<Diagnosis, DiagnosisError> {
     let Usable { stretches, mut remarks } = Usable::of(traces, &subject)?;
     let mut searched = Searched::of(&subject, stretches.clone(), progress)?;
-    let wider = searched.fault.is_none().then(|| doubt::wider(&subject, &searched.selection.last));
-    if let Some(relative) = wider.flatten() {
+    if let Some(relative) = searched.wider_doubt(&subject, &stretches, progress) {
         remarks.push(format!(
             "the parameters of the model are further off than {:.1} %: the doubt about them was taken \
              as {:.0} %, as by --model-doubt {relative:.2}; identify the model anew, and more can be said",
@@ -173,5 +172,28 @@ impl Searched {
         let fault = model_faults::find(subject, &evidence, &selection.refitted, &selection.last);
         let selection = if fault.is_some() { selection.without_effects() } else { selection };
         Ok(Self { evidence, selection, fault })
+    }
+
+    /// A wider doubt that the logs show, with the causes found or, where much is left, with those that
+    /// are found once parameters are all but free.
+    fn wider_doubt(
+        &self,
+        subject: &Subject,
+        stretches: &[Stretch],
+        progress: &dyn Fn(&str),
+    ) -> Option<f64> {
+        if self.fault.is_some() {
+            return None;
+        }
+        let last = &self.selection.last;
+        let prior = &subject.criteria.prior;
+        doubt::wider(subject, last).or_else(|| {
+            let is_much = last.stats.worst() > prior.much_left;
+            let mut free = subject.clone();
+            free.doubt(prior.widest);
+            let wide = is_much.then(|| Self::of(&free, stretches.to_vec(), progress))?.ok()?;
+            let has_causes = wide.fault.is_none() && !wide.selection.added.is_empty();
+            if has_causes { doubt::seen(subject, &wide.selection.last) } else { None }
+        })
     }
 }

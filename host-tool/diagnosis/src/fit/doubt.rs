@@ -18,10 +18,16 @@ pub fn wider(subject: &Subject, last: &FittedModel) -> Option<f64> {
     let start = last.linear.hypothesis.clone();
     let steps = subject.criteria.fit.refit_steps;
     let free = FittedModel::fitted(&last.evidence, &doubting, start, steps)?.settled(&doubting);
-    let off = typical_deviation(subject, &free)?;
-    let is_wrong = free.gain_over(last) > prior.least_gain && off > prior.least_typical;
+    if free.gain_over(last) > prior.least_gain { seen(subject, &free) } else { None }
+}
+
+/// The doubt that a model shows whose parameters are all but free: none where a typical one is within
+/// what the subject has.
+pub fn seen(subject: &Subject, free: &FittedModel) -> Option<f64> {
+    let prior = &subject.criteria.prior;
+    let off = typical_deviation(subject, free)?;
     let wanted = (prior.margin * off * prior.relative).min(prior.widest);
-    (is_wrong && wanted > prior.relative).then_some(wanted)
+    (off > prior.least_typical && wanted > prior.relative).then_some(wanted)
 }
 
 /// How far a typical parameter of a model fitted with little prior is from the model as given, in
