@@ -164,3 +164,17 @@ fn a_pipe_takes_the_output_too() {
     let assert = rrr(directory.path(), &arguments).success();
     assert!(assert.get_output().stdout.starts_with(b"tau1_Nm,"));
 }
+
+#[cfg(unix)]
+#[test]
+fn a_link_stays_one_when_its_file_is_written() {
+    let directory = with_reference_robot();
+    let [link, target] = ["link.csv", "target.csv"].map(|name| directory.path().join(name));
+    std::fs::write(&target, "before").unwrap();
+    std::os::unix::fs::symlink(&target, &link).unwrap();
+    let arguments =
+        ["inverse-dynamics", "--model", "model.toml", "states.csv", "--out", "link.csv"];
+    rrr(directory.path(), &arguments).success();
+    assert!(link.symlink_metadata().unwrap().is_symlink());
+    assert!(std::fs::read(&target).unwrap().starts_with(b"tau1_Nm,"));
+}

@@ -200,7 +200,7 @@ fn syntax_errors_have_a_line() {
 fn other_formats_are_refused_in_words() {
     let error = parse(&ROBOT.replace("format = 1", "format = 2")).unwrap_err();
     assert_says(&error, &["line 1", "format 2 is not known here: this version reads format 1"]);
-    assert!(error.hint().contains("update"));
+    assert!(error.hint().contains("`format = 1`"), "{}", error.hint());
     let error = parse(&ROBOT.replace("format = 1", "")).unwrap_err();
     assert_says(&error, &["`format = 1` is missing"]);
     let error = parse(&ROBOT.replace("format = 1", "format = \"1\"")).unwrap_err();

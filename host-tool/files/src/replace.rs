@@ -25,14 +25,22 @@ where
     F: FnOnce(&mut BufWriter<&mut File>) -> Result<(), Problem>,
 {
     // A pipe or a device has no half-written state, and must not be renamed over.
-    if std::fs::metadata(path).is_ok_and(|found| is_stream(&found)) {
+    let is_pipe = std::fs::metadata(path).is_ok_and(|found| is_stream(&found));
+    if is_pipe || is_of_the_system(path) {
         let mut stream = File::create(path).map_err(Problem::Unwritable)?;
         return fill_file(&mut stream, fill);
     }
-    let mut neighbour = new_neighbour(path).map_err(Problem::Unwritable)?;
+    // What a link leads to is replaced, not the link.
+    let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    let mut neighbour = new_neighbour(&target).map_err(Problem::Unwritable)?;
     fill_file(neighbour.as_file_mut(), fill)?;
-    neighbour.persist(path).map_err(|error| Problem::Unwritable(error.error))?;
+    neighbour.persist(&target).map_err(|error| Problem::Unwritable(error.error))?;
     Ok(())
+}
+
+/// Whether a path names what the system has open, /dev/stdout say, even where that is a file.
+fn is_of_the_system(path: &Path) -> bool {
+    path.starts_with("/dev") || path.starts_with("/proc")
 }
 
 fn is_stream(found: &Metadata) -> bool {

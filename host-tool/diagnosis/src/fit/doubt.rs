@@ -33,7 +33,7 @@ pub fn seen(subject: &Subject, free: &FittedModel) -> Option<f64> {
 /// How far a typical parameter of a model fitted with little prior is from the model as given, in
 /// standard deviations of its prior, of those that logs tell better than that.
 fn typical_deviation(subject: &Subject, free: &FittedModel) -> Option<f64> {
-    let narrow = expected(subject, free.evidence.stretches[0].period_s);
+    let narrow = expected(subject, free.evidence.stretches[0].sampled_s);
     let deviation = |(place, expected): (usize, &Expected)| {
         let is_told = free.linear.deviation(place) < expected.deviation;
         let value = expected.unknown.get(&free.linear.hypothesis);

@@ -131,8 +131,7 @@ fn improved(
 /// Everything open in a model with these effects and tables; those that the model as given holds
 /// already are not.
 pub fn open_in(evidence: &Evidence, subject: &Subject, hypothesis: &Hypothesis) -> Vec<Expected> {
-    let period_s = evidence.stretches[0].period_s;
-    let mut open = expected(subject, period_s);
+    let mut open = expected(subject, evidence.stretches[0].sampled_s);
     let effects = hypothesis.effects.iter().enumerate().skip(subject.known_effects.len());
     for (index, effect) in effects {
         for (value, parameter) in effect.definition.parameters.iter().enumerate() {

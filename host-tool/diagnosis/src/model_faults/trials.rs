@@ -98,7 +98,7 @@ impl<'a> Trial<'a> {
                 break;
             }
         }
-        for size in best.fault.whole_periods(best.part.stretches[0].period_s) {
+        for size in best.fault.whole_periods(best.part.stretches[0].sampled_s) {
             best = best.better_at(&size).unwrap_or(best);
         }
         best
