@@ -1,10 +1,26 @@
 //! The result as a page of Markdown, which the terminal shows as it is.
 
+use std::fmt::Display;
+
 use super::case::Kind;
 use super::outcome::{Answer, Outcome};
 use super::results::Results;
 use super::score::{ConfusionRow, ParameterScore, Score, Share};
 use super::{TrueCause, cause};
+
+/// The head of a page: what was drawn, and by which digest its truth was sealed.
+pub fn sealed_head(
+    title: &str,
+    cases: usize,
+    first: impl Display,
+    seed: impl Display,
+    sha256: &str,
+) -> String {
+    format!(
+        "# {title}\n\n{cases} cases from number {first} of seed {seed}; SHA-256 of the truth, told \
+         before the first diagnosis: `{sha256}`.\n"
+    )
+}
 
 /// The whole page.
 pub fn page(results: &Results) -> String {

@@ -7,7 +7,7 @@ use super::outcome::ArmOutcome;
 use super::score::ArmScore;
 use crate::cause;
 use crate::diverse::KNOWABLE;
-use crate::markdown::{counted, percent, table, with_parameters};
+use crate::markdown::{counted, percent, sealed_head, table, with_parameters};
 
 /// The result of a trial.
 #[derive(Clone, Debug, Serialize)]
@@ -45,15 +45,9 @@ impl ArmResults {
 
 /// The whole page.
 pub fn page(results: &ArmResults) -> String {
-    let head = format!(
-        "# Blind trial of another arm: {}\n\n{} cases from number {} of seed {}; SHA-256 of the truth, \
-         told before the first diagnosis: `{}`.\n",
-        results.arm,
-        results.cases.len(),
-        results.first,
-        results.seed,
-        results.sha256,
-    );
+    let ArmResults { arm, cases: all, first, seed, sha256, .. } = results;
+    let title = format!("Blind trial of another arm: {arm}");
+    let head = sealed_head(&title, all.len(), first, seed, sha256);
     [head, short(results), cases(&results.cases)].join("\n")
 }
 

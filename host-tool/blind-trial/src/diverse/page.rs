@@ -4,21 +4,15 @@ use super::outcome::DiverseOutcome;
 use super::results::DiverseResults;
 use super::score::{Answers, DiverseScore, KNOWABLE, Reliability, Row};
 use crate::cause;
-use crate::markdown::{counted, percent, table, with_parameters};
+use crate::markdown::{counted, percent, sealed_head, table, with_parameters};
 
 /// Length of a full bar [characters].
 const BAR: f64 = 30.0;
 
 /// The whole page.
 pub fn page(results: &DiverseResults) -> String {
-    let head = format!(
-        "# Blind trial, diverse realities\n\n{} cases from number {} of seed {}; SHA-256 of the \
-         truth, told before the first diagnosis: `{}`.\n",
-        results.cases.len(),
-        results.first,
-        results.seed,
-        results.sha256,
-    );
+    let DiverseResults { cases: all, first, seed, sha256, .. } = results;
+    let head = sealed_head("Blind trial, diverse realities", all.len(), first, seed, sha256);
     [head, short(results), cases(&results.cases)].join("\n")
 }
 

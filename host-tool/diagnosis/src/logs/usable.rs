@@ -52,13 +52,8 @@ impl Usable {
         subject: &Subject,
     ) -> Result<Vec<Stretch>, StepError> {
         let unusable = |what: String| StepError::Unusable { file: trace.file.clone(), what };
-        if let Some(number) = subject.numbers.iter().find(|&&n| trace.joint(n).is_none()) {
-            let rig = subject.numbers.len();
-            return Err(unusable(format!(
-                "q{number} and u{number} are not in the log, but the model has {}; give the \
-                 model of this rig, or a log of all its joints",
-                if rig == 1 { format!("joint {number}") } else { format!("{rig} joints") }
-            )));
+        if let Some(why) = lacks_a_joint(trace, subject) {
+            return Err(unusable(why));
         }
         let mut trace = trace.clone();
         if let Some(why) = others_move(&trace, subject) {
@@ -80,8 +75,8 @@ impl Usable {
         let stretches = stretches_of(&trace, index, subject);
         if stretches.is_empty() {
             return Err(unusable(
-                "no second and a half without a gap that matters, which under driven noise is \
-                 any; record it again"
+                "gaps leave no second and a half of it that can be used; record it without losing \
+                 samples"
                     .into(),
             ));
         }
@@ -117,6 +112,17 @@ impl Usable {
         ));
         Ok(())
     }
+}
+
+/// Why a log cannot be used that does not hold all joints of the rig.
+fn lacks_a_joint(trace: &Trace, subject: &Subject) -> Option<String> {
+    let number = subject.numbers.iter().find(|&&number| trace.joint(number).is_none())?;
+    let rig = subject.numbers.len();
+    Some(format!(
+        "q{number} and u{number} are not in the log, but the model has {}; give the model of this rig, \
+         or a log of all its joints",
+        if rig == 1 { format!("joint {number}") } else { format!("{rig} joints") }
+    ))
 }
 
 fn no_log(traces: &[Trace]) -> StepError {
