@@ -47,6 +47,8 @@ impl Board {
         self.pass_load();
         self.tim5.advance(self.now);
         self.tim6.advance(self.now);
+        let low_power_hz = self.rcc.low_power_timer_hz(self.watchdog.clock_hz);
+        self.lptim1.advance(self.now, low_power_hz);
         self.pass_timer_to_adc();
         self.adc.advance(self.now);
         self.spi.advance(self.now, &mut self.converter);

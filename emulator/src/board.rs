@@ -11,6 +11,7 @@ use crate::registers::adc::Adc;
 use crate::registers::dma::Dma;
 use crate::registers::flash::Flash;
 use crate::registers::gpio::{Gpio, Pin};
+use crate::registers::low_power_timer::LowPowerTimer;
 use crate::registers::lpuart::Lpuart;
 use crate::registers::power::Power;
 use crate::registers::random::Random;
@@ -61,6 +62,8 @@ pub struct Board {
     pub tim5: Timer,
     /// The tick.
     pub tim6: Timer,
+    /// Counts the watchdog's clock.
+    pub lptim1: LowPowerTimer,
     /// Measures the converter's outputs.
     pub adc: Adc,
     /// Updates of TIM6 that it has seen.
@@ -112,6 +115,7 @@ impl Board {
             tim4: Timer::with_output(16),
             tim5: Timer::new(32),
             tim6: Timer::new(16),
+            lptim1: LowPowerTimer::default(),
             adc: Adc::default(),
             adc_updates: 0,
             spi: Spi::default(),
@@ -150,6 +154,7 @@ impl Board {
         self.tim4 = Timer::with_output(16);
         (self.tim5, self.tim6) = (Timer::new(32), Timer::new(16));
         (self.adc, self.adc_updates) = (Adc::default(), 0);
+        self.lptim1 = LowPowerTimer::default();
         self.spi = Spi::default();
         self.lpuart = Lpuart::new();
         self.dma = Dma::default();

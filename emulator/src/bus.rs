@@ -16,6 +16,7 @@ enum Block {
     Tim4,
     Tim5,
     Tim6,
+    Lptim1,
     Watchdog,
     Spi2,
     Power,
@@ -31,7 +32,7 @@ enum Block {
 }
 
 /// Blocks by their addresses, with register and bit of their clock in RCC; 0 where they need none.
-const BLOCKS: [(u32, Block, (u32, u32)); 23] = [
+const BLOCKS: [(u32, Block, (u32, u32)); 24] = [
     (0x4000_0000, Block::Encoder(0), (0x58, 0)),
     (0x4000_0400, Block::Encoder(1), (0x58, 1)),
     (0x4001_2C00, Block::Encoder(2), (0x60, 11)),
@@ -41,6 +42,7 @@ const BLOCKS: [(u32, Block, (u32, u32)); 23] = [
     (0x4000_3000, Block::Watchdog, (0, 0)),
     (0x4000_3800, Block::Spi2, (0x58, 14)),
     (0x4000_7000, Block::Power, (0x58, 28)),
+    (0x4000_7C00, Block::Lptim1, (0x58, 31)),
     (0x4000_8000, Block::Lpuart1, (0x5C, 0)),
     (0x4002_0000, Block::Dma1, (0x48, 0)),
     (0x4002_0800, Block::DmaRequests, (0x48, 2)),
@@ -95,6 +97,7 @@ impl Board {
             Block::Tim4 => self.tim4.read(offset),
             Block::Tim5 => self.tim5.read(offset),
             Block::Tim6 => self.tim6.read(offset),
+            Block::Lptim1 => self.lptim1.read(offset),
             Block::Watchdog => self.watchdog.read(offset),
             Block::Spi2 => self.spi.read(offset, bytes),
             Block::Power => self.power.read(offset),
@@ -159,6 +162,7 @@ impl Board {
             }
             Block::Tim5 => self.tim5.write(offset, value, now),
             Block::Tim6 => self.tim6.write(offset, value, now),
+            Block::Lptim1 => self.lptim1.write(offset, value),
             Block::Watchdog => self.watchdog.write(offset, value, now),
             Block::Spi2 if offset == 0x0C => {
                 self.spi_pins()?;
@@ -214,6 +218,7 @@ impl Board {
             Block::Tim4 => self.tim4 = Timer::with_output(16),
             Block::Tim5 => self.tim5 = Timer::new(32),
             Block::Tim6 => self.tim6 = Timer::new(16),
+            Block::Lptim1 => self.lptim1 = Default::default(),
             Block::Spi2 => self.spi = Spi::default(),
             Block::Lpuart1 => self.lpuart = Lpuart::new(),
             Block::Dma1 | Block::DmaRequests => self.dma = Default::default(),

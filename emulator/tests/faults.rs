@@ -166,6 +166,32 @@ fn a_crystal_that_fails_in_a_run_pulls_clr_low_at_once_and_is_told() {
 }
 
 #[test]
+fn a_clock_that_drifts_from_the_watchdogs_is_found_and_stays_a_fault_while_it_does() {
+    let Some(image) = image() else { return };
+    // What data sheets allow: nothing.
+    for clock_hz in [29_500, 34_000] {
+        let mut board = running(&image, plan::task(20.0));
+        board.machine.board().watchdog.clock_hz = clock_hz;
+        assert_eq!(after_ms(&mut board, 500), (None, State::Running));
+    }
+    // A crystal that goes slower, and one that goes faster, against a clock that goes as before.
+    for clock_hz in [28_000, 37_000] {
+        let mut board = running(&image, plan::task(20.0));
+        let since = board.machine.board().now;
+        board.machine.board().watchdog.clock_hz = clock_hz;
+        board.run_ms(400).unwrap();
+        let within_ms = cleared_after_ms(&board, since);
+        println!("the watchdog's clock at {clock_hz} Hz: 0 V after {within_ms:.1} ms");
+        assert!(within_ms < 300.0);
+        assert_eq!(after_ms(&mut board, 10), (Some(Fault::Clock), State::Faulted));
+        assert_ne!(board.ask(Command::ClearFault).unwrap(), Some(Ok(())), "it is still wrong");
+        board.machine.board().watchdog.clock_hz = 32_000;
+        board.run_ms(400).unwrap();
+        done(&mut board, Command::ClearFault);
+    }
+}
+
+#[test]
 fn inputs_of_encoders_have_a_level_where_nothing_is_connected() {
     let Some(image) = image() else { return };
     let mut board = board_alone(&image);

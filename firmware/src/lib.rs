@@ -26,6 +26,7 @@ pub mod ad5754r;
 pub mod angle;
 pub mod block;
 pub mod checksum;
+pub mod clock_check;
 pub mod compensation;
 pub mod controller;
 pub mod dac;

@@ -6,6 +6,7 @@ pub mod adc;
 pub mod dma;
 pub mod flash;
 pub mod gpio;
+pub mod low_power_timer;
 pub mod lpuart;
 pub mod power;
 pub mod random;

@@ -106,6 +106,15 @@ impl Rcc {
         }
     }
 
+    /// Frequency of LPTIM1's clock, of which the oscillator of low speed is one [Hz].
+    pub fn low_power_timer_hz(&self, low_speed_hz: u64) -> u64 {
+        match self.word(0x88) >> 18 & 3 {
+            0 => self.core_hz(),
+            1 if self.word(CSR) & 1 == 1 => low_speed_hz,
+            _ => 0,
+        }
+    }
+
     fn pll_hz(&self) -> u64 {
         let config = self.word(0x0C);
         let field = |shift: u32, bits: u32| u64::from(config >> shift & ((1 << bits) - 1));

@@ -38,12 +38,14 @@ pub enum Ending {
     PinReset,
     /// The supply falls for a moment in a run.
     BrownOut,
+    /// The clock that ticks goes wrong, and is right again.
+    Clock,
     /// Disarmed, then power off and on: the block that was committed is there.
     PowerCycle,
 }
 
 impl Ending {
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 19] = [
         Self::Stop,
         Self::Silence,
         Self::EmergencyStop,
@@ -61,6 +63,7 @@ impl Ending {
         Self::Noise,
         Self::PinReset,
         Self::BrownOut,
+        Self::Clock,
         Self::PowerCycle,
     ];
 
@@ -84,6 +87,7 @@ impl Ending {
             Self::Crash => Some(Fault::Crash),
             Self::PinReset => Some(Fault::Reset),
             Self::BrownOut => Some(Fault::BrownOut),
+            Self::Clock => Some(Fault::Clock),
             Self::Stop | Self::Noise | Self::PowerCycle => None,
         }
     }
@@ -96,6 +100,7 @@ impl Ending {
             Self::Overrun => Some(5.0),
             Self::Converter => Some(65.0),
             Self::Watchdog => Some(34.0),
+            Self::Clock => Some(300.0),
             Self::Crash | Self::PinReset | Self::BrownOut => Some(0.01),
             _ => None,
         }

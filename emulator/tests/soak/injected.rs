@@ -20,6 +20,9 @@ const CEILING_MS: u64 = 10_000;
 /// Bytes of noise a millisecond, as many as the line carries, and for how long.
 const NOISE_BYTES: usize = 90;
 const NOISE_MS: u64 = 2_000;
+/// The watchdog's clock in place of 32 kHz, as if the crystal were 12 % slow.
+const CLOCK_HZ: u64 = 32_000;
+const WRONG_CLOCK_HZ: u64 = 36_000;
 
 impl Soak {
     /// Makes it happen.
@@ -57,6 +60,11 @@ impl Soak {
             }
             Ending::PinReset => self.reset(Reset::Pin),
             Ending::BrownOut => self.reset(Reset::BrownOut),
+            Ending::Clock => {
+                // The other clock, which is the same: their ratio is what the board sees.
+                self.operator.machine.board().watchdog.clock_hz = WRONG_CLOCK_HZ;
+                self.pass(400);
+            }
         }
         self.assert_ended(ending, since);
     }
@@ -152,6 +160,7 @@ impl Soak {
     pub fn recover(&mut self, ending: Ending) {
         self.operator.machine.board().gpio[2].wires |= 1 << NOT_PRESSED | 1 << POWER_GOOD;
         self.operator.machine.board().converter.supply_lost = false;
+        self.operator.machine.board().watchdog.clock_hz = CLOCK_HZ;
         self.switches.amplifiers.set(true);
         self.pass(300);
         assert!(!self.operator.machine.board().converter.is_released(), "{ending:?}");

@@ -30,7 +30,7 @@ impl Display for State {
 
 impl Fault {
     /// Every fault.
-    pub const ALL: [Self; 22] = [
+    pub const ALL: [Self; 23] = [
         Self::EncoderJump,
         Self::EncoderStuck,
         Self::TrackingError,
@@ -53,6 +53,7 @@ impl Fault {
         Self::Reset,
         Self::BrownOut,
         Self::Crystal,
+        Self::Clock,
     ];
 
     /// The name that messages use.
@@ -80,6 +81,7 @@ impl Fault {
             Self::Reset => "reset while armed",
             Self::BrownOut => "supply failed while armed",
             Self::Crystal => "crystal failed",
+            Self::Clock => "clock wrong",
         }
     }
 
@@ -115,6 +117,7 @@ impl Fault {
             | Self::Reset
             | Self::BrownOut
             | Self::Crystal
+            | Self::Clock
             | Self::Crash => "",
         }
     }

@@ -70,6 +70,8 @@ pub enum Fault {
     BrownOut,
     /// The crystal failed while the board was on.
     Crystal,
+    /// The clock that ticks and the one of the watchdog are further apart than both may be wrong.
+    Clock,
 }
 
 /// The first cause, with the figures that made it one.

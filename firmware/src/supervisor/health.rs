@@ -11,6 +11,8 @@ pub struct Health {
     pub converter_fault: bool,
     /// The parameters in use are not those that were checked.
     pub parameters_corrupt: bool,
+    /// The clock that ticks is not true: see [`clocks_agree`](crate::clock_check::clocks_agree).
+    pub clock_wrong: bool,
     /// The emergency stop is pressed, or its wire is broken.
     pub emergency_stop: bool,
     /// The amplifiers have no power, or the wire that says so is broken.
@@ -22,12 +24,18 @@ pub struct Health {
 }
 
 impl Health {
+    /// Whether the board itself is unfit to drive.
+    pub(super) fn is_unfit(&self) -> bool {
+        self.converter_fault | self.parameters_corrupt | self.clock_wrong
+    }
+
     /// Whether anything is wrong with the board.
     #[inline]
     pub(super) fn is_ill(&self) -> bool {
         self.overrun
             | self.converter_fault
             | self.parameters_corrupt
+            | self.clock_wrong
             | self.emergency_stop
             | self.drive_power_lost
     }

@@ -150,7 +150,7 @@ impl Supervisor {
     }
 
     fn arm(&mut self) -> Result<(), OrderError> {
-        if self.health.converter_fault || self.health.parameters_corrupt {
+        if self.health.is_unfit() {
             return Err(OrderError::FaultPersists);
         }
         if self.health.emergency_stop {
@@ -201,7 +201,7 @@ impl Supervisor {
     }
 
     fn clear_fault(&mut self) -> Result<(), OrderError> {
-        if self.health.converter_fault || self.health.parameters_corrupt {
+        if self.health.is_unfit() {
             return Err(OrderError::FaultPersists);
         }
         self.fault = None;

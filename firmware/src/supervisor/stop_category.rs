@@ -37,6 +37,7 @@ impl Fault {
             | Self::Reset
             | Self::BrownOut
             | Self::Crystal
+            | Self::Clock
             | Self::Crash => StopCategory::Off,
         }
     }

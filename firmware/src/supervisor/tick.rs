@@ -100,6 +100,9 @@ impl Supervisor {
         if self.health.parameters_corrupt && self.state != State::Boot {
             return Some(LimitViolation::of(Fault::CorruptParameters));
         }
+        if self.health.clock_wrong && self.state != State::Boot {
+            return Some(LimitViolation::of(Fault::Clock));
+        }
         if self.health.overrun && self.state.enables() {
             return Some(LimitViolation::of(Fault::TickOverrun));
         }

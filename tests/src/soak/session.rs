@@ -163,9 +163,7 @@ impl Soak {
         let (mut first, mut last) = ([0.0; 3], [0.0; 3]);
         let faulty = index % 5 == 4;
         while self.counters.ticks < end {
-            if self.counters.ticks.is_multiple_of(HEARTBEAT_TICKS) {
-                self.send_without_answer(Command::Query);
-            }
+            self.send_heartbeat_when_due();
             self.tick();
             self.counters.ticks_running += 1;
             let since = self.counters.ticks - begin;

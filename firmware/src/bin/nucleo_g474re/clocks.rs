@@ -79,6 +79,8 @@ fn full_speed(source: Source) -> rcc::Config {
         divr: Some(PllRDiv::DIV2),
     });
     config.sys = Sysclk::PLL1_R;
+    // What the crystal is held against, see `clock_check`.
+    config.mux.lptim1sel = rcc::mux::Lptimsel::LSI;
     // Above 150 MHz the core needs the higher voltage.
     config.boost = true;
     config

@@ -136,6 +136,8 @@ pub struct Shared {
     pub streaming: AtomicBool,
     /// The host was heard; set by the link, taken by the tick.
     pub host_heard: AtomicBool,
+    /// The clock that ticks is not true; written by the clock's watch.
+    pub clock_wrong: AtomicBool,
 }
 
 /// Written by the tick, but for what the link writes.
@@ -147,6 +149,7 @@ pub static SHARED: Shared = Shared {
     records_dropped: AtomicU32::new(0),
     streaming: AtomicBool::new(false),
     host_heard: AtomicBool::new(false),
+    clock_wrong: AtomicBool::new(false),
 };
 
 impl Shared {

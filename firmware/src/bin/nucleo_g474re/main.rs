@@ -6,6 +6,7 @@
 #![no_std]
 #![no_main]
 
+mod clock_check;
 mod clocks;
 mod converter;
 mod converter_line;
@@ -84,6 +85,7 @@ async fn main(spawner: Spawner) {
     let link = Link::new(pins, p.DMA1_CH1, p.DMA1_CH2, handler, remote, records);
 
     spawner.spawn(defmt::unwrap!(watchdog::watch(watchdog)));
+    spawner.spawn(defmt::unwrap!(clock_check::watch()));
     spawner.spawn(defmt::unwrap!(link::serve(link)));
     spawner.spawn(defmt::unwrap!(health::show(p.PA5, clock_source)));
     spawner.spawn(defmt::unwrap!(health::log()));

@@ -281,6 +281,7 @@ impl Tick {
     #[inline(never)]
     fn check_parameters_now(&mut self) {
         self.health.parameters_corrupt = self.parameter_watch.check(&self.supervisor);
+        self.health.clock_wrong = SHARED.clock_wrong.load(Relaxed);
     }
 
     #[inline]

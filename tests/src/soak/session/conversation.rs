@@ -4,7 +4,7 @@ use firmware::ParameterBlock;
 use firmware::link::{Command, Refusal, Report, Request, Source, ToBoard};
 
 use super::reply::OwnedReply;
-use super::{RETRY_TICKS, Soak};
+use super::{HEARTBEAT_TICKS, RETRY_TICKS, Soak};
 use crate::operator::{frame, upload};
 
 impl Soak {
@@ -57,6 +57,13 @@ impl Soak {
         self.number += 1;
         let request = Request { number: self.number, proof: None, command };
         self.push_frame(&frame(&ToBoard::Request(request)));
+    }
+
+    /// The host's sign of life in a run.
+    pub(super) fn send_heartbeat_when_due(&mut self) {
+        if self.counters.ticks.is_multiple_of(HEARTBEAT_TICKS) {
+            self.send_without_answer(Command::Query);
+        }
     }
 
     /// Asks until there is an answer.

@@ -6,12 +6,15 @@ use firmware::supervisor::{CHECK_EVERY_TICKS, Fault, State};
 use super::{HEARTBEAT_TICKS, HOST_TIMEOUT, Soak};
 
 /// Injected one after the other.
-const FAULTS: [Fault; 5] = [
+const FAULTS: [Fault; 8] = [
     Fault::EncoderJump,
     Fault::TickOverrun,
     Fault::LinkLost,
     Fault::Converter,
     Fault::CorruptParameters,
+    Fault::EmergencyStop,
+    Fault::DrivePower,
+    Fault::Clock,
 ];
 
 impl Soak {
@@ -21,7 +24,12 @@ impl Soak {
         let fault = FAULTS[which % FAULTS.len()];
         self.expected = Some(fault);
         let due_ticks = self.inject_fault(fault, which % 3);
-        (0..due_ticks).for_each(|_| self.tick());
+        for _ in 0..due_ticks {
+            if fault != Fault::LinkLost {
+                self.send_heartbeat_when_due();
+            }
+            self.tick();
+        }
         let found = self.runtime.supervisor.fault().expect("it is found");
         assert_eq!(found.fault, fault);
         if fault == Fault::LinkLost {
@@ -42,6 +50,9 @@ impl Soak {
             Fault::EncoderJump => self.arm.jump(joint, 5000),
             Fault::TickOverrun => self.injected.overrun = true,
             Fault::Converter => self.injected.converter_fault = true,
+            Fault::EmergencyStop => self.injected.emergency_stop = true,
+            Fault::DrivePower => self.injected.drive_power_lost = true,
+            Fault::Clock => self.injected.clock_wrong = true,
             Fault::CorruptParameters => {
                 // The lowest bit of a gain.
                 self.runtime.supervisor.corrupt_parameters(|block| {

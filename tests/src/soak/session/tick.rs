@@ -6,13 +6,22 @@ use firmware::supervisor::{Health, TickRecord};
 use super::reply::OwnedReply;
 use super::{BYTES_PER_TICK, HISTORY_RECORDS, Soak};
 
+/// What is wrong on purpose, and what the board has found itself.
+fn with_injected(injected: Health, found: Health) -> Health {
+    Health {
+        host_heard: found.host_heard,
+        parameters_corrupt: found.parameters_corrupt,
+        tick_time_tenth_us: found.tick_time_tenth_us,
+        ..injected
+    }
+}
+
 impl Soak {
     /// One millisecond of everything.
     pub(super) fn tick(&mut self) {
         let counts = self.arm.counts();
         let heard = self.runtime.health();
-        let Health { overrun, converter_fault, .. } = std::mem::take(&mut self.injected);
-        let health = Health { overrun, converter_fault, ..heard };
+        let health = with_injected(std::mem::take(&mut self.injected), heard);
         let record = self.runtime.supervisor.tick(&counts, health);
         if health.host_heard {
             self.heard_at = record.tick;
