@@ -64,14 +64,17 @@ impl FittedModel {
         Self::reweighted(evidence, subject, first.without_parts())
     }
 
-    /// A model fitted further to rows that are weighted by what it leaves of them itself.
+    /// A model fitted further to rows that are weighted by what it leaves of them itself, where it
+    /// gains by that. A fit that is not yet at its end leaves rows that hang together; by what it
+    /// leaves they weigh little, and the prior would draw it back from where the logs have led it.
     fn reweighted(evidence: &Evidence, subject: &Subject, first: Linearisation) -> Option<Self> {
         let misfit = Misfit::of(evidence, &evidence.volts(&first.residual));
         let own = misfit.weigh(evidence);
-        let first = first.reweighted(evidence, &own)?;
+        let again = first.clone().reweighted(evidence, &own)?;
+        let before = Self::of(evidence.clone(), first);
         let steps = subject.criteria.fit.reweighted_steps;
-        let linear = fit_with_slopes(&own, subject, first, steps);
-        Some(Self::of(own, linear))
+        let after = Self::of(own.clone(), fit_with_slopes(&own, subject, again, steps));
+        Some(if after.gain_over(&before) < 0.0 { before } else { after })
     }
 
     /// The same with weights and fit in agreement: a model with an effect more, whose rows are
