@@ -67,6 +67,12 @@ criteria! {
         /// A spring leaves its motor this part of the joint's inertia, or it only smooths what the
         /// encoder reads.
         least_motor_inertia: f64 = 0.02,
+        /// A rival takes this part of what an effect takes on its joint: what explains something else is
+        /// no rival, but another cause.
+        least_as_rival: f64 = 0.5,
+        /// Most damping ratio of a link on its spring, the motor held: one that does not ring, and
+        /// overshoots by less than a third, only smooths. Drives have some hundredths.
+        most_damping_ratio: f64 = 0.35,
         /// Backlash is wider than the deflection of its spring under this part of the largest torque.
         least_gap: f64 = 0.02,
     }

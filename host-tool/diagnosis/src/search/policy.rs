@@ -52,6 +52,26 @@ pub fn is_more_than(more: &EffectInstance, simple: &EffectInstance) -> bool {
         && more.joint == simple.joint
 }
 
+/// Whether a rival's model takes a good part of what an effect on a joint (0: of the whole robot) takes
+/// there of what is left without it.
+pub fn explains_as(
+    joint: u8,
+    without: &FittedModel,
+    with: &FittedModel,
+    rival: &FittedModel,
+) -> bool {
+    let joints = &without.evidence.joints;
+    let left_v2 = |model: &FittedModel| -> f64 {
+        let of_joints = excess_v2(&model.evidence, &model.left_out_v, Role::Train);
+        let counts = |index: usize| joint == 0 || index + 1 == usize::from(joint);
+        let both = joints.iter().zip(of_joints);
+        both.filter(|(index, _)| counts(**index)).map(|(_, v2)| v2).sum()
+    };
+    let least = without.evidence.criteria.selection.least_as_rival;
+    let taken_v2 = left_v2(without) - left_v2(with);
+    left_v2(without) - left_v2(rival) >= least * taken_v2
+}
+
 /// Log-likelihood that a model gains over another.
 pub fn gain(over: &FittedModel, model: &FittedModel) -> f64 {
     model.gain_over(over)
@@ -91,8 +111,8 @@ fn restores_prior(before: &ResidualStats, after: &ResidualStats, criteria: &Crit
     before.prior_penalty - after.prior_penalty > least
 }
 
-/// Whether an effect is not at its bound and rests near the motion, and whether a spring leaves its
-/// motor some inertia, without which it would only smooth what the encoder reads, and whether its
+/// Whether an effect is not at its bound and rests near the motion, whether a spring rings and leaves
+/// its motor some inertia, without which it would only smooth what the encoder reads, and whether its
 /// backlash, if it has some, is more than the spring's deflection.
 pub fn is_physical(effect: &EffectInstance, subject: &Subject, evidence: &Evidence) -> bool {
     let policy = &evidence.criteria.selection;
@@ -110,8 +130,13 @@ pub fn is_physical(effect: &EffectInstance, subject: &Subject, evidence: &Eviden
     let largest_nm = subject.plant.torque_constant_nm_per_v[joint] * largest_v;
     let least_inertia_kg_m2 = policy.least_motor_inertia * subject.inertia_kg_m2(joint);
     let has_motor = spring.motor_inertia_kg_m2 > least_inertia_kg_m2;
+    let link_kg_m2 = subject.inertia_kg_m2(joint) - spring.motor_inertia_kg_m2;
+    let rings = spring.damping_nm_s_per_rad
+        < 2.0
+            * policy.most_damping_ratio
+            * (spring.stiffness_nm_per_rad * link_kg_m2.max(0.0)).sqrt();
     let is_free = spring.gap_rad * spring.stiffness_nm_per_rad > policy.least_gap * largest_nm;
-    has_motor && (is_free || !effect.has_backlash())
+    has_motor && rings && (is_free || !effect.has_backlash())
 }
 
 /// Whether an angle of an effect lies so far from the motion that it is none: cables that rest ten turns

@@ -4,7 +4,7 @@
 use rayon::prelude::*;
 
 use super::finalists::{Contest, Finalist};
-use super::policy::{gain, is_accepted, is_done, is_more_than, is_physical};
+use super::policy::{explains_as, gain, is_accepted, is_done, is_more_than, is_physical};
 use super::restart::{restarted, with_play};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
@@ -178,7 +178,8 @@ impl Search<'_> {
         let known = self.subject.known_effects.len();
         let mut added = Vec::new();
         for index in 0..self.rivals.len() {
-            let mut rivals = self.rivals_of(index);
+            let without = self.without(known + index).unwrap_or_else(|| self.last.clone());
+            let mut rivals = self.rivals_of(index, &without);
             if rivals.first().is_some_and(|rival| rival.gain > 0.0) {
                 let better = rivals[0].model.clone();
                 let loser = self.last.linear.hypothesis.effects[known + index].clone();
@@ -187,14 +188,14 @@ impl Search<'_> {
                 let last = &self.last;
                 rivals.iter_mut().for_each(|rival| rival.gain = gain(last, &rival.model));
             }
-            let without = self.without(known + index).unwrap_or_else(|| self.last.clone());
             added.push(Added { gain: gain(&without, &self.last), without, rivals });
         }
         added
     }
 
-    /// Finalists of a round in the place of the effect that was added, the best first.
-    fn rivals_of(&self, index: usize) -> Vec<Rival> {
+    /// Finalists of a round in the place of the effect that was added, the best first: those that explain
+    /// what it explains, and not something on another joint.
+    fn rivals_of(&self, index: usize, without: &FittedModel) -> Vec<Rival> {
         let known = self.subject.known_effects.len();
         let tried = self.rivals[index].iter().take(self.subject.criteria.selection.rivals);
         let in_place = |finalist: &Finalist| {
@@ -214,6 +215,7 @@ impl Search<'_> {
         let effect = &self.last.linear.hypothesis.effects[known + index];
         let least = self.subject.criteria.selection.least_log_likelihood;
         rivals.retain(|rival| !is_more_than(&rival.effect, effect) || rival.gain > least);
+        rivals.retain(|rival| explains_as(effect.joint, without, &self.last, &rival.model));
         rivals.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         rivals
     }
