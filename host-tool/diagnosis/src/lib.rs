@@ -122,7 +122,7 @@ fn diagnosed(
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnosisError> {
     let Usable { stretches, mut remarks } = Usable::of(traces, &subject)?;
-    let mut searched = Searched::of(&subject, stretches.clone(), progress)?;
+    let mut searched = Searched::of(&subject, stretches.clone(), None, progress)?;
     if let Some(relative) = searched.wider_doubt(&subject, &stretches, progress) {
         remarks.push(format!(
             "the parameters of the model are further off than {:.1} %: the doubt about them was taken \
@@ -131,7 +131,8 @@ fn diagnosed(
             100.0 * relative
         ));
         subject.doubt(relative);
-        searched = Searched::of(&subject, stretches, progress)?;
+        let near = searched.selection.refitted.linear.hypothesis.clone();
+        searched = Searched::of(&subject, stretches, Some(&near), progress)?;
     }
     let Searched { evidence, selection, fault } = searched;
     let subject = &subject;
@@ -163,10 +164,11 @@ impl Searched {
     fn of(
         subject: &Subject,
         stretches: Vec<Stretch>,
+        near: Option<&trial::hypothesis::Hypothesis>,
         progress: &dyn Fn(&str),
     ) -> Result<Self, StepError> {
         progress("refitting the model");
-        let (evidence, refitted) = preparation::prepared(subject, stretches)?;
+        let (evidence, refitted) = preparation::prepared(subject, stretches, near)?;
         let selection = selection::select(subject, refitted, progress);
         progress("trying whether the model itself is at fault");
         let fault = model_faults::find(subject, &evidence, &selection.refitted, &selection.last);
@@ -191,7 +193,9 @@ impl Searched {
             let is_much = last.stats.worst() > prior.much_left;
             let mut free = subject.clone();
             free.doubt(prior.widest);
-            let wide = is_much.then(|| Self::of(&free, stretches.to_vec(), progress))?.ok()?;
+            let near = &self.selection.refitted.linear.hypothesis;
+            let search = || Self::of(&free, stretches.to_vec(), Some(near), progress);
+            let wide = is_much.then(search)?.ok()?;
             let has_causes = wide.fault.is_none() && !wide.selection.added.is_empty();
             if has_causes { doubt::seen(subject, &wide.selection.last) } else { None }
         })

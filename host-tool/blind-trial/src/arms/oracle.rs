@@ -39,7 +39,7 @@ fn gain_of_commands(case: &ArmCase, campaign: &ArmCampaign) -> Result<Option<f64
     let (without, with) = (subject(&case.truth)?, subject(&whole)?);
     let fitted = |subject: &Subject| -> Result<FittedModel, TrialError> {
         let stretches = Usable::of(&traces, subject)?.stretches;
-        Ok(prepared(subject, stretches)?.1)
+        Ok(prepared(subject, stretches, None)?.1)
     };
     let (poor, rich) = (fitted(&without)?, fitted(&with)?);
     // On the same rows.

@@ -13,13 +13,16 @@ use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use crate::trial::rigid_body::{Path, smallest_inertia};
 use recordings::StepError;
 
-/// The rows, and the model refitted to those of train logs.
+/// The rows, and the model refitted to those of train logs: from the model as given, and from `near`, a
+/// model that fits them, where there is one. The better is kept: a fit whose parameters are all but free
+/// may end where a joint's rows are left so large that they weigh nothing.
 ///
 /// # Errors
 /// The logs are too short to see their noise, or do not determine the model.
 pub fn prepared(
     subject: &Subject,
     stretches: Vec<Stretch>,
+    near: Option<&Hypothesis>,
 ) -> Result<(Evidence, FittedModel), StepError> {
     let steps = &subject.criteria.fit;
     let given = as_given(subject);
@@ -27,8 +30,14 @@ pub fn prepared(
     let given = with_likely_bristles(&evidence, subject, given);
     let rough = fit(&evidence, subject, given, steps.first_steps).ok_or_else(undetermined)?;
     let evidence = with_noise(subject, evidence.stretches.to_vec(), &rough.hypothesis)?;
-    let refitted = FittedModel::fitted(&evidence, subject, rough.hypothesis, steps.refit_steps);
-    Ok((evidence, refitted.ok_or_else(undetermined)?.settled(subject)))
+    let refitted = |start: Hypothesis| {
+        let fitted = FittedModel::fitted(&evidence, subject, start, steps.refit_steps)?;
+        Some(fitted.settled(subject))
+    };
+    let from_given = refitted(rough.hypothesis).ok_or_else(undetermined)?;
+    let from_near = near.and_then(|near| refitted(near.clone()));
+    let better = from_near.filter(|model| model.gain_over(&from_given) > 0.0);
+    Ok((evidence, better.unwrap_or(from_given)))
 }
 
 fn undetermined() -> StepError {

@@ -4,5 +4,6 @@ pub mod blocks;
 pub mod confirmed;
 pub mod decision;
 pub mod detectable;
+pub mod elimination;
 pub mod judgement;
 pub mod misfit;
