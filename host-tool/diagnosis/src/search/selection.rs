@@ -239,14 +239,14 @@ impl Rival {
     }
 }
 
-/// A model whose fit is carried on to its end.
+/// A model whose fit is carried on to its end, where it gains by that.
 fn finished(subject: &Subject, model: FittedModel) -> FittedModel {
     let policy = &subject.criteria.selection;
     let spring = model.ends_with_spring();
     let steps = if spring { policy.accepted_spring_steps } else { policy.accepted_steps };
     let hypothesis = model.linear.hypothesis.clone();
-    let mut best =
-        FittedModel::fitted(&model.evidence, subject, hypothesis, steps).unwrap_or(model);
+    let further = FittedModel::fitted(&model.evidence, subject, hypothesis, steps);
+    let mut best = further.filter(|further| further.gain_over(&model) > 0.0).unwrap_or(model);
     best = with_play(subject, &best).unwrap_or(best);
     best = best.settled(subject);
     for _ in 0..subject.criteria.search.restarts {
