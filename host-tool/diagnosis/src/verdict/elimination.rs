@@ -1,0 +1,135 @@
+//! Effects taken out of a model one after the other, as long as one is not confirmed.
+
+use super::confirmed::{Confirmation, Held, Worth};
+use super::decision::{is_named, is_sound, probability};
+use super::misfit::joints_of_another;
+use crate::fit::fitted_model::FittedModel;
+use crate::logs::subject::Subject;
+use crate::search::selection::{Added, Rival, Selection, update_gains};
+use crate::tables::ceiling::reaches_ceiling;
+use crate::trial::hypothesis::EffectInstance;
+
+/// An effect's worth and the probability that it is a cause.
+pub type Judged = (Worth, f64);
+
+/// The model of a selection, less and less of it.
+pub struct Elimination<'a> {
+    subject: &'a Subject,
+    /// The refitted model.
+    pub refitted: FittedModel,
+    /// The same within the doubt about it.
+    held: Held,
+    /// The model with the effects that are left.
+    pub last: FittedModel,
+    /// Those effects, in the order of the model's.
+    pub added: Vec<Added>,
+    /// Those that were taken out.
+    pub unconfirmed: Vec<(EffectInstance, Worth, f64)>,
+    /// Candidates that were not accepted at the end.
+    pub refused: Vec<Rival>,
+    /// Joints (from 0) whose logs are as of another robot.
+    anothers: Vec<usize>,
+    /// Whether the whole model is: without an effect, parameters go astray anew.
+    is_plausible: bool,
+    noise_v: Vec<Vec<f64>>,
+}
+
+impl<'a> Elimination<'a> {
+    /// All that was selected; `noise_v` is that of rows, rms by joint and stretch [V].
+    pub fn of(subject: &'a Subject, selection: Selection, noise_v: &[Vec<f64>]) -> Self {
+        let Selection { refitted, last, added, refused } = selection;
+        Self {
+            held: Held::of(subject, &refitted),
+            anothers: joints_of_another(subject, &refitted),
+            is_plausible: !last.stats.is_implausible(&subject.criteria.fit),
+            unconfirmed: Vec::new(),
+            subject,
+            refitted,
+            last,
+            added,
+            refused,
+            noise_v: noise_v.to_vec(),
+        }
+    }
+
+    /// What the effects that are left are worth on the confirming logs.
+    pub fn judged(&self) -> (Confirmation<'a>, Vec<Judged>) {
+        let Self { subject, last, added, .. } = self;
+        let noise_v = self.noise_v.clone();
+        let confirmation = Confirmation::of(subject, self.held.clone(), last, added, noise_v);
+        let judged = |(index, added): (usize, &Added)| {
+            let worth = confirmation.worth(last, index);
+            (worth, probability(added, &worth, &subject.criteria.verdict))
+        };
+        let judged = added.iter().enumerate().map(judged).collect();
+        (confirmation, judged)
+    }
+
+    /// The smallest effect that cannot be a cause or is not likely to be one.
+    pub fn unlikely(&self, confirmation: &Confirmation, judged: &[Judged]) -> Option<usize> {
+        let least = self.subject.criteria.verdict.least_probability;
+        let fails = |index: &usize| {
+            judged[*index].1 < least || !self.can_be(confirmation, *index, &judged[*index].0)
+        };
+        let share = |index: &usize| judged[*index].0.share;
+        let indices = (0..self.added.len()).filter(fails);
+        indices.min_by(|a, b| share(a).total_cmp(&share(b)))
+    }
+
+    /// Effects that are likely but not named: too small, or less than what something along their axis
+    /// could explain.
+    pub fn not_named(&self, confirmation: &Confirmation, judged: &[Judged]) -> Vec<usize> {
+        let criteria = &self.subject.criteria.verdict;
+        let fails = |index: &usize| {
+            let (worth, probability) = &judged[*index];
+            let without = &self.added[*index].without;
+            !self.can_be(confirmation, *index, worth)
+                || !is_named(*probability, worth, criteria)
+                || !reaches_ceiling(self.subject, without, &self.last, self.place(*index))
+        };
+        (0..self.added.len()).filter(fails).collect()
+    }
+
+    /// Takes an effect out and refits the model; false where that cannot be fitted.
+    pub fn take_out(&mut self, index: usize, (worth, probability): Judged) -> bool {
+        let Some((effect, model)) = self.without(index) else { return false };
+        self.unconfirmed.push((effect, worth, probability));
+        self.added.remove(index);
+        self.last = model;
+        update_gains(self.subject, &self.last, &mut self.added);
+        true
+    }
+
+    /// Whether an effect can be a cause at all: of this robot, and what it says.
+    fn can_be(&self, confirmation: &Confirmation, index: usize, worth: &Worth) -> bool {
+        let effect = &self.last.linear.hypothesis.effects[self.place(index)];
+        self.is_plausible
+            && !self.is_anothers(confirmation, effect)
+            && is_sound(effect, worth, &self.subject.criteria.verdict)
+            && !(effect.is_spring() && confirmation.takes_noise(&self.last, effect))
+    }
+
+    /// Whether an effect acts on joints whose logs are as of another robot, and causes do not explain
+    /// nearly all of what is left there.
+    fn is_anothers(&self, confirmation: &Confirmation, effect: &EffectInstance) -> bool {
+        let acts_on = |joint: &usize| effect.joint == 0 || usize::from(effect.joint) == joint + 1;
+        let touched: Vec<usize> = self.anothers.iter().copied().filter(acts_on).collect();
+        let explained = self.subject.criteria.verdict.explained;
+        !touched.is_empty() && confirmation.explained_on(&self.last, &touched) < explained
+    }
+
+    /// The effect at this place among those left, and the model refitted without it.
+    fn without(&self, index: usize) -> Option<(EffectInstance, FittedModel)> {
+        let FittedModel { linear, evidence, .. } = &self.last;
+        let mut hypothesis = linear.hypothesis.clone();
+        let effect = hypothesis.effects.remove(self.place(index));
+        let steps = self.subject.criteria.selection.accepted_steps;
+        let model = FittedModel::fitted_near(linear, evidence, self.subject, hypothesis, steps)?;
+        Some((effect, model))
+    }
+
+    /// Where an effect stands among those of the model, which may know some of its own.
+    fn place(&self, index: usize) -> usize {
+        self.subject.known_effects.len() + index
+    }
+}
