@@ -6,6 +6,7 @@ mod common;
 use common::{board_alone, board_with_arm, commit, done, home_and_run, image, told};
 use emulator::memory_map::BANK_BYTES;
 use emulator::operator::Operator;
+use emulator::registers::MS;
 use emulator::registers::rcc::Reset;
 use emulator::replica::{Comparison, Replica};
 use firmware::Mode;
@@ -102,7 +103,12 @@ fn an_nmi_in_the_middle_of_a_tick_in_the_middle_of_an_interrupt_changes_no_code(
     let (mut board, start) = at_task(&image);
     let mut draw = Draw(3);
     let mut nested = 0;
+    // The reference lasts for 60 s, and holding after it for 30 s at most.
+    let end_of_run = board.machine.board().now + 80_000 * MS;
     for round in 0..rounds() / 4 {
+        if board.machine.board().now > end_of_run {
+            break;
+        }
         if round % 50 == 49 {
             board.send(&[0]);
             let _ = board.query().unwrap();
