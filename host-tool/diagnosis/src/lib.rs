@@ -123,7 +123,7 @@ fn diagnosed(
 ) -> Result<Diagnosis, DiagnosisError> {
     let Usable { stretches, mut remarks } = Usable::of(traces, &subject)?;
     let mut searched = Searched::of(&subject, stretches.clone(), None, progress)?;
-    if let Some(relative) = searched.wider_doubt(&subject, &stretches, progress) {
+    if let Some((relative, found)) = searched.wider_doubt(&subject, &stretches, progress) {
         remarks.push(format!(
             "the parameters of the model are further off than {:.1} %: the doubt about them was taken \
              as {:.0} %, as by --model-doubt {relative:.2}; identify the model anew, and more can be said",
@@ -132,7 +132,10 @@ fn diagnosed(
         ));
         subject.doubt(relative);
         let near = searched.selection.refitted.linear.hypothesis.clone();
-        searched = Searched::of(&subject, stretches, Some(&near), progress)?;
+        searched = match found {
+            Some(found) => found,
+            None => Searched::of(&subject, stretches, Some(&near), progress)?,
+        };
     }
     let Searched { evidence, selection, fault } = searched;
     let subject = &subject;
@@ -177,27 +180,35 @@ impl Searched {
     }
 
     /// A wider doubt that the logs show, with the causes found or, where much is left, with those that
-    /// are found once parameters are all but free.
+    /// are found once parameters are all but free; and what was found by that doubt, if it was tried.
     fn wider_doubt(
         &self,
         subject: &Subject,
         stretches: &[Stretch],
         progress: &dyn Fn(&str),
-    ) -> Option<f64> {
+    ) -> Option<(f64, Option<Self>)> {
         if self.fault.is_some() {
             return None;
         }
         let last = &self.selection.last;
+        if let Some(relative) = doubt::wider(subject, last) {
+            return Some((relative, None));
+        }
         let prior = &subject.criteria.prior;
-        doubt::wider(subject, last).or_else(|| {
-            let is_much = last.stats.worst() > prior.much_left;
-            let mut free = subject.clone();
-            free.doubt(prior.widest);
-            let near = &self.selection.refitted.linear.hypothesis;
-            let search = || Self::of(&free, stretches.to_vec(), Some(near), progress);
-            let wide = is_much.then(search)?.ok()?;
-            let has_causes = wide.fault.is_none() && !wide.selection.added.is_empty();
-            if has_causes { doubt::seen(subject, &wide.selection.last) } else { None }
-        })
+        if last.stats.worst() <= prior.much_left {
+            return None;
+        }
+        let mut free = subject.clone();
+        free.doubt(prior.widest);
+        let near = &self.selection.refitted.linear.hypothesis;
+        let wide = Self::of(&free, stretches.to_vec(), Some(near), progress).ok()?;
+        if wide.fault.is_some() || wide.selection.added.is_empty() {
+            return None;
+        }
+        match doubt::seen(subject, &wide.selection.last) {
+            Some(relative) => Some((relative, None)),
+            None => doubt::had_hidden(subject, last, &wide.selection.last)
+                .then_some((prior.widest, Some(wide))),
+        }
     }
 }
