@@ -16,7 +16,7 @@ criteria! {
         least_gain: f64 = 50.0,
         /// where a log is left with more than so many times the noise, effects are searched for with
         /// parameters all but free first: held far from the truth, they hide a cause;
-        much_left: f64 = 4.0,
+        much_left: f64 = 6.0,
         /// else the doubt becomes so many times what is seen, for nobody knows how far the others are off.
         margin: f64 = 1.2,
         /// Added for base parameters, in parts of the largest of their kind.
