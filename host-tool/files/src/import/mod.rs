@@ -1,0 +1,8 @@
+//! A first look at files of others: a `dataset.toml` for them, with what was guessed and what is open.
+
+mod draft;
+mod look;
+mod pairs;
+mod text;
+
+pub use draft::{Draft, draft};

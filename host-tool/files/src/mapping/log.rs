@@ -1,0 +1,210 @@
+//! A log as it comes together: its own stream, and others put onto its times.
+
+use super::align::at_times;
+use super::assemble::Wanted;
+use super::clock::Origin;
+use super::lag::lag;
+use super::lane::{Lane, Times};
+use super::source::Source;
+use super::spec::Clock;
+use super::view::View;
+use crate::error::{LocatedProblem, Problem};
+use crate::table::{Table, Values};
+
+/// A log as a table with the columns of a log.
+#[derive(Debug)]
+pub struct Mapped {
+    /// Its columns.
+    pub table: Table,
+    /// What was done to it that its user should know.
+    pub notes: Vec<String>,
+}
+
+/// Lags that are looked for between clocks that are the same [s]: a bus, or a drive's filter.
+const LARGEST_LAG_S: f64 = 0.5;
+/// Correlation below which a copy is not believed to be one.
+const LEAST_CORRELATION: f64 = 0.7;
+
+/// A log as it comes together.
+pub(super) struct Log<'a> {
+    own: &'a Source,
+    lane: Lane,
+    columns: Vec<(Wanted, Vec<f64>)>,
+    notes: Vec<String>,
+}
+
+impl<'a> Log<'a> {
+    /// With the columns of its own stream.
+    pub(super) fn of(
+        own: &'a Source,
+        times: &Times,
+        wanted: &[Wanted],
+        origin: Origin,
+        view: &View,
+    ) -> Result<Self, LocatedProblem> {
+        let mut lane = own.lane(times, wanted, origin, view)?;
+        let notes = std::mem::take(&mut lane.notes);
+        let mut log = Self { own, lane, columns: Vec::new(), notes };
+        for wanted in wanted {
+            let values = own.values(wanted, &log.lane);
+            log.take(wanted, values);
+        }
+        Ok(log)
+    }
+
+    fn take(&mut self, wanted: &Wanted, values: Vec<f64>) {
+        self.notes.extend(wanted.note());
+        if wanted.source.unsigned {
+            let name = wanted.quantity.name();
+            self.notes.push(format!("{name} lacks its sign and is not used"));
+        } else {
+            self.columns.push((wanted.clone(), values));
+        }
+    }
+
+    /// Takes in a stream with times of its own.
+    pub(super) fn add(
+        &mut self,
+        other: &Source,
+        times: &Times,
+        wanted: &[Wanted],
+        origin: Origin,
+        view: &View,
+    ) -> Result<(), LocatedProblem> {
+        let own_clock = other.said.clock == Clock::Own;
+        let origin = if own_clock { times.origin(&other.stream.table) } else { origin };
+        let mut lane = other.lane(times, wanted, origin, view)?;
+        let name = &other.name;
+        self.notes.extend(lane.notes.drain(..).map(|note| format!("stream {name}: {note}")));
+        lane.time_s.iter_mut().for_each(|time_s| *time_s += other.said.shift_s);
+        self.settle_clock(other, &mut lane, wanted)?;
+        self.tell_rates(name, &lane);
+        for wanted in wanted {
+            let values = other.values(wanted, &lane);
+            let role = wanted.quantity.role;
+            let aligned = at_times(role, &lane.time_s, &values, &self.lane.time_s);
+            self.take(wanted, aligned);
+        }
+        self.keep_common(name, &lane)
+    }
+
+    /// Finds the lag of a stream by the copies that the log's own stream has of its signals; applies
+    /// it where the clocks are not the same, else says it.
+    fn settle_clock(
+        &mut self,
+        other: &Source,
+        lane: &mut Lane,
+        wanted: &[Wanted],
+    ) -> Result<(), LocatedProblem> {
+        let name = &other.name;
+        let own_clock = other.said.clock == Clock::Own;
+        let (first_s, last_s) = ends(&self.lane.time_s);
+        let (other_first_s, other_last_s) = ends(&lane.time_s);
+        let (centre_s, range_s) = match own_clock {
+            true => (
+                (first_s + last_s - other_first_s - other_last_s) / 2.0,
+                ((last_s - first_s) - (other_last_s - other_first_s)).abs() / 2.0 + 5.0,
+            ),
+            false => (0.0, LARGEST_LAG_S),
+        };
+        let step_s = self.lane.period_s().max(lane.period_s()).max(1e-4);
+        let found = wanted.iter().find_map(|wanted| {
+            let copy = self.own.stream.table.get(wanted.source.copy.as_deref()?)?;
+            let (signal, copy) = (other.values(wanted, lane), self.lane.values(copy));
+            let (signal, copy) =
+                ((&lane.time_s[..], &signal[..]), (&self.lane.time_s[..], &copy[..]));
+            lag(signal, copy, centre_s, range_s, step_s).map(|lag| (wanted, lag))
+        });
+        let believed = found.filter(|(_, lag)| lag.correlation.abs() >= LEAST_CORRELATION);
+        match (believed, own_clock) {
+            (Some((wanted, lag)), true) => {
+                lane.time_s.iter_mut().for_each(|time_s| *time_s += lag.seconds);
+                self.notes.push(format!(
+                    "stream {name}: its clock is {:.4} s behind that of the log by {} (correlation {:.4}), \
+                     and was set right",
+                    lag.seconds,
+                    wanted.quantity.name(),
+                    lag.correlation
+                ));
+            }
+            (Some((wanted, lag)), false) => self.notes.push(format!(
+                "stream {name}: {} is seen {:.2} ms after it was sent (correlation {:.4}); nothing was \
+                 shifted, shift_s = {:.5} in [streams.{name}] would",
+                wanted.quantity.name(),
+                1e3 * lag.seconds,
+                lag.correlation,
+                other.said.shift_s + lag.seconds
+            )),
+            (None, true) => {
+                let what = format!(
+                    "[streams.{name}] has clock = \"own\", but no column of it has a `copy` in the log's \
+                     stream that tells when; give one, or shift_s with clock = \"same\""
+                );
+                return Err(Problem::Contradiction(what).into());
+            }
+            (None, false) => {}
+        }
+        Ok(())
+    }
+
+    /// Says how a stream was put onto the log's times, where these are not its own.
+    fn tell_rates(&mut self, name: &str, lane: &Lane) {
+        let is_same = lane.time_s.len() == self.lane.time_s.len()
+            && lane.time_s.iter().zip(&self.lane.time_s).all(|(a, b)| (a - b).abs() < 1e-9);
+        if !is_same {
+            let rate = |lane: &Lane| 1.0 / lane.period_s();
+            self.notes.push(format!(
+                "stream {name}: {:.1} Hz put onto the log's {:.1} Hz by time stamps; a lag between their \
+                 stamps would show as a delay of the drive",
+                rate(lane),
+                rate(&self.lane)
+            ));
+        }
+    }
+
+    /// Leaves out the rows that a stream does not reach.
+    fn keep_common(&mut self, name: &str, lane: &Lane) -> Result<(), LocatedProblem> {
+        let (first_s, last_s) = ends(&lane.time_s);
+        let end_s = last_s + 1.5 * lane.period_s().max(self.lane.period_s());
+        let is_kept: Vec<bool> =
+            self.lane.time_s.iter().map(|t| (first_s - 1e-9..=end_s).contains(t)).collect();
+        let left_out = is_kept.iter().filter(|kept| !**kept).count();
+        if left_out == is_kept.len() {
+            let (own_first_s, own_last_s) = ends(&self.lane.time_s);
+            let what = format!(
+                "the log's rows are from {own_first_s:.3} to {own_last_s:.3} s and those of stream {name} from \
+                 {first_s:.3} to {last_s:.3} s: no time in common; give shift_s or clock = \"own\" in \
+                 [streams.{name}]"
+            );
+            return Err(Problem::Contradiction(what).into());
+        }
+        if left_out > 0 {
+            self.notes.push(format!("{left_out} rows before or after stream {name} were left out"));
+            for (_, values) in &mut self.columns {
+                keep(values, &is_kept);
+            }
+            keep(&mut self.lane.time_s, &is_kept);
+            keep(&mut self.lane.rows, &is_kept);
+        }
+        Ok(())
+    }
+
+    /// The log as a table.
+    pub(super) fn mapped(self) -> Result<Mapped, LocatedProblem> {
+        let mut columns = vec![("t_s".to_owned(), Values::Float(self.lane.time_s))];
+        for (wanted, values) in self.columns {
+            columns.push(wanted.column(values)?);
+        }
+        Ok(Mapped { table: Table::of(columns)?, notes: self.notes })
+    }
+}
+
+fn keep<T>(values: &mut Vec<T>, is_kept: &[bool]) {
+    let mut kept = is_kept.iter();
+    values.retain(|_| kept.next().copied().unwrap_or(false));
+}
+
+/// First and last time [s].
+fn ends(time_s: &[f64]) -> (f64, f64) {
+    (time_s.first().copied().unwrap_or(0.0), time_s.last().copied().unwrap_or(0.0))
+}
