@@ -67,7 +67,7 @@ impl Table {
     /// # Errors
     /// Columns that differ in length.
     pub fn of(columns: Vec<(String, Values)>) -> Result<Self, Problem> {
-        let mut lengths = columns.iter().filter_map(|(_, values)| values.len());
+        let mut lengths = columns.iter().filter_map(|(_, values)| values.rows());
         let rows = lengths.next().unwrap_or(0);
         match lengths.find(|length| *length != rows) {
             Some(found) => Err(Problem::UnequalLength { found, expected: rows }),
@@ -194,7 +194,7 @@ impl Values {
     }
 
     /// How many values there are; `None` of a column that is skipped.
-    pub fn len(&self) -> Option<usize> {
+    pub fn rows(&self) -> Option<usize> {
         match self {
             Self::Skipped => None,
             Self::Float(values) => Some(values.len()),

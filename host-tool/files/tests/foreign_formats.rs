@@ -80,8 +80,16 @@ fn arrays_of_two_lengths_are_two_streams() {
 #[test]
 fn damaged_arrays_are_named() {
     let cut = npy("<f8", false, "(4,)", &bytes_of(&[0.0]));
-    assert!(read("log.npy", cut).unwrap_err().contains("log.npy: the NumPy data cannot be read: it is cut short"));
-    assert!(read("log.npz", b"PK\x03\x04nothing".to_vec()).unwrap_err().contains("the npz data cannot be read"));
+    assert!(
+        read("log.npy", cut)
+            .unwrap_err()
+            .contains("log.npy: the NumPy data cannot be read: it is cut short")
+    );
+    assert!(
+        read("log.npz", b"PK\x03\x04nothing".to_vec())
+            .unwrap_err()
+            .contains("the npz data cannot be read")
+    );
     let text = npy("<U5", false, "(1,)", &[0; 20]);
     assert!(read("log.npy", text).unwrap_err().contains("of type <U5, not numbers"));
 }
@@ -110,10 +118,16 @@ fn parquet_file() -> Vec<u8> {
         let mut column = rows.next_column().unwrap().unwrap();
         let lists = [1.0, 2.0, 3.0, 4.0];
         let (definition, repetition) = ([2, 2, 2, 2], [0, 1, 0, 1]);
-        column.typed::<DoubleType>().write_batch(&lists, Some(&definition), Some(&repetition)).unwrap();
+        column
+            .typed::<DoubleType>()
+            .write_batch(&lists, Some(&definition), Some(&repetition))
+            .unwrap();
         column.close().unwrap();
         let mut column = rows.next_column().unwrap().unwrap();
-        column.typed::<parquet::data_type::ByteArrayType>().write_batch(&[], Some(&[0, 0]), None).unwrap();
+        column
+            .typed::<parquet::data_type::ByteArrayType>()
+            .write_batch(&[], Some(&[0, 0]), None)
+            .unwrap();
         column.close().unwrap();
         rows.close().unwrap();
     }
@@ -130,7 +144,8 @@ fn lists_gaps_and_time_stamps() {
     assert!(torque[0].is_nan() && torque[1] == 0.25 && torque[2].is_nan() && torque[3] == 0.25);
     assert_eq!(floats(table, "state[0]"), [1.0, 3.0, 1.0, 3.0]);
     assert_eq!(floats(table, "state[1]"), [2.0, 4.0, 2.0, 4.0]);
-    let unwanted = parse(Path::new("log.parquet"), parquet_file(), &|name| name == "torque").unwrap();
+    let unwanted =
+        parse(Path::new("log.parquet"), parquet_file(), &|name| name == "torque").unwrap();
     assert_eq!(unwanted[0].table.names().collect::<Vec<_>>(), ["stamp", "torque", "state", "task"]);
 }
 
@@ -138,7 +153,11 @@ fn lists_gaps_and_time_stamps() {
 fn a_parquet_file_that_is_cut_is_named() {
     let bytes = parquet_file();
     let cut = bytes[..bytes.len() / 2].to_vec();
-    assert!(read("log.parquet", cut).unwrap_err().contains("log.parquet: the Parquet data cannot be read"));
+    assert!(
+        read("log.parquet", cut)
+            .unwrap_err()
+            .contains("log.parquet: the Parquet data cannot be read")
+    );
 }
 
 /// The CDR of a message of ROS, behind its head.
@@ -196,7 +215,10 @@ fn messages_of_ros_are_told_apart_by_joint_and_topic() {
     assert_eq!(floats(states, "position[elbow]"), [1.0, 3.0]);
     assert_eq!(floats(states, "position[wrist]"), [2.0, 4.0]);
     assert_eq!(floats(states, "effort[wrist]"), [0.25, 0.5]);
-    assert_eq!(states.get("header.stamp"), Some(&Values::Count(vec![1_000_000_000, 1_000_001_000])));
+    assert_eq!(
+        states.get("header.stamp"),
+        Some(&Values::Count(vec![1_000_000_000, 1_000_001_000]))
+    );
     assert_eq!(commands.get("log_time"), Some(&Values::Count(vec![5_000_000_001])));
 }
 
@@ -204,10 +226,17 @@ fn messages_of_ros_are_told_apart_by_joint_and_topic() {
 fn what_cannot_be_read_is_named_by_topic() {
     let short = mcap_file(&[("/joint_states", STATE, vec![0, 1, 0, 0, 9])]);
     let message = read("bag.mcap", short).unwrap_err();
-    assert!(message.contains("bag.mcap: message 1 on /joint_states: (sensor_msgs/msg/JointState)"), "{message}");
+    assert!(
+        message.contains("bag.mcap: message 1 on /joint_states: (sensor_msgs/msg/JointState)"),
+        "{message}"
+    );
     let other = mcap_file(&[("/joint_states", STATE, vec![0, 7, 0, 0, 9])]);
     assert!(read("bag.mcap", other).unwrap_err().contains("encoding 00 07 is not plain CDR"));
     let none = mcap_file(&[("/rosout", "rcl_interfaces/msg/Log", vec![0, 1, 0, 0])]);
-    assert!(read("bag.mcap", none).unwrap_err().contains("topics: /rosout (rcl_interfaces/msg/Log, cdr)"));
+    assert!(
+        read("bag.mcap", none)
+            .unwrap_err()
+            .contains("topics: /rosout (rcl_interfaces/msg/Log, cdr)")
+    );
     assert!(read("log.xlsx", vec![1]).unwrap_err().contains("the name does not end in .csv"));
 }

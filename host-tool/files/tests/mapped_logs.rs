@@ -110,10 +110,13 @@ fn a_mapping_that_cannot_be_is_refused_with_its_line() {
             "[columns]\nu1_V = { column = \"a\", unit = \"Nm\" }\n",
             "dataset.toml, line 3: u1_V takes the units V, mV, not \"Nm\"; a command in another unit",
         ),
-        ("[columns]\nu1_V = { colum = \"a\" }\n", "unknown field `colum`"),
-        ("[columns]\nu1_V = 3\n", "expected the name of a column"),
+        ("[columns]\nu1_V = { colum = \"a\" }\n", "dataset.toml, line 3: unknown field `colum`"),
+        (
+            "[columns]\nu1_V = 3\n",
+            "line 3: invalid type: integer `3`, expected the name of a column",
+        ),
         ("[columns]\nu1_V = { column = \"a\", unsigned = true }\n", "u1_V is marked unsigned"),
-        ("[streams.x]\nclock = \"mine\"\n", "unknown variant `mine`"),
+        ("[streams.x]\nclock = \"mine\"\n", "dataset.toml, line 3: unknown variant `mine`"),
     ];
     for (mapping, expected) in cases {
         let message = Set::of(mapping, &[("run.csv", GERMAN)]).error();

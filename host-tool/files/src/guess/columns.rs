@@ -2,35 +2,10 @@
 
 use super::Guess;
 use super::joints::joints;
+use super::looked::Looked;
 use super::roles::role;
 use super::units::units;
-use super::words::words;
 use crate::quantity::{Quantity, Role};
-
-/// What was seen of a column.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Looked {
-    /// What the column stands in: a topic, say, whose words count as well.
-    pub context: String,
-    /// Its name.
-    pub name: String,
-    /// Largest size of a value.
-    pub largest: f64,
-    /// Median of the steps from row to row.
-    pub median_step: f64,
-    /// Whether all values are whole numbers.
-    pub is_whole: bool,
-}
-
-impl Looked {
-    fn words(&self) -> Vec<String> {
-        words(&self.full_name())
-    }
-
-    fn full_name(&self) -> String {
-        format!("{} {}", self.context, self.name)
-    }
-}
 
 /// What the drives of a model take.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,7 +50,13 @@ pub fn guess(columns: &[Looked], command: Option<Command>) -> Vec<Guess> {
 fn time(columns: &[&Looked]) -> Vec<Guess> {
     let guess = |column: &&Looked| {
         let (_, unit, reason) = units(Role::Time, &column.words(), column)?;
-        Some(Guess { quantity: Quantity::TIME, column: column.name.clone(), unit, reason })
+        Some(Guess {
+            quantity: Quantity::TIME,
+            column: column.name.clone(),
+            unit,
+            reason,
+            copy: None,
+        })
     };
     columns.iter().find_map(guess).into_iter().collect()
 }
@@ -92,7 +73,7 @@ fn of_group(role: Role, columns: &[&Looked], command: Option<Command>) -> Vec<Gu
             _ => (log_unit, unit),
         };
         let quantity = quantity(role, joint, log_unit)?;
-        Some(Guess { quantity, column: column.name.clone(), unit, reason })
+        Some(Guess { quantity, column: column.name.clone(), unit, reason, copy: None })
     };
     alike.iter().zip(joints(&names)).filter_map(guess).collect()
 }

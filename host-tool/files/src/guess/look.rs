@@ -1,6 +1,6 @@
 //! What a table's columns look like.
 
-use super::columns::Looked;
+use super::looked::Looked;
 use crate::table::{Table, Values};
 
 /// A look at all columns; those that were not read have a name alone.
@@ -9,7 +9,7 @@ pub fn look(context: &str, table: &Table) -> Vec<Looked> {
 }
 
 fn of_column(context: &str, name: &str, values: Option<&Values>) -> Looked {
-    let rows = values.and_then(Values::len).unwrap_or(0);
+    let rows = values.and_then(Values::rows).unwrap_or(0);
     let at = |row: usize| values.map_or(f64::NAN, |values| values.at(row));
     let finite = (0..rows).map(at).filter(|value| value.is_finite());
     let mut steps: Vec<f64> = (1..rows).map(|row| at(row) - at(row - 1)).collect();

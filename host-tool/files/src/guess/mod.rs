@@ -3,12 +3,14 @@
 mod columns;
 mod joints;
 mod look;
+mod looked;
 mod roles;
 mod units;
 mod words;
 
-pub use columns::{Command, Looked, UNNAMED, guess};
+pub use columns::{Command, UNNAMED, guess};
 pub use look::look;
+pub use looked::Looked;
 
 use crate::quantity::Quantity;
 
@@ -23,24 +25,27 @@ pub struct Guess {
     pub unit: &'static str,
     /// Why, in a few words.
     pub reason: String,
+    /// Column of the log's own rows that may show the same signal.
+    pub copy: Option<String>,
 }
 
 impl Guess {
     /// The line of `[columns]` that says so; `stream` where it is not the log's own.
     pub fn line(&self, stream: &str) -> String {
-        let name = self.quantity.name();
-        let column = toml::Value::from(self.column.as_str());
-        let mut keys = match stream {
-            "" => String::new(),
-            stream => format!("stream = {}, ", toml::Value::from(stream)),
-        };
-        keys += &format!("column = {column}");
-        if !self.is_in_si() {
-            keys += &format!(", unit = \"{}\"", self.unit);
+        let quoted = |text: &str| toml::Value::from(text).to_string();
+        let (name, column) = (self.quantity.name(), quoted(&self.column));
+        let mut keys = Vec::new();
+        if !stream.is_empty() {
+            keys.push(format!("stream = {}", quoted(stream)));
         }
-        match keys.starts_with("column") && self.is_in_si() {
-            true => format!("{name} = {column}"),
-            false => format!("{name} = {{ {keys} }}"),
+        keys.push(format!("column = {column}"));
+        if !self.is_in_si() {
+            keys.push(format!("unit = \"{}\"", self.unit));
+        }
+        keys.extend(self.copy.iter().map(|copy| format!("copy = {}", quoted(copy))));
+        match keys.len() {
+            1 => format!("{name} = {column}"),
+            _ => format!("{name} = {{ {} }}", keys.join(", ")),
         }
     }
 

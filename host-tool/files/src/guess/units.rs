@@ -1,6 +1,6 @@
 //! The unit of a column, by its name and else by its values.
 
-use super::columns::Looked;
+use super::looked::Looked;
 use super::words::has;
 use crate::quantity::Role;
 

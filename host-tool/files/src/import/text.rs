@@ -1,6 +1,6 @@
 //! The text of a draft's list.
 
-use super::draft::{Beside, DraftLog, Plan};
+use super::plan::{Beside, DraftLog, Plan};
 use crate::dataset::Entry;
 use crate::guess::Guess;
 use crate::quantity::Role;

@@ -19,7 +19,7 @@ impl Origin {
     /// The origin of a stream's times: their first where they are those of a calendar, else their zero.
     pub(super) fn of(times: &Values, unit: Factor) -> Self {
         let first =
-            times.len().filter(|length| *length > 0).map_or(0.0, |_| unit.apply(times.at(0)));
+            times.rows().filter(|length| *length > 0).map_or(0.0, |_| unit.apply(times.at(0)));
         match times {
             _ if first.abs() < CALENDAR_S => Self::Seconds(0.0),
             Values::Count(whole) => Self::Whole(whole[0], unit),
@@ -35,7 +35,7 @@ impl Origin {
             }
             _ => {
                 let origin_s = self.in_seconds();
-                let rows = times.len().unwrap_or(0);
+                let rows = times.rows().unwrap_or(0);
                 (0..rows).map(|row| unit.apply(times.at(row)) - origin_s).collect()
             }
         }

@@ -3,12 +3,13 @@
 use super::align::at_times;
 use super::assemble::Wanted;
 use super::clock::Origin;
-use super::lag::lag;
+use super::lag::{Lag, lag};
 use super::lane::{Lane, Times};
 use super::source::Source;
 use super::spec::Clock;
 use super::view::View;
 use crate::error::{LocatedProblem, Problem};
+use crate::foreign::LOG_TIME;
 use crate::table::{Table, Values};
 
 /// A log as a table with the columns of a log.
@@ -22,6 +23,8 @@ pub struct Mapped {
 
 /// Lags that are looked for between clocks that are the same [s]: a bus, or a drive's filter.
 const LARGEST_LAG_S: f64 = 0.5;
+/// How far a stream with a clock of its own may begin before the log or end after it [s].
+const BEYOND_S: f64 = 5.0;
 /// Correlation below which a copy is not believed to be one.
 const LEAST_CORRELATION: f64 = 0.7;
 
@@ -78,7 +81,7 @@ impl<'a> Log<'a> {
         self.notes.extend(lane.notes.drain(..).map(|note| format!("stream {name}: {note}")));
         lane.time_s.iter_mut().for_each(|time_s| *time_s += other.said.shift_s);
         self.settle_clock(other, &mut lane, wanted)?;
-        self.tell_rates(name, &lane);
+        self.tell_rates(name, &lane, times);
         for wanted in wanted {
             let values = other.values(wanted, &lane);
             let role = wanted.quantity.role;
@@ -97,67 +100,88 @@ impl<'a> Log<'a> {
         wanted: &[Wanted],
     ) -> Result<(), LocatedProblem> {
         let name = &other.name;
-        let own_clock = other.said.clock == Clock::Own;
-        let (first_s, last_s) = ends(&self.lane.time_s);
-        let (other_first_s, other_last_s) = ends(&lane.time_s);
-        let (centre_s, range_s) = match own_clock {
-            true => (
-                (first_s + last_s - other_first_s - other_last_s) / 2.0,
-                ((last_s - first_s) - (other_last_s - other_first_s)).abs() / 2.0 + 5.0,
-            ),
-            false => (0.0, LARGEST_LAG_S),
-        };
-        let step_s = self.lane.period_s().max(lane.period_s()).max(1e-4);
-        let found = wanted.iter().find_map(|wanted| {
-            let copy = self.own.stream.table.get(wanted.source.copy.as_deref()?)?;
-            let (signal, copy) = (other.values(wanted, lane), self.lane.values(copy));
-            let (signal, copy) =
-                ((&lane.time_s[..], &signal[..]), (&self.lane.time_s[..], &copy[..]));
-            lag(signal, copy, centre_s, range_s, step_s).map(|lag| (wanted, lag))
-        });
-        let believed = found.filter(|(_, lag)| lag.correlation.abs() >= LEAST_CORRELATION);
-        match (believed, own_clock) {
-            (Some((wanted, lag)), true) => {
+        match (self.lag_of(other, lane, wanted)?, other.said.clock) {
+            (Some((column, lag)), Clock::Own) => {
                 lane.time_s.iter_mut().for_each(|time_s| *time_s += lag.seconds);
                 self.notes.push(format!(
-                    "stream {name}: its clock is {:.4} s behind that of the log by {} (correlation {:.4}), \
-                     and was set right",
-                    lag.seconds,
-                    wanted.quantity.name(),
-                    lag.correlation
+                    "stream {name}: its clock is {:.4} s behind that of the log by {column} (correlation \
+                     {:.4}), and was set right",
+                    lag.seconds, lag.correlation
                 ));
             }
-            (Some((wanted, lag)), false) => self.notes.push(format!(
-                "stream {name}: {} is seen {:.2} ms after it was sent (correlation {:.4}); nothing was \
+            (Some((column, lag)), Clock::Same) => self.notes.push(format!(
+                "stream {name}: {column} is seen {:.2} ms after it was sent (correlation {:.4}); nothing was \
                  shifted, shift_s = {:.5} in [streams.{name}] would",
-                wanted.quantity.name(),
                 1e3 * lag.seconds,
                 lag.correlation,
                 other.said.shift_s + lag.seconds
             )),
-            (None, true) => {
-                let what = format!(
+            (None, Clock::Own) => {
+                return Err(contradiction(format!(
                     "[streams.{name}] has clock = \"own\", but no column of it has a `copy` in the log's \
                      stream that tells when; give one, or shift_s with clock = \"same\""
-                );
-                return Err(Problem::Contradiction(what).into());
+                )));
             }
-            (None, false) => {}
+            (None, Clock::Same) => {}
         }
         Ok(())
     }
 
+    /// The lag by the first copy that is believed, and the column's name.
+    fn lag_of(
+        &self,
+        other: &Source,
+        lane: &Lane,
+        wanted: &[Wanted],
+    ) -> Result<Option<(String, Lag)>, LocatedProblem> {
+        let (centre_s, range_s) = self.search(other, lane);
+        let step_s = self.lane.period_s().max(lane.period_s()).max(1e-4);
+        for wanted in wanted {
+            let Some(copy) = &wanted.source.copy else { continue };
+            let values = self.own.stream.table.get(copy).ok_or_else(|| {
+                let name = wanted.quantity.name();
+                contradiction(format!(
+                    "the copy of {name}, {copy}, is not among the log's own rows"
+                ))
+            })?;
+            let (signal, copy) = (other.values(wanted, lane), self.lane.values(values));
+            let (from_s, to_s) = (lane.time_s.as_slice(), self.lane.time_s.as_slice());
+            let found = lag((from_s, &signal), (to_s, &copy), centre_s, range_s, step_s);
+            if let Some(lag) = found.filter(|lag| lag.correlation.abs() >= LEAST_CORRELATION) {
+                return Ok(Some((wanted.quantity.name(), lag)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Around which lag is looked for one, and how far [s].
+    fn search(&self, other: &Source, lane: &Lane) -> (f64, f64) {
+        let [(first_s, last_s), (other_first_s, other_last_s)] =
+            [&self.lane, lane].map(|lane| ends(&lane.time_s));
+        let middles_s = (first_s + last_s - other_first_s - other_last_s) / 2.0;
+        let lengths_s = (last_s - first_s) - (other_last_s - other_first_s);
+        match other.said.clock {
+            Clock::Own => (middles_s, lengths_s.abs() / 2.0 + BEYOND_S),
+            Clock::Same => (0.0, LARGEST_LAG_S),
+        }
+    }
+
     /// Says how a stream was put onto the log's times, where these are not its own.
-    fn tell_rates(&mut self, name: &str, lane: &Lane) {
+    fn tell_rates(&mut self, name: &str, lane: &Lane, times: &Times) {
         let is_same = lane.time_s.len() == self.lane.time_s.len()
             && lane.time_s.iter().zip(&self.lane.time_s).all(|(a, b)| (a - b).abs() < 1e-9);
-        if !is_same {
-            let rate = |lane: &Lane| 1.0 / lane.period_s();
+        if is_same {
+            return;
+        }
+        let [rate, own_rate] = [lane, &self.lane].map(|lane| 1.0 / lane.period_s());
+        self.notes.push(format!(
+            "stream {name}: {rate:.1} Hz put onto the log's {own_rate:.1} Hz by time stamps; a lag between \
+             their stamps would show as a delay of the drive"
+        ));
+        if times.source.column == LOG_TIME {
             self.notes.push(format!(
-                "stream {name}: {:.1} Hz put onto the log's {:.1} Hz by time stamps; a lag between their \
-                 stamps would show as a delay of the drive",
-                rate(lane),
-                rate(&self.lane)
+                "stream {name}: its messages have no stamps; the times at which they were recorded stand for \
+                 them"
             ));
         }
     }
@@ -176,7 +200,7 @@ impl<'a> Log<'a> {
                  {first_s:.3} to {last_s:.3} s: no time in common; give shift_s or clock = \"own\" in \
                  [streams.{name}]"
             );
-            return Err(Problem::Contradiction(what).into());
+            return Err(contradiction(what));
         }
         if left_out > 0 {
             self.notes.push(format!("{left_out} rows before or after stream {name} were left out"));
@@ -197,6 +221,10 @@ impl<'a> Log<'a> {
         }
         Ok(Mapped { table: Table::of(columns)?, notes: self.notes })
     }
+}
+
+fn contradiction(what: String) -> LocatedProblem {
+    Problem::Contradiction(what).into()
 }
 
 fn keep<T>(values: &mut Vec<T>, is_kept: &[bool]) {

@@ -1,8 +1,10 @@
 //! The mapping in `dataset.toml`, checked as far as it can be without the logs.
 
+use std::collections::BTreeMap;
+
 use serde::Deserialize;
 
-use super::spec::{ColumnSource, LogMapping, Mapping};
+use super::spec::{ColumnSource, LogMapping, Mapping, StreamSource};
 use crate::error::{FileError, Problem};
 use crate::quantity::{Quantity, Role};
 use crate::toml_source::TomlSource;
@@ -10,15 +12,18 @@ use crate::toml_source::TomlSource;
 /// What of the list is a mapping.
 #[derive(Deserialize)]
 struct List {
-    #[serde(flatten)]
-    common: LogMapping,
+    #[serde(default)]
+    columns: BTreeMap<String, ColumnSource>,
+    #[serde(default)]
+    streams: BTreeMap<String, StreamSource>,
     #[serde(default, rename = "log")]
     logs: Vec<LogMapping>,
 }
 
 /// The mapping of a data set's list.
 pub(crate) fn parse(source: &TomlSource) -> Result<Mapping, FileError> {
-    let List { common, logs } = source.parse()?;
+    let List { columns, streams, logs } = source.parse()?;
+    let common = LogMapping { columns, streams, ..LogMapping::default() };
     check(&common).map_err(|(key, what)| {
         source.problem_in(Problem::Contradiction(what), "columns", None, &key)
     })?;
