@@ -203,8 +203,8 @@ fn rows_of_an_episode_and_rows_without_numbers() {
     assert_eq!(
         recording.notes,
         [
-            "1 rows lack a number and were left out",
-            "1 rows repeat the time before them and were left out"
+            "rows that lack a number were left out: 1",
+            "rows that repeat the time before them were left out: 1"
         ]
     );
 }

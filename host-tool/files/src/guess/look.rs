@@ -12,7 +12,13 @@ fn of_column(context: &str, name: &str, values: Option<&Values>) -> Looked {
     let rows = values.and_then(Values::rows).unwrap_or(0);
     let at = |row: usize| values.map_or(f64::NAN, |values| values.at(row));
     let finite = (0..rows).map(at).filter(|value| value.is_finite());
-    let mut steps: Vec<f64> = (1..rows).map(|row| at(row) - at(row - 1)).collect();
+    let mut steps: Vec<f64> = match values {
+        // Nanoseconds of a calendar are more than a float holds; their differences are not.
+        Some(Values::Count(whole)) => {
+            whole.windows(2).map(|pair| pair[1].saturating_sub(pair[0]) as f64).collect()
+        }
+        _ => (1..rows).map(|row| at(row) - at(row - 1)).collect(),
+    };
     steps.retain(|step| step.is_finite() && *step > 0.0);
     steps.sort_by(f64::total_cmp);
     Looked {

@@ -1,6 +1,7 @@
 //! What was seen of a column.
 
 use super::words::words;
+use crate::foreign::{LOG_TIME, STAMP};
 
 /// What was seen of a column.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -23,8 +24,11 @@ impl Looked {
         words(&self.full_name())
     }
 
-    /// Its name behind what it stands in.
+    /// Its name behind what it stands in; times of messages say nothing of their topic.
     pub(super) fn full_name(&self) -> String {
-        format!("{} {}", self.context, self.name)
+        match self.name.as_str() {
+            STAMP | LOG_TIME => self.name.clone(),
+            name => format!("{} {name}", self.context),
+        }
     }
 }

@@ -39,7 +39,7 @@ fn time(words: &[String], looked: &Looked) -> Option<Units> {
         false => units.into_iter().find(|(_, unit_s)| fits(*unit_s))?,
     };
     let rate = 1.0 / (looked.median_step * unit_s);
-    Some(("s", unit, format!("a step of {} gives {rate:.4} Hz", looked.median_step)))
+    Some(("s", unit, format!("its step, {:.6}, gives {rate:.1} Hz", looked.median_step)))
 }
 
 fn angle(words: &[String], looked: &Looked) -> Units {
@@ -62,9 +62,9 @@ fn angle(words: &[String], looked: &Looked) -> Units {
     match looked.largest > std::f64::consts::TAU {
         true if looked.is_whole => ("count", "count", format!("whole numbers up to {largest}")),
         true => {
-            ("rad", "deg", format!("goes to {largest:.4}, which is more than a turn in radians"))
+            ("rad", "deg", format!("goes to {largest:.3}, which is more than a turn in radians"))
         }
-        false => ("rad", "rad", format!("goes to {largest:.4}")),
+        false => ("rad", "rad", format!("goes to {largest:.3}")),
     }
 }
 

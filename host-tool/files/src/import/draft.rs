@@ -10,6 +10,7 @@ use super::plan::{Plan, is_position};
 use super::text::text;
 use crate::error::FileError;
 use crate::guess::{Command, Guess, guess};
+use crate::quantity::Role;
 
 /// A list for files of others.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,15 +39,22 @@ pub fn draft(
     let (plan, left) = plan(main, &files, directory, command);
     open.extend(left);
     open.extend(gaps(&plan, command, joints));
-    let lines = |guesses: &[Guess], stream: &str| -> Vec<String> {
-        guesses
-            .iter()
-            .map(|guess| format!("{}    # {}", guess.line(stream), guess.reason))
-            .collect()
-    };
-    let mut guessed = lines(&plan.own, "");
-    plan.beside.iter().for_each(|beside| guessed.extend(lines(&beside.guesses, &beside.name)));
+    let mut guessed: Vec<String> = plan.own.iter().map(|guess| said(guess, "")).collect();
+    for beside in &plan.beside {
+        guessed.extend(beside.guesses.iter().map(|guess| said(guess, &beside.name)));
+    }
     Ok(Draft { text: text(&plan), guessed, open })
+}
+
+/// A guess's line and its reason; times of streams stand under the streams.
+fn said(guess: &Guess, stream: &str) -> String {
+    let line = match (guess.quantity.role, stream) {
+        (Role::Time, stream) if !stream.is_empty() => {
+            format!("[streams.{stream}] {}", guess.line("").replacen("t_s", "time", 1))
+        }
+        _ => guess.line(stream),
+    };
+    format!("{line}    # {}", guess.reason)
 }
 
 /// How many positions a stream seems to have.

@@ -7,6 +7,8 @@ use super::align::held;
 pub(super) struct Lag {
     /// Time by which the copy is later [s].
     pub(super) seconds: f64,
+    /// What nothing tells apart, to either side [s].
+    pub(super) doubt_s: f64,
     /// Correlation of the two there.
     pub(super) correlation: f64,
 }
@@ -34,7 +36,7 @@ pub(super) fn lag(
     let at = |seconds: f64| {
         let shifted: Vec<f64> =
             times.iter().map(|t| held(signal.0, signal.1, t - seconds)).collect();
-        Lag { seconds, correlation: correlation(&shifted, &values) }
+        Lag { seconds, doubt_s: 0.0, correlation: correlation(&shifted, &values) }
     };
     let steps = (range_s / step_s).ceil().clamp(1.0, MOST_STEPS) as i32;
     let mut best = best_of(&at, at(centre_s), steps, step_s);
@@ -61,7 +63,8 @@ fn middle_of_best(best: Lag, step_s: f64, at: impl Fn(f64) -> Lag) -> Lag {
         let steps = (1..=REACH).map(|k| best.seconds + sign * f64::from(k) * step_s);
         steps.take_while(|seconds| as_good(*seconds)).last().unwrap_or(best.seconds)
     };
-    Lag { seconds: (reach(1.0) + reach(-1.0)) / 2.0, ..best }
+    let (last, first) = (reach(1.0), reach(-1.0));
+    Lag { seconds: (last + first) / 2.0, doubt_s: (last - first) / 2.0 + step_s, ..best }
 }
 
 /// Correlation where both are numbers; 0 where one does not vary or less than half overlaps.

@@ -76,14 +76,14 @@ impl Lane {
             time_s[*row].is_finite() && columns.iter().all(|values| values.at(*row).is_finite())
         };
         rows.retain(is_number);
-        told(&mut notes, selected - rows.len(), "lack a number and were left out");
+        told(&mut notes, selected - rows.len(), "rows that lack a number were left out");
         // Messages are recorded as they arrive, which need not be the order of their stamps.
         if times.source.column == crate::foreign::STAMP {
             rows.sort_by(|a, b| time_s[*a].total_cmp(&time_s[*b]));
         }
         let whole = rows.len();
         rows.dedup_by(|now, before| time_s[*now] == time_s[*before]);
-        told(&mut notes, whole - rows.len(), "repeat the time before them and were left out");
+        told(&mut notes, whole - rows.len(), "rows that repeat the time before them were left out");
         let lane = Self { time_s: rows.iter().map(|row| time_s[*row]).collect(), rows, notes };
         lane.check(selected, &times.source.column)?;
         Ok(lane)
@@ -122,6 +122,6 @@ impl Lane {
 
 fn told(notes: &mut Vec<String>, count: usize, what: &str) {
     if count > 0 {
-        notes.push(format!("{count} rows {what}"));
+        notes.push(format!("{what}: {count}"));
     }
 }

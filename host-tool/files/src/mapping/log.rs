@@ -109,13 +109,21 @@ impl<'a> Log<'a> {
                     lag.seconds, lag.correlation
                 ));
             }
-            (Some((column, lag)), Clock::Same) => self.notes.push(format!(
-                "stream {name}: {column} is seen {:.2} ms after it was sent (correlation {:.4}); nothing was \
-                 shifted, shift_s = {:.5} in [streams.{name}] would",
-                1e3 * lag.seconds,
-                lag.correlation,
-                other.said.shift_s + lag.seconds
-            )),
+            (Some((column, lag)), Clock::Same) => {
+                let (late_ms, doubt_ms) = (1e3 * lag.seconds, 1e3 * lag.doubt_s);
+                let shift_s = other.said.shift_s + lag.seconds;
+                let cure = match lag.seconds.abs() > lag.doubt_s {
+                    true => {
+                        format!("shift_s = {shift_s:.5} in [streams.{name}] would take that away")
+                    }
+                    false => "which is none".to_owned(),
+                };
+                self.notes.push(format!(
+                    "stream {name}: {column} is seen {late_ms:.2} +- {doubt_ms:.2} ms after it was sent \
+                     (correlation {:.4}); nothing was shifted, {cure}",
+                    lag.correlation
+                ));
+            }
             (None, Clock::Own) => {
                 return Err(contradiction(format!(
                     "[streams.{name}] has clock = \"own\", but no column of it has a `copy` in the log's \
@@ -147,7 +155,9 @@ impl<'a> Log<'a> {
             let (signal, copy) = (other.values(wanted, lane), self.lane.values(values));
             let (from_s, to_s) = (lane.time_s.as_slice(), self.lane.time_s.as_slice());
             let found = lag((from_s, &signal), (to_s, &copy), centre_s, range_s, step_s);
-            if let Some(lag) = found.filter(|lag| lag.correlation.abs() >= LEAST_CORRELATION) {
+            if let Some(mut lag) = found.filter(|lag| lag.correlation.abs() >= LEAST_CORRELATION) {
+                // What is held stands for what was sent up to a period before.
+                lag.doubt_s = lag.doubt_s.max(lane.period_s() / 2.0);
                 return Ok(Some((wanted.quantity.name(), lag)));
             }
         }
@@ -203,7 +213,9 @@ impl<'a> Log<'a> {
             return Err(contradiction(what));
         }
         if left_out > 0 {
-            self.notes.push(format!("{left_out} rows before or after stream {name} were left out"));
+            self.notes.push(format!(
+                "{left_out} of the log's rows lie before or after stream {name} and were left out"
+            ));
             for (_, values) in &mut self.columns {
                 keep(values, &is_kept);
             }
