@@ -4,10 +4,12 @@
 
 mod delimited;
 mod format;
+mod guarded;
 mod npy;
 mod npz;
 mod parquet;
 mod parquet_column;
+mod parquet_pages;
 mod ros_message;
 mod rosbag2;
 mod rows;

@@ -1,10 +1,13 @@
 //! Parquet, as LeRobot, pandas and polars write it.
 
 use bytes::Bytes;
+use parquet::column::reader::get_column_reader;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 
 use super::Wanted;
+use super::guarded::guarded;
 use super::parquet_column::{Cells, name, read_cells};
+use super::parquet_pages::BoundedPages;
 use crate::error::Problem;
 use crate::table::{Table, Values};
 
@@ -13,6 +16,12 @@ const LONGEST_LIST: usize = 1024;
 
 /// The file's columns; lists of numbers have a column for each element.
 pub(super) fn read(bytes: &[u8], wanted: Wanted) -> Result<Table, Problem> {
+    // The library takes much of a file on trust, and panics where that is betrayed.
+    let read = guarded(|| columns(bytes, wanted));
+    read.unwrap_or_else(|what| Err(Problem::Damaged { format: "Parquet", what }))
+}
+
+fn columns(bytes: &[u8], wanted: Wanted) -> Result<Table, Problem> {
     let reader = SerializedFileReader::new(Bytes::copy_from_slice(bytes)).map_err(damaged)?;
     let schema = reader.metadata().file_metadata().schema_descr_ptr();
     let mut columns = Vec::new();
@@ -25,8 +34,9 @@ pub(super) fn read(bytes: &[u8], wanted: Wanted) -> Result<Table, Problem> {
         let Some(mut cells) = Cells::of(column) else { continue };
         for group in 0..reader.num_row_groups() {
             let group = reader.get_row_group(group).map_err(damaged)?;
-            read_cells(group.get_column_reader(index).map_err(damaged)?, &mut cells)
-                .map_err(damaged)?;
+            let pages = BoundedPages(group.get_column_page_reader(index).map_err(damaged)?);
+            let reader = get_column_reader(column.clone(), Box::new(pages));
+            read_cells(reader, &mut cells).map_err(damaged)?;
         }
         push(&mut columns, name, cells);
     }
