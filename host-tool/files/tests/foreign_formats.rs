@@ -160,6 +160,21 @@ fn a_parquet_file_that_is_cut_is_named() {
     );
 }
 
+#[test]
+fn a_parquet_file_that_is_damaged_anywhere_is_read_or_refused() {
+    let good = parquet_file();
+    let damaged = |place: usize, byte: u8| {
+        let mut bytes = good.clone();
+        bytes[place] = byte;
+        read("log.parquet", bytes)
+    };
+    let refused =
+        (0..good.len()).flat_map(|place| [0x00, 0x7F, 0x80, 0xFF].map(|b| damaged(place, b)));
+    let refused = refused.filter_map(Result::err).collect::<Vec<_>>();
+    assert!(refused.len() > 100, "{}", refused.len());
+    assert!(refused.iter().all(|message| message.starts_with("log.parquet: ")));
+}
+
 /// The CDR of a message of ROS, behind its head.
 fn cdr(message: &impl serde::Serialize) -> Vec<u8> {
     let body = cdr_encoding::to_vec::<_, LittleEndian>(message).unwrap();
@@ -239,4 +254,28 @@ fn what_cannot_be_read_is_named_by_topic() {
             .contains("topics: /rosout (rcl_interfaces/msg/Log, cdr)")
     );
     assert!(read("log.xlsx", vec![1]).unwrap_err().contains("the name does not end in .csv"));
+}
+
+#[test]
+fn a_recording_without_a_mapping_is_told_what_it_has() {
+    let states = joint_state(0, ["elbow", "wrist"], [1.0, 2.0]);
+    let no_dimensions: Vec<(String, u32, u32)> = Vec::new();
+    let file = mcap_file(&[
+        ("/commands", ARRAY, cdr(&(no_dimensions, 0u32, vec![7.0, 8.0]))),
+        ("/joint_states", STATE, cdr(&states)),
+    ]);
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("bag.mcap"), file).unwrap();
+    let view = files::mapping::View::default();
+    let error = files::Log::read_mapped(directory.path(), "bag.mcap", &view).unwrap_err();
+    let message = error.to_string();
+    for part in [
+        "bag.mcap: the column q1_rad (or q1_count) is missing",
+        "found in bag.mcap, /joint_states: header.stamp, log_time, position[elbow]",
+        "found in bag.mcap, /commands (not used",
+        "q2_rad = \"position[wrist]\"",
+        "u1_Nm = \"effort[elbow]\"",
+    ] {
+        assert!(message.contains(part), "no `{part}` in: {message}");
+    }
 }

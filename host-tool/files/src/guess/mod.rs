@@ -9,7 +9,7 @@ mod units;
 mod words;
 
 pub use columns::{Command, UNNAMED, guess};
-pub use look::look;
+pub use look::{look, names_alone};
 pub use looked::Looked;
 
 use crate::quantity::Quantity;

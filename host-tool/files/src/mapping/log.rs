@@ -109,21 +109,7 @@ impl<'a> Log<'a> {
                     lag.seconds, lag.correlation
                 ));
             }
-            (Some((column, lag)), Clock::Same) => {
-                let (late_ms, doubt_ms) = (1e3 * lag.seconds, 1e3 * lag.doubt_s);
-                let shift_s = other.said.shift_s + lag.seconds;
-                let cure = match lag.seconds.abs() > lag.doubt_s {
-                    true => {
-                        format!("shift_s = {shift_s:.5} in [streams.{name}] would take that away")
-                    }
-                    false => "which is none".to_owned(),
-                };
-                self.notes.push(format!(
-                    "stream {name}: {column} is seen {late_ms:.2} +- {doubt_ms:.2} ms after it was sent \
-                     (correlation {:.4}); nothing was shifted, {cure}",
-                    lag.correlation
-                ));
-            }
+            (Some((column, lag)), Clock::Same) => self.tell_lag(other, &column, lag),
             (None, Clock::Own) => {
                 return Err(contradiction(format!(
                     "[streams.{name}] has clock = \"own\", but no column of it has a `copy` in the log's \
@@ -133,6 +119,22 @@ impl<'a> Log<'a> {
             (None, Clock::Same) => {}
         }
         Ok(())
+    }
+
+    /// Says a lag that was not taken away.
+    fn tell_lag(&mut self, other: &Source, column: &str, lag: Lag) {
+        let name = &other.name;
+        let (late_ms, doubt_ms) = (1e3 * lag.seconds, 1e3 * lag.doubt_s);
+        let shift_s = other.said.shift_s + lag.seconds;
+        let cure = match lag.seconds.abs() > lag.doubt_s {
+            true => format!("shift_s = {shift_s:.5} in [streams.{name}] would take that away"),
+            false => "which is none".to_owned(),
+        };
+        self.notes.push(format!(
+            "stream {name}: {column} is seen {late_ms:.2} +- {doubt_ms:.2} ms after it was sent (correlation \
+             {:.4}); nothing was shifted, {cure}",
+            lag.correlation
+        ));
     }
 
     /// The lag by the first copy that is believed, and the column's name.

@@ -9,6 +9,9 @@ use crate::quantity::Quantity;
 /// Columns named in a message at most; the rest is counted.
 const MOST_NAMES: usize = 60;
 
+/// The name of a stream that the mapping does not have.
+pub(super) const UNUSED: &str = "";
+
 /// A stream that was read, with its name in the mapping.
 pub(super) struct Found<'a> {
     pub(super) name: &'a str,
@@ -36,7 +39,11 @@ pub(super) fn unmapped(missing: &[String], found: &[Found], needed: &[String]) -
 fn place(found: &Found) -> String {
     let Found { name, file, stream } = found;
     let topic = if stream.name.is_empty() { String::new() } else { format!(", {}", stream.name) };
-    let stream = if *name == OWN { String::new() } else { format!(" (stream {name})") };
+    let stream = match *name {
+        OWN => String::new(),
+        UNUSED => " (not used; [streams.NAME] with its topic or time would)".to_owned(),
+        name => format!(" (stream {name})"),
+    };
     format!("{file}{topic}{stream}")
 }
 
@@ -52,7 +59,7 @@ fn names(stream: &Stream) -> String {
 fn lines(found: &[Found], missing: &[String]) -> Vec<String> {
     let mut lines = Vec::new();
     let mut told: Vec<String> = Vec::new();
-    for found in found {
+    for found in found.iter().filter(|found| found.name != UNUSED) {
         let looked: Vec<Looked> = look(&found.stream.name, &found.stream.table);
         let stream = if found.name == OWN { "" } else { found.name };
         for guess in guess(&looked, None) {

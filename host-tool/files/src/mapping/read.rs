@@ -6,13 +6,14 @@ use std::path::Path;
 use super::assemble::Wanted;
 use super::lane::Times;
 use super::log::{Log, Mapped};
-use super::message::{Found, unmapped};
+use super::message::{Found, UNUSED, unmapped};
 use super::source::Source;
 use super::spec::StreamSource;
 use super::view::{OWN, View};
 use crate::error::{FileError, LocatedProblem, Problem};
 use crate::foreign::{self, Stream, Wanted as WantedNames};
-use crate::quantity::Quantity;
+use crate::guess::{guess, names_alone};
+use crate::quantity::{Quantity, Role};
 
 /// What a log needs.
 #[derive(Clone, Copy, Debug)]
@@ -84,6 +85,8 @@ impl<P: Into<LocatedProblem>> From<P> for Fault {
 /// All streams of a log, its own first.
 struct Opened {
     sources: Vec<Source>,
+    /// All streams of each file.
+    files: BTreeMap<String, Vec<Stream>>,
 }
 
 impl Opened {
@@ -108,7 +111,7 @@ impl Opened {
             let stream = picked.map_err(|problem| problem.in_file(&path))?.clone();
             sources.push(Source { name: name.to_owned(), file, said, stream });
         }
-        Ok(Self { sources })
+        Ok(Self { sources, files })
     }
 
     fn mapped(&self, view: &View, needs: Needs) -> Result<Mapped, Fault> {
@@ -139,7 +142,14 @@ impl Opened {
         let needed: Vec<String> = needs.required.iter().cloned().chain(beside).collect();
         let sources = self.sources.iter();
         let found = sources.map(|Source { name, file, stream, .. }| Found { name, file, stream });
-        let found: Vec<Found> = found.collect();
+        let mut found: Vec<Found> = found.collect();
+        for (file, stream) in
+            self.files.iter().flat_map(|(file, streams)| streams.iter().map(move |s| (file, s)))
+        {
+            if !self.sources.iter().any(|source| source.file == *file && source.stream == *stream) {
+                found.push(Found { name: UNUSED, file, stream });
+            }
+        }
         unmapped(missing, &found, &needed)
     }
 }
@@ -169,10 +179,18 @@ fn pick<'a>(
         let is_there = |name: &&str| stream.table.names().any(|other| other == *name);
         let of_log = stream.table.names().filter(|name| Quantity::of(name).is_some()).count();
         let has_time = usize::from(time.is_some_and(|time| is_there(&time)));
-        1000 * has_time + columns.iter().filter(|name| is_there(name)).count() + of_log
+        let told = 1000 * has_time + columns.iter().filter(|name| is_there(name)).count() + of_log;
+        (told, positions(stream))
     };
     // Of equals the first.
     streams.iter().rev().max_by_key(count).ok_or(Problem::NoSamples)
+}
+
+/// How many positions a stream has by the names of its columns.
+fn positions(stream: &Stream) -> usize {
+    let guesses = guess(&names_alone(&stream.name, &stream.table), None);
+    let roles = guesses.iter().map(|guess| guess.quantity.role);
+    roles.filter(|role| matches!(role, Role::Position | Role::Count)).count()
 }
 
 /// What the log needs and no stream has: `q1_rad (or q1_count)` is there if one of them is.
