@@ -92,7 +92,7 @@ fn cdr(message: &impl serde::Serialize) -> Vec<u8> {
     [&[0, 1, 0, 0], body.as_slice()].concat()
 }
 
-/// A recording of ROS, not packed, so that damage reaches the messages.
+/// Recordings of ROS; most are not packed, so that damage reaches the messages.
 pub fn recordings() -> Vec<Vec<u8>> {
     let header = || (1, 5u32, "base".to_owned());
     let names = || vec!["elbow".to_owned(), "wrist".to_owned()];
@@ -107,16 +107,18 @@ pub fn recordings() -> Vec<Vec<u8>> {
         ("trajectory_msgs/msg/JointTrajectory", cdr(&(header(), names(), vec![point]))),
         ("control_msgs/msg/DynamicJointState", cdr(&(header(), names(), interfaces))),
     ];
-    let all = recording(&messages).expect("a recording in memory");
-    let single = messages
-        .iter()
-        .map(|message| recording(std::slice::from_ref(message)).expect("a recording in memory"));
-    [all].into_iter().chain(single).collect()
+    let packings = [None, Some(mcap::Compression::Zstd), Some(mcap::Compression::Lz4)];
+    let all = packings.map(|packing| recording(&messages, packing));
+    let single = messages.iter().map(|message| recording(std::slice::from_ref(message), None));
+    all.into_iter().chain(single).map(|recording| recording.expect("memory")).collect()
 }
 
-fn recording(messages: &[(&str, Vec<u8>)]) -> mcap::McapResult<Vec<u8>> {
+fn recording(
+    messages: &[(&str, Vec<u8>)],
+    packing: Option<mcap::Compression>,
+) -> mcap::McapResult<Vec<u8>> {
     let mut bytes = Cursor::new(Vec::new());
-    let options = mcap::WriteOptions::new().compression(None).calculate_chunk_crcs(false);
+    let options = mcap::WriteOptions::new().compression(packing).calculate_chunk_crcs(false);
     let mut writer = options.create(&mut bytes)?;
     for (index, (schema, data)) in (0..).zip(messages) {
         let id = writer.add_schema(schema, "ros2msg", b"")?;

@@ -1,6 +1,7 @@
 //! The recorded motions of an arm of any kind.
 
 use files::arm_log::ArmJointLog;
+use files::mapping::told;
 use files::{ArmFile, ArmJoint, ArmLog, Dataset, Experiment, FileError, Role};
 
 use crate::campaign::{JointTrace, Trace};
@@ -77,10 +78,11 @@ impl ArmCampaign {
             let view = mapping.view(place);
             let (log, of_log) = ArmLog::read_mapped(&dataset.directory, &entry.file, &view, &arm)?;
             let file = view.label(&entry.file);
-            notes.extend(of_log.into_iter().map(|note| format!("{file}: {note}.")));
+            notes.push((file.clone(), of_log));
             recordings.push(ArmRecording { file, role: entry.role, log });
         }
-        Ok((Self { arm, recordings }, notes))
+        let of_logs = notes.iter().map(|(file, notes)| (file.as_str(), notes.as_slice()));
+        Ok((Self { arm, recordings }, told(of_logs)))
     }
 
     /// The logs of a role.

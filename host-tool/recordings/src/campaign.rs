@@ -2,6 +2,7 @@
 
 use model::Geometry;
 
+use files::mapping::told;
 use files::{Dataset, Entry, Experiment, FileError, Log, Recording, RobotFile, Role};
 
 /// A log in radians and volts.
@@ -125,11 +126,8 @@ impl Campaign {
     /// A file that cannot be used.
     pub fn read(dataset: &Dataset, robot_file: RobotFile) -> Result<Self, FileError> {
         let recordings = dataset.recordings()?;
-        let of_log = |recording: &Recording| {
-            let file = &recording.entry.file;
-            recording.notes.iter().map(|note| format!("{file}: {note}.")).collect::<Vec<_>>()
-        };
-        let notes = recordings.iter().flat_map(of_log).collect();
+        let of_logs = recordings.iter().map(|r| (r.entry.file.as_str(), r.notes.as_slice()));
+        let notes = told(of_logs);
         let traces = recordings.into_iter().map(Trace::of).collect();
         let counts = robot_file.robot.encoder_counts_per_rev.or(dataset.encoder_counts_per_rev);
         Ok(Self { notes, ..Self::new(robot_file, counts, traces)? })

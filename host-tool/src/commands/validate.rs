@@ -7,7 +7,8 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::output_files::create_directory;
 use crate::terminal::progress::Steps;
-use files::{Dataset, Recording, RobotFile, Role};
+use files::mapping::told;
+use files::{Dataset, RobotFile, Role};
 use identification::procedure::HeldOutLog;
 use recordings::Trace;
 use report::validation_page::{HEADER, rows, validation_page};
@@ -41,11 +42,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let message = format!("{}: no log has role \"holdout\"", list.display());
         return Err(Failure::new(message, "give one log that role; the model is judged on it"));
     }
-    let of_log = |recording: &Recording| {
-        let file = &recording.entry.file;
-        recording.notes.iter().map(|note| format!("{file}: {note}.")).collect::<Vec<_>>()
-    };
-    let notes: Vec<String> = recordings.iter().flat_map(of_log).collect();
+    let of_logs = recordings.iter().map(|r| (r.entry.file.as_str(), r.notes.as_slice()));
+    let notes = told(of_logs);
     steps.at("reconstructing");
     let held: Result<Vec<HeldOutLog>, _> = recordings
         .into_iter()

@@ -80,8 +80,9 @@ impl<'a> Log<'a> {
         let name = &other.name;
         self.notes.extend(lane.notes.drain(..).map(|note| format!("stream {name}: {note}")));
         lane.time_s.iter_mut().for_each(|time_s| *time_s += other.said.shift_s);
+        let before = self.notes.len();
         self.settle_clock(other, &mut lane, wanted)?;
-        self.tell_rates(name, &lane, times);
+        self.tell_rates(name, &lane, times, self.notes.len() > before);
         for wanted in wanted {
             let values = other.values(wanted, &lane);
             let role = wanted.quantity.role;
@@ -179,16 +180,19 @@ impl<'a> Log<'a> {
     }
 
     /// Says how a stream was put onto the log's times, where these are not its own.
-    fn tell_rates(&mut self, name: &str, lane: &Lane, times: &Times) {
+    fn tell_rates(&mut self, name: &str, lane: &Lane, times: &Times, is_lag_told: bool) {
         let is_same = lane.time_s.len() == self.lane.time_s.len()
             && lane.time_s.iter().zip(&self.lane.time_s).all(|(a, b)| (a - b).abs() < 1e-9);
         if is_same {
             return;
         }
+        let unknown = match is_lag_told {
+            true => "",
+            false => "; a lag between their stamps would show as a delay of the drive",
+        };
         let [rate, own_rate] = [lane, &self.lane].map(|lane| 1.0 / lane.period_s());
         self.notes.push(format!(
-            "stream {name}: {rate:.1} Hz put onto the log's {own_rate:.1} Hz by time stamps; a lag between \
-             their stamps would show as a delay of the drive"
+            "stream {name}: {rate:.1} Hz put onto the log's {own_rate:.1} Hz by time stamps{unknown}"
         ));
         if times.source.column == LOG_TIME {
             self.notes.push(format!(

@@ -7,6 +7,7 @@ mod lag;
 mod lane;
 mod log;
 mod message;
+mod notes;
 mod parse;
 mod read;
 mod source;
@@ -14,6 +15,7 @@ mod spec;
 mod view;
 
 pub use log::Mapped;
+pub use notes::told;
 pub(super) use parse::parse;
 pub use read::{Needs, explain, lacks_time, read};
 pub use spec::{Clock, ColumnSource, LogMapping, Mapping, StreamSource};
