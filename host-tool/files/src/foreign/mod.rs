@@ -10,6 +10,7 @@ mod npz;
 mod parquet;
 mod parquet_column;
 mod parquet_pages;
+mod parquet_schema;
 mod ros_message;
 mod rosbag2;
 mod rows;

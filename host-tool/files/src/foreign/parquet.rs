@@ -8,6 +8,7 @@ use super::Wanted;
 use super::guarded::guarded;
 use super::parquet_column::{Cells, name, read_cells};
 use super::parquet_pages::BoundedPages;
+use super::parquet_schema::is_believable;
 use crate::error::Problem;
 use crate::table::{Table, Values};
 
@@ -16,6 +17,10 @@ const LONGEST_LIST: usize = 1024;
 
 /// The file's columns; lists of numbers have a column for each element.
 pub(super) fn read(bytes: &[u8], wanted: Wanted) -> Result<Table, Problem> {
+    if !is_believable(bytes) {
+        let what = "its schema claims more than the file can hold".to_owned();
+        return Err(Problem::Damaged { format: "Parquet", what });
+    }
     // The library takes much of a file on trust, and panics where that is betrayed.
     let read = guarded(|| columns(bytes, wanted));
     read.unwrap_or_else(|what| Err(Problem::Damaged { format: "Parquet", what }))
