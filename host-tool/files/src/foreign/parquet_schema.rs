@@ -5,10 +5,11 @@
 
 const MAGIC: &[u8] = b"PAR1";
 
-/// Whether the claims can be believed; schemas that cannot be followed are left to the library.
+/// Whether the claims can be believed; a schema that cannot be followed is not. Files without an end are
+/// left to the library.
 pub(super) fn is_believable(file: &[u8]) -> bool {
     let Some(metadata) = metadata(file) else { return true };
-    claims(metadata).is_none_or(|most| most <= metadata.len() as u64)
+    claims(metadata).is_some_and(|most| most <= metadata.len() as u64)
 }
 
 fn metadata(file: &[u8]) -> Option<&[u8]> {
@@ -26,10 +27,10 @@ fn claims(metadata: &[u8]) -> Option<u64> {
         if (id, kind) == (2, LIST) {
             let (count, kind) = input.list()?;
             for _ in 0..count {
-                // What was claimed before the end counts, too.
-                if kind != STRUCT || input.node(&mut most).is_none() {
-                    return Some(most);
+                if kind != STRUCT {
+                    return None;
                 }
+                input.node(&mut most)?;
             }
             return Some(most);
         }
