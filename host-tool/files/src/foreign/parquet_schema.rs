@@ -97,6 +97,8 @@ impl Input<'_> {
             match (id, kind) {
                 // Signs alternate: 2 n is n, 2 n - 1 is -n.
                 (5, 4..=6) => *most = (*most).max(self.varint()?.div_ceil(2)),
+                // The library reads a number here whatever kind stands before it.
+                (5, _) => return None,
                 _ => self.skip(kind, 0)?,
             }
         }
