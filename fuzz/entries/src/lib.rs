@@ -4,6 +4,7 @@
 //! runner of this crate damages good inputs at random, on any compiler.
 #![forbid(unsafe_code)]
 
+pub mod foreign_seeds;
 pub mod mutate;
 pub mod rng;
 pub mod seeds;
@@ -21,7 +22,7 @@ pub struct Target {
 }
 
 /// All of them.
-pub const TARGETS: [Target; 7] = [
+pub const TARGETS: [Target; 11] = [
     Target { name: "frame_decoder", run: targets::frame_decoder::run, seeds: seeds::frames },
     Target { name: "block_decoder", run: targets::block_decoder::run, seeds: seeds::blocks },
     Target {
@@ -32,5 +33,17 @@ pub const TARGETS: [Target; 7] = [
     Target { name: "store_reader", run: targets::store_reader::run, seeds: seeds::banks },
     Target { name: "log_csv", run: targets::log_csv::run, seeds: seeds::logs_csv },
     Target { name: "log_mcap", run: targets::log_mcap::run, seeds: seeds::logs_mcap },
+    Target { name: "foreign_text", run: targets::foreign_text::run, seeds: foreign_seeds::texts },
+    Target { name: "foreign_npz", run: targets::foreign_npz::run, seeds: foreign_seeds::archives },
+    Target {
+        name: "foreign_parquet",
+        run: targets::foreign_parquet::run,
+        seeds: foreign_seeds::parquets,
+    },
+    Target {
+        name: "foreign_rosbag2",
+        run: targets::foreign_rosbag2::run,
+        seeds: foreign_seeds::recordings,
+    },
     Target { name: "toml_files", run: targets::toml_files::run, seeds: seeds::toml_files },
 ];

@@ -207,6 +207,11 @@ const PENDULUM: &str = "format = 1\n[robot]\ntorque_constant_Nm_per_V = [3]\n\
     alpha2_V_s_per_rad = 0.1\n";
 const DATASET: &str = "format = 1\nencoder_counts_per_rev = 655360\n[[log]]\nfile = \"a.csv\"\n\
     experiment = \"slow\"\nrole = \"train\"\n";
+const MAPPED: &str = "format = 1\n[streams.log]\ntopic = \"/a\"\n[streams.b]\nfile = \"b.npz\"\n\
+    time = { column = \"t\", unit = \"ms\" }\nclock = \"own\"\nshift_s = 0.5\n[columns]\nt_s = \"t\"\n\
+    q1_rad = { column = \"state[0]\", unit = \"deg\", scale = -1, offset = 0.1, wraps_at = 6.3 }\n\
+    u1_V = { stream = \"b\", column = \"u\", copy = \"c\" }\n[[log]]\nfile = \"a.csv\"\n\
+    experiment = \"slow\"\nrole = \"train\"\nrows = { episode = 3 }\nfiles = { b = \"c.npz\" }\n";
 const ARM: &str = "format = 2\n[robot]\ngravity_m_s2 = [0, 0, -9.81]\n[[joint]]\nname = \"a\"\n\
     kind = \"revolute\"\norigin_xyz_m = [0, 0, 0.1]\naxis = [0, 0, 1]\nmass_kg = 1\n\
     com_m = [0, 0, 0]\ninertia_kg_m2 = [1, 0, 0, 1, 0, 1]\nlimits_rad = [-1, 1]\n\
@@ -231,5 +236,13 @@ pub fn toml_files() -> Vec<Vec<u8>> {
         file.write(path).expect("the excitation is good");
     });
     let with_effects = [&model, EFFECTS.as_bytes()].concat();
-    vec![model, with_effects, PENDULUM.into(), DATASET.into(), ARM.into(), excitation]
+    vec![
+        model,
+        with_effects,
+        PENDULUM.into(),
+        DATASET.into(),
+        MAPPED.into(),
+        ARM.into(),
+        excitation,
+    ]
 }

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::error::{FileError, Problem};
 use super::log::Log;
+use super::mapping::{self, Mapping, View};
 use super::replace::replace_file;
 use super::robot_file::whole_if_possible;
 use super::toml_source::{FORMAT, TomlSource};
@@ -79,6 +80,8 @@ pub struct Recording {
     pub entry: Entry,
     /// The log itself.
     pub log: Log,
+    /// What was done to a log of a foreign file that its user should know.
+    pub notes: Vec<String>,
     /// Encoder counts per turn; `None` only where the log is in radians.
     encoder_counts_per_rev: Option<f64>,
 }
@@ -119,6 +122,7 @@ impl Dataset {
     fn of(directory: &Path, source: &TomlSource) -> Result<Self, FileError> {
         let list: List = source.parse()?;
         check(&list, source)?;
+        mapping::parse(source)?;
         Ok(Self {
             directory: directory.to_owned(),
             encoder_counts_per_rev: list.encoder_counts_per_rev,
@@ -166,18 +170,33 @@ impl Dataset {
         &self,
         wanted: impl Fn(&Entry) -> bool,
     ) -> Result<Vec<Recording>, FileError> {
-        let entries: Vec<&Entry> = self.entries.iter().filter(|entry| wanted(entry)).collect();
-        let read: Vec<_> = entries.into_par_iter().map(|entry| self.recording(entry)).collect();
+        let places: Vec<usize> =
+            (0..self.entries.len()).filter(|&place| wanted(&self.entries[place])).collect();
+        let mapping = self.mapping()?;
+        let read = places.into_par_iter().map(|place| self.recording(place, &mapping.view(place)));
+        let read: Vec<_> = read.collect();
         read.into_iter().collect()
     }
 
-    /// Reads one log.
+    /// Which columns of foreign files the logs are made of, as the list in the directory says; nothing
+    /// where there is no list, or one of other logs.
     ///
     /// # Errors
-    /// The log cannot be read, or lacks the joint that its entry names.
-    pub fn recording(&self, entry: &Entry) -> Result<Recording, FileError> {
+    /// A list that cannot be used.
+    pub fn mapping(&self) -> Result<Mapping, FileError> {
+        let path = self.directory.join(LIST_NAME);
+        if !path.exists() {
+            return Ok(Mapping::default());
+        }
+        let mapping = mapping::parse(&TomlSource::read(&path)?)?;
+        Ok(if mapping.logs.len() == self.entries.len() { mapping } else { Mapping::default() })
+    }
+
+    /// Reads the log of that place in the list.
+    fn recording(&self, place: usize, view: &View) -> Result<Recording, FileError> {
+        let entry = &self.entries[place];
         let path = self.directory.join(&entry.file);
-        let log = Log::read(&path)?;
+        let (log, notes) = Log::read_mapped(&self.directory, &entry.file, view)?;
         if let Some(joint) = entry.joint
             && log.joint(joint).is_none()
         {
@@ -189,7 +208,8 @@ impl Dataset {
             return Err(Problem::MissingParameter(what).in_file(&self.directory.join(LIST_NAME)));
         }
         let encoder_counts_per_rev = self.encoder_counts_per_rev;
-        Ok(Recording { entry: entry.clone(), log, encoder_counts_per_rev })
+        let entry = Entry { file: view.label(&entry.file), ..entry.clone() };
+        Ok(Recording { entry, log, notes, encoder_counts_per_rev })
     }
 }
 

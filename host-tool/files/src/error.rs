@@ -84,6 +84,32 @@ pub enum Problem {
     /// The extension says nothing about the format.
     #[error("the name does not end in .csv, .csv.gz or .mcap")]
     UnknownExtension,
+    /// The same of a file in any format.
+    #[error(
+        "the name does not end in .csv, .tsv, .txt (each also .gz), .npz, .npy, .parquet or .mcap"
+    )]
+    UnknownTable,
+    /// Data of a format that are cut short or damaged.
+    #[error("the {format} data cannot be read: {what}")]
+    Damaged {
+        /// The format's name.
+        format: &'static str,
+        /// What is wrong with them.
+        what: String,
+    },
+    /// A recording without a topic that can be read; the topics that it has.
+    #[error(
+        "no topic has messages that are read here (sensor_msgs/msg/JointState and the like, in CDR); topics: {0}"
+    )]
+    NoTopic(String),
+    /// A path below which there is no file that can be read; what was said of each.
+    #[error(
+        "no log is there that can be read: .csv, .tsv, .txt (each also .gz), .npz, .npy, .parquet or .mcap\n{0}"
+    )]
+    NoTables(String),
+    /// Columns that a log needs and that were not found: what there is, and how to say which is which.
+    #[error("{0}")]
+    Unmapped(String),
     /// The compressed stream ends early or is damaged.
     #[error("the gzip data is cut short or damaged: {0}")]
     BrokenGzip(std::io::Error),
@@ -208,7 +234,15 @@ impl Problem {
             Self::Unwritable(_) => {
                 "check that the directory exists, has room, and that you may write there"
             }
-            Self::UnknownExtension => "rename the file to what it holds",
+            Self::UnknownExtension | Self::UnknownTable => "rename the file to what it holds",
+            Self::Damaged { .. } => "fetch or record the file again, or export it anew",
+            Self::NoTopic(_) => {
+                "record the joints' states and commands; `ros2 bag convert` makes MCAP of other storages"
+            }
+            Self::NoTables(_) => "give the file or folder of the logs",
+            Self::Unmapped(_) => {
+                "write such lines into dataset.toml, or let `rrr import` write them; docs/imports.md has each key"
+            }
             Self::BrokenGzip(_) => "fetch or record the file again; `gzip -t` tests it",
             Self::NotUtf8(_) => "export the file as plain UTF-8 text",
             Self::Empty | Self::NoSamples => "record the file again: it needs at least one sample",

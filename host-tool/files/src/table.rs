@@ -62,6 +62,25 @@ impl Table {
         Ok(table)
     }
 
+    /// A table of columns by name, all of the same length but for those that are skipped.
+    ///
+    /// # Errors
+    /// Columns that differ in length.
+    pub fn of(columns: Vec<(String, Values)>) -> Result<Self, Problem> {
+        let mut lengths = columns.iter().filter_map(|(_, values)| values.rows());
+        let rows = lengths.next().unwrap_or(0);
+        match lengths.find(|length| *length != rows) {
+            Some(found) => Err(Problem::UnequalLength { found, expected: rows }),
+            None => Ok(Self { columns, rows }),
+        }
+    }
+
+    /// A column, unless it is skipped or not there.
+    pub fn get(&self, name: &str) -> Option<&Values> {
+        let (_, values) = self.columns.iter().find(|(other, _)| other == name)?;
+        Some(values).filter(|values| **values != Values::Skipped)
+    }
+
     fn with_header(header: &[u8], kind_of: impl Fn(&str) -> Kind) -> Result<Self, LocatedProblem> {
         if header.trim_ascii().is_empty() {
             return Err(Problem::Empty.into());
@@ -171,6 +190,27 @@ impl Values {
             Kind::Skipped => Self::Skipped,
             Kind::Float => Self::Float(Vec::new()),
             Kind::Count => Self::Count(Vec::new()),
+        }
+    }
+
+    /// How many values there are; `None` of a column that is skipped.
+    pub fn rows(&self) -> Option<usize> {
+        match self {
+            Self::Skipped => None,
+            Self::Float(values) => Some(values.len()),
+            Self::Count(values) => Some(values.len()),
+        }
+    }
+
+    /// The value of a row; not a number where the column is skipped.
+    ///
+    /// # Panics
+    /// The column has no such row.
+    pub fn at(&self, row: usize) -> f64 {
+        match self {
+            Self::Skipped => f64::NAN,
+            Self::Float(values) => values[row],
+            Self::Count(values) => values[row] as f64,
         }
     }
 

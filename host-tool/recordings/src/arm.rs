@@ -1,7 +1,8 @@
 //! The recorded motions of an arm of any kind.
 
 use files::arm_log::ArmJointLog;
-use files::{ArmFile, ArmJoint, ArmLog, Dataset, Entry, Experiment, FileError, Role};
+use files::mapping::told;
+use files::{ArmFile, ArmJoint, ArmLog, Dataset, Experiment, FileError, Role};
 
 use crate::campaign::{JointTrace, Trace};
 use crate::smoothed::typical_period_s;
@@ -60,12 +61,28 @@ impl ArmCampaign {
     /// # Errors
     /// The first log in the list's order that cannot be used; names file, line and column.
     pub fn read(dataset: &Dataset, arm: ArmFile) -> Result<Self, FileError> {
-        let read = |entry: &Entry| {
-            let log = ArmLog::read(dataset.directory.join(&entry.file), &arm)?;
-            Ok(ArmRecording { file: entry.file.clone(), role: entry.role, log })
-        };
-        let recordings = dataset.entries.iter().map(read).collect::<Result<_, FileError>>()?;
-        Ok(Self { arm, recordings })
+        Ok(Self::read_with_notes(dataset, arm)?.0)
+    }
+
+    /// The same, with what was done to logs of foreign files that their user should know.
+    ///
+    /// # Errors
+    /// As of [`ArmCampaign::read`].
+    pub fn read_with_notes(
+        dataset: &Dataset,
+        arm: ArmFile,
+    ) -> Result<(Self, Vec<String>), FileError> {
+        let (mut recordings, mut notes) = (Vec::new(), Vec::new());
+        let mapping = dataset.mapping()?;
+        for (place, entry) in dataset.entries.iter().enumerate() {
+            let view = mapping.view(place);
+            let (log, of_log) = ArmLog::read_mapped(&dataset.directory, &entry.file, &view, &arm)?;
+            let file = view.label(&entry.file);
+            notes.push((file.clone(), of_log));
+            recordings.push(ArmRecording { file, role: entry.role, log });
+        }
+        let of_logs = notes.iter().map(|(file, notes)| (file.as_str(), notes.as_slice()));
+        Ok((Self { arm, recordings }, told(of_logs)))
     }
 
     /// The logs of a role.

@@ -2,6 +2,7 @@
 
 use model::Geometry;
 
+use files::mapping::told;
 use files::{Dataset, Entry, Experiment, FileError, Log, Recording, RobotFile, Role};
 
 /// A log in radians and volts.
@@ -114,6 +115,8 @@ pub struct Campaign {
     pub robot_file: RobotFile,
     /// All logs.
     pub traces: Vec<Trace>,
+    /// What was done to logs of foreign files that their user should know.
+    pub notes: Vec<String>,
 }
 
 impl Campaign {
@@ -123,9 +126,11 @@ impl Campaign {
     /// A file that cannot be used.
     pub fn read(dataset: &Dataset, robot_file: RobotFile) -> Result<Self, FileError> {
         let recordings = dataset.recordings()?;
+        let of_logs = recordings.iter().map(|r| (r.entry.file.as_str(), r.notes.as_slice()));
+        let notes = told(of_logs);
         let traces = recordings.into_iter().map(Trace::of).collect();
         let counts = robot_file.robot.encoder_counts_per_rev.or(dataset.encoder_counts_per_rev);
-        Self::new(robot_file, counts, traces)
+        Ok(Self { notes, ..Self::new(robot_file, counts, traces)? })
     }
 
     /// A campaign of logs that are at hand; encoder counts per turn where they are known.
@@ -137,7 +142,8 @@ impl Campaign {
         encoder_counts_per_rev: Option<f64>,
         traces: Vec<Trace>,
     ) -> Result<Self, FileError> {
-        Ok(Self { known: known(&robot_file, encoder_counts_per_rev)?, robot_file, traces })
+        let known = known(&robot_file, encoder_counts_per_rev)?;
+        Ok(Self { known, robot_file, traces, notes: Vec::new() })
     }
 
     /// The logs of an experiment, of one role, on a joint where one is named.

@@ -104,7 +104,10 @@ fn of_robot(
     let model = RobotFile::read(&arguments.model)?;
     let campaign = Campaign::read(&Dataset::read(&arguments.dataset)?, model)?;
     let catalogue = Catalogue::standard();
-    Ok(diagnosis::diagnose(&campaign, &catalogue, criteria, &|what| steps.at(what))?)
+    let mut diagnosis =
+        diagnosis::diagnose(&campaign, &catalogue, criteria, &|what| steps.at(what))?;
+    diagnosis.report.remarks.extend(campaign.notes);
+    Ok(diagnosis)
 }
 
 /// The diagnosis of an arm of any kind.
@@ -112,10 +115,12 @@ fn of_arm(arguments: &Arguments, criteria: &Criteria, steps: &Steps) -> Result<D
     let arm = ArmFile::read(&arguments.model)?;
     let catalogue = Catalogue::of_arm(arm.joints.len());
     let mut remarks = arm.remarks();
-    let campaign = ArmCampaign::read(&Dataset::read(&arguments.dataset)?, arm)?;
+    let dataset = Dataset::read(&arguments.dataset)?;
+    let (campaign, mut notes) = ArmCampaign::read_with_notes(&dataset, arm)?;
     let mut diagnosis =
         diagnosis::diagnose_arm(&campaign, &catalogue, criteria, &|what| steps.at(what))?;
     diagnosis.report.remarks.append(&mut remarks);
+    diagnosis.report.remarks.append(&mut notes);
     Ok(diagnosis)
 }
 

@@ -39,9 +39,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let steps = Steps::new();
     steps.at("reading the logs");
     let arm = ArmFile::read(&arguments.model)?;
-    let campaign = ArmCampaign::read(&Dataset::read(&arguments.dataset)?, arm)?;
+    let dataset = Dataset::read(&arguments.dataset)?;
+    let (campaign, mut notes) = ArmCampaign::read_with_notes(&dataset, arm)?;
     let outcome = Outcome::of(&campaign, &Settings::default(), &|what| steps.at(what))?;
-    let report = report(&outcome);
+    let mut report = report(&outcome);
+    report.remarks.append(&mut notes);
     steps.at("drawing the pictures");
     let path = out.join(REPORT);
     let text = json(&report, &path)? + "\n";

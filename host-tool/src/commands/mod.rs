@@ -22,6 +22,7 @@ pub mod export_block;
 pub mod flash;
 pub mod home;
 pub mod identify;
+pub mod import;
 pub mod inverse_dynamics;
 pub mod monitor;
 pub mod run;
@@ -48,6 +49,8 @@ pub struct CommandLine {
 pub enum Command {
     /// Identify the model of an unknown robot from its recorded experiments.
     Identify(identify::Arguments),
+    /// Write a dataset.toml for logs of others: what their columns are, as far as it can be guessed.
+    Import(import::Arguments),
     /// Compute joint torques and voltages from a model and a table of motions.
     InverseDynamics(inverse_dynamics::Arguments),
     /// Record experiments of the simulated robot.
@@ -103,6 +106,7 @@ impl Command {
     pub fn run(self) -> Result<(), Failure> {
         match self {
             Self::Identify(arguments) => identify::run(&arguments),
+            Self::Import(arguments) => import::run(&arguments),
             Self::InverseDynamics(arguments) => inverse_dynamics::run(&arguments),
             Self::Validate(arguments) => validate::run(&arguments),
             Self::Simulate(arguments) => simulate::run(&arguments),

@@ -7,6 +7,7 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::output_files::create_directory;
 use crate::terminal::progress::Steps;
+use files::mapping::told;
 use files::{Dataset, RobotFile, Role};
 use identification::procedure::HeldOutLog;
 use recordings::Trace;
@@ -41,6 +42,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let message = format!("{}: no log has role \"holdout\"", list.display());
         return Err(Failure::new(message, "give one log that role; the model is judged on it"));
     }
+    let of_logs = recordings.iter().map(|r| (r.entry.file.as_str(), r.notes.as_slice()));
+    let notes = told(of_logs);
     steps.at("reconstructing");
     let held: Result<Vec<HeldOutLog>, _> = recordings
         .into_iter()
@@ -55,6 +58,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     for row in rows(&held) {
         println!("{}", row.iter().map(|cell| format!("{cell:>18}")).collect::<String>());
     }
+    notes.iter().for_each(|note| println!("  note: {note}"));
     println!("\nFigures: {}", page.display());
     Ok(())
 }

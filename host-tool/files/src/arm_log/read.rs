@@ -7,6 +7,7 @@ use super::{ArmJointLog, ArmLog};
 use crate::arm_file::{ArmFile, ArmJoint};
 use crate::error::{FileError, LocatedProblem, Place, Problem};
 use crate::log::check::check_time;
+use crate::mapping::{self, Needs, View};
 use crate::table::{Kind, Table, Values};
 
 impl ArmLog {
@@ -16,11 +17,61 @@ impl ArmLog {
     /// Names the file, line and column, what is wrong, and a remedy.
     pub fn read(path: impl AsRef<Path>, arm: &ArmFile) -> Result<Self, FileError> {
         let path = path.as_ref();
-        let joints = (1..).zip(&arm.joints);
-        let columns: Vec<Columns> = joints.map(|(number, j)| Columns::of(number, j)).collect();
+        let columns = columns_of(arm);
         let table = Table::read(path, |name| kind_of(&columns, name))?;
         log_from(table, arm, &columns).map_err(|fault| fault.in_file(path))
     }
+
+    /// Reads a log of any file that can be read, by a mapping; a `.csv` log with no mapping as
+    /// [`ArmLog::read`] does. With it comes what was done to it.
+    ///
+    /// # Errors
+    /// Names the file and what is wrong; where columns are missing, those found and lines to write.
+    pub fn read_mapped(
+        directory: &Path,
+        file: &str,
+        view: &View,
+        arm: &ArmFile,
+    ) -> Result<(Self, Vec<String>), FileError> {
+        let path = directory.join(file);
+        let columns = columns_of(arm);
+        let required = required(&columns);
+        let needs = Needs { required: &required, beside: "" };
+        let read = if view.is_empty() && is_plain(file) {
+            Self::read(&path, arm).map(|log| (log, Vec::new()))
+        } else {
+            let mapped = mapping::read(directory, file, view, needs)?;
+            let log = log_from(mapped.table, arm, &columns).map_err(LocatedProblem::without_line);
+            log.map(|log| (log, mapped.notes)).map_err(|fault| fault.in_file(&path))
+        };
+        read.map_err(|error| match &error.problem {
+            Problem::MissingColumn(name) => {
+                mapping::explain(directory, file, view, vec![name.clone()], needs)
+            }
+            Problem::FieldCount { .. } if mapping::lacks_time(&path) => {
+                mapping::explain(directory, file, view, Vec::new(), needs)
+            }
+            _ => error,
+        })
+    }
+}
+
+/// Whether a file is text by its name.
+fn is_plain(file: &str) -> bool {
+    let name = file.to_ascii_lowercase();
+    name.ends_with(".csv") || name.ends_with(".csv.gz")
+}
+
+fn columns_of(arm: &ArmFile) -> Vec<Columns> {
+    (1..).zip(&arm.joints).map(|(number, joint)| Columns::of(number, joint)).collect()
+}
+
+/// What a log of the arm must have.
+fn required(columns: &[Columns]) -> Vec<String> {
+    let of_joint = |joint: &Columns| {
+        [format!("{} (or {})", joint.position, joint.count), joint.command.clone()]
+    };
+    ["t_s".to_owned()].into_iter().chain(columns.iter().flat_map(of_joint)).collect()
 }
 
 fn kind_of(columns: &[Columns], name: &str) -> Kind {

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use super::{BoardSample, Log, check, from_table, read_mcap, write_csv, write_mcap};
 use crate::bytes;
-use crate::error::{FileError, Problem};
+use crate::error::{FileError, LocatedProblem, Problem};
+use crate::mapping::{self, Needs, View};
 
 /// The formats of a log, by file extension.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,6 +27,10 @@ impl Format {
     }
 }
 
+/// What a log needs beside the time, for messages.
+const BESIDE_TIME: &str =
+    "q1_rad (or q1_count), u1_V and the like of each further joint of the robot";
+
 impl Log {
     /// Reads a `.csv`, `.csv.gz` or `.mcap` file; columns of other names are ignored.
     ///
@@ -34,6 +39,37 @@ impl Log {
     pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
         let path = path.as_ref();
         Self::of(Format::of(path)?, path, &bytes::read(path)?)
+    }
+
+    /// Reads a log of any file that can be read, by a mapping; a log of the tool's own formats, with no
+    /// mapping, as [`Log::read`] does. With it comes what was done to it.
+    ///
+    /// # Errors
+    /// Names the file and what is wrong; where columns are missing, those found and lines to write.
+    pub fn read_mapped(
+        directory: &Path,
+        file: &str,
+        view: &View,
+    ) -> Result<(Self, Vec<String>), FileError> {
+        let path = directory.join(file);
+        let required = ["t_s".to_owned()];
+        let needs = Needs { required: &required, beside: BESIDE_TIME };
+        let explain = |missing: &str| {
+            mapping::explain(directory, file, view, vec![missing.to_owned()], needs)
+        };
+        let read = if view.is_empty() && Format::of(&path).is_ok() {
+            Self::read(&path).map(|log| (log, Vec::new()))
+        } else {
+            let mapped = mapping::read(directory, file, view, needs)?;
+            let log = from_table::log_from(mapped.table).map_err(LocatedProblem::without_line);
+            log.map(|log| (log, mapped.notes)).map_err(|fault| fault.in_file(&path))
+        };
+        read.map_err(|error| match &error.problem {
+            Problem::MissingColumn(name) => explain(name),
+            Problem::NoJoint => explain("q1_rad (or q1_count)"),
+            Problem::FieldCount { .. } if mapping::lacks_time(&path) => explain("t_s"),
+            _ => error,
+        })
     }
 
     /// The log in the bytes of a file of that name.

@@ -6,7 +6,6 @@ mod format;
 mod from_table;
 mod growing_csv;
 mod joint_message;
-mod mcap_records;
 mod read_mcap;
 mod write_csv;
 mod write_mcap;

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use super::joint_message::{JointMessage, topic};
-use super::mcap_records::{TopicMessage, for_each_message};
 use super::{JointLog, Log, Position};
 use crate::error::{FileError, LocatedProblem, Problem};
+use crate::mcap_records::{TopicMessage, for_each_message};
 
 /// The log in an MCAP file's bytes, as this tool writes it; the path is for messages.
 pub(super) fn of(path: &Path, bytes: &[u8]) -> Result<Log, FileError> {

@@ -37,7 +37,9 @@ fn write_all(
     times_ns: &[u64],
     file: &mut BufWriter<&mut File>,
 ) -> Result<(), McapError> {
-    let options = WriteOptions::new().library(concat!("rrr ", env!("CARGO_PKG_VERSION")));
+    let library = concat!("rrr ", env!("CARGO_PKG_VERSION"));
+    // Plain, so that any reader takes it.
+    let options = WriteOptions::new().compression(None).library(library);
     let mut writer = options.create(file)?;
     let channels = add_channels(&mut writer, &log.joints)?;
     let board_channel = if board.is_empty() { 0 } else { add_board_channel(&mut writer)? };

@@ -17,7 +17,8 @@ pub fn run(arguments: &Whole, steps: &Steps) -> Result<(), Failure> {
     if servo::is_servo_arm(&arm) {
         return super::servos::run(arguments, arm, steps);
     }
-    let campaign = ArmCampaign::read(&Dataset::read(&arguments.dataset)?, arm)?;
+    let dataset = Dataset::read(&arguments.dataset)?;
+    let (campaign, notes) = ArmCampaign::read_with_notes(&dataset, arm)?;
     steps.at("fitting links, rotors and friction");
     let found = identify(&campaign, &Settings::default())?;
     let summary = arguments.beside("identification.json")?;
@@ -25,6 +26,7 @@ pub fn run(arguments: &Whole, steps: &Steps) -> Result<(), Failure> {
     arguments.write_summary(&found)?;
     steps.finish();
     print_table(&found, &campaign.arm.joints);
+    notes.iter().for_each(|note| println!("  note: {note}"));
     println!("\nModel: {}\nFigures: {}", arguments.out.display(), summary.display());
     Ok(())
 }

@@ -66,6 +66,7 @@ pub fn run_whole(arguments: &Whole) -> Result<(), Failure> {
     identification_page(&campaign, &identified).write(&page)?;
     steps.finish();
     print_table(&identified);
+    campaign.notes.iter().for_each(|note| println!("  note: {note}"));
     println!("\nModel: {}\nFigures: {}", arguments.out.display(), page.display());
     Ok(())
 }

@@ -13,7 +13,8 @@ use crate::terminal::progress::Steps;
 /// # Errors
 /// Files that cannot be used, or logs that do not determine a model.
 pub fn run(arguments: &Whole, arm: ArmFile, steps: &Steps) -> Result<(), Failure> {
-    let campaign = ArmCampaign::read(&Dataset::read(&arguments.dataset)?, arm)?;
+    let dataset = Dataset::read(&arguments.dataset)?;
+    let (campaign, notes) = ArmCampaign::read_with_notes(&dataset, arm)?;
     steps.at("simulating from the goals, refitting joint by joint");
     let found = Identified::of(&campaign, &Settings::default())?;
     let summary = arguments.beside("identification.json")?;
@@ -32,6 +33,7 @@ pub fn run(arguments: &Whole, arm: ArmFile, steps: &Steps) -> Result<(), Failure
     for remark in &found.summary.remarks {
         println!("  note: {remark}");
     }
+    notes.iter().for_each(|note| println!("  note: {note}"));
     println!("\nModel: {}\nFigures: {}", arguments.out.display(), summary.display());
     Ok(())
 }

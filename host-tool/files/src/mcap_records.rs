@@ -1,18 +1,22 @@
-//! The records of an MCAP file that a log needs: channels and messages, read by hand.
+//! The records of an MCAP file that a log needs: schemas' names, channels and messages, read by hand.
 //!
 //! The library's own parser reserves what a string claims to be long, up to 4 GiB, before it
-//! looks whether the string is there. Schemas, metadata and indices are not looked at.
+//! looks whether the string is there. Schemas' texts, metadata and indices are not looked at.
 
 use std::collections::HashMap;
 use std::io::Read;
 
-use mcap::records::op::{CHANNEL, CHUNK, DATA_END, MESSAGE};
+use mcap::records::op::{CHANNEL, CHUNK, DATA_END, MESSAGE, SCHEMA};
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 use mcap::{McapError, McapResult};
 
-/// A message and its channel's topic.
+/// A message and what its channel says of it.
 pub(super) struct TopicMessage<'a> {
     pub topic: &'a str,
+    /// Name of the schema, empty where the channel has none.
+    pub schema: &'a str,
+    /// How the message is encoded.
+    pub encoding: &'a str,
     /// Time at which it was logged [ns].
     pub log_time_ns: u64,
     pub data: &'a [u8],
@@ -31,7 +35,7 @@ pub(super) fn for_each_message<E: From<McapError>>(
         .with_record_length_limit(bytes.len().saturating_add(LARGEST_CHUNK))
         .with_prevalidate_chunk_crcs(true);
     let mut reader = LinearReader::new_with_options(options);
-    let (mut rest, mut topics, mut ended) = (bytes, HashMap::new(), false);
+    let (mut rest, mut channels, mut ended) = (bytes, Channels::default(), false);
     while let Some(event) = reader.next_event() {
         match event? {
             LinearReadEvent::ReadRequest(wanted) => {
@@ -40,12 +44,12 @@ pub(super) fn for_each_message<E: From<McapError>>(
             }
             // Behind the end of the data channels are repeated, for who seeks in the file.
             LinearReadEvent::Record { opcode: DATA_END, .. } => ended = true,
-            LinearReadEvent::Record { opcode: CHANNEL, data } if !ended => {
-                let (id, topic) = channel(data)?;
-                topics.insert(id, topic);
+            LinearReadEvent::Record { opcode: SCHEMA, data } if !ended => {
+                channels.add_schema(data)?
             }
+            LinearReadEvent::Record { opcode: CHANNEL, data } if !ended => channels.add(data)?,
             LinearReadEvent::Record { opcode: MESSAGE, data } if !ended => {
-                take(message(data, &topics)?)?;
+                take(channels.message(data)?)?;
             }
             LinearReadEvent::Record { .. } => {}
         }
@@ -98,23 +102,56 @@ fn is_whole(mut records: &[u8]) -> bool {
     records.is_empty()
 }
 
-/// A channel's number and topic.
-fn channel(data: &[u8]) -> McapResult<(u16, String)> {
-    let (id, data) = number(data)?;
-    let (_schema, data) = number::<2>(data)?;
-    let (length, data) = number(data)?;
-    let topic = data.get(..u32::from_le_bytes(length) as usize).ok_or(McapError::UnexpectedEof)?;
-    Ok((u16::from_le_bytes(id), String::from_utf8_lossy(topic).into_owned()))
+/// The channels that were announced so far.
+#[derive(Default)]
+struct Channels {
+    schemas: HashMap<u16, String>,
+    channels: HashMap<u16, Channel>,
 }
 
-fn message<'a>(data: &'a [u8], topics: &'a HashMap<u16, String>) -> McapResult<TopicMessage<'a>> {
-    let (id, data) = number(data)?;
-    let (sequence, data) = number(data)?;
-    let (log_time, data) = number(data)?;
-    let (_publish_time, data) = number::<8>(data)?;
-    let (id, sequence) = (u16::from_le_bytes(id), u32::from_le_bytes(sequence));
-    let topic = topics.get(&id).ok_or(McapError::UnknownChannel(sequence, id))?;
-    Ok(TopicMessage { topic, log_time_ns: u64::from_le_bytes(log_time), data })
+struct Channel {
+    topic: String,
+    schema: String,
+    encoding: String,
+}
+
+impl Channels {
+    fn add_schema(&mut self, data: &[u8]) -> McapResult<()> {
+        let (id, data) = number(data)?;
+        let (name, _) = text(data)?;
+        self.schemas.insert(u16::from_le_bytes(id), name);
+        Ok(())
+    }
+
+    fn add(&mut self, data: &[u8]) -> McapResult<()> {
+        let (id, data) = number(data)?;
+        let (schema, data) = number(data)?;
+        let (topic, data) = text(data)?;
+        let (encoding, _) = text(data)?;
+        let schema = self.schemas.get(&u16::from_le_bytes(schema)).cloned().unwrap_or_default();
+        self.channels.insert(u16::from_le_bytes(id), Channel { topic, schema, encoding });
+        Ok(())
+    }
+
+    fn message<'a>(&'a self, data: &'a [u8]) -> McapResult<TopicMessage<'a>> {
+        let (id, data) = number(data)?;
+        let (sequence, data) = number(data)?;
+        let (log_time, data) = number(data)?;
+        let (_publish_time, data) = number::<8>(data)?;
+        let (id, sequence) = (u16::from_le_bytes(id), u32::from_le_bytes(sequence));
+        let channel = self.channels.get(&id).ok_or(McapError::UnknownChannel(sequence, id))?;
+        let Channel { topic, schema, encoding } = channel;
+        let log_time_ns = u64::from_le_bytes(log_time);
+        Ok(TopicMessage { topic, schema, encoding, log_time_ns, data })
+    }
+}
+
+/// A text behind its length, and what follows it.
+fn text(data: &[u8]) -> McapResult<(String, &[u8])> {
+    let (length, data) = number(data)?;
+    let length = u32::from_le_bytes(length) as usize;
+    let (text, rest) = data.split_at_checked(length).ok_or(McapError::UnexpectedEof)?;
+    Ok((String::from_utf8_lossy(text).into_owned(), rest))
 }
 
 /// The first bytes, and what follows them.

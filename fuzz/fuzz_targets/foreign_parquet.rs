@@ -1,0 +1,4 @@
+//! See `fuzz_entries::targets::foreign_parquet`.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| fuzz_entries::targets::foreign_parquet::run(bytes));
