@@ -17,6 +17,7 @@ const FINE: Health = Health {
     overrun: false,
     converter_fault: false,
     parameters_corrupt: false,
+    clock_wrong: false,
     emergency_stop: false,
     drive_power_lost: false,
     host_heard: false,

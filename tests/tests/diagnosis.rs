@@ -107,7 +107,7 @@ fn refitted(campaign: &Campaign) -> Robot<f64> {
     let subject = Subject::of(campaign, &Catalogue::standard(), &Criteria::default()).unwrap();
     let logs = campaign.traces.iter().enumerate();
     let stretches = logs.flat_map(|(log, trace)| stretches_of(trace, log, &subject)).collect();
-    let (_, free) = prepared(&subject, stretches).unwrap();
+    let (_, free) = prepared(&subject, stretches, None).unwrap();
     let held = fit_held(&free.evidence, &subject, &free.linear).unwrap();
     held.hypothesis.plant.as_robot().unwrap()
 }
