@@ -52,8 +52,17 @@ impl<'a> Judgement<'a> {
         while let Some(index) = small.pop() {
             if model.take_out(index, judged[index]) {
                 judged.remove(index);
-                confirmation = model.judged().0;
             }
+        }
+        // Without them a cause must still be likely: one that lived by another falls with it.
+        let mut now;
+        (confirmation, now) = model.judged();
+        while let Some(index) = model.unlikely(&confirmation, &now) {
+            if !model.take_out(index, judged[index]) {
+                break;
+            }
+            judged.remove(index);
+            (confirmation, now) = model.judged();
         }
         let Elimination { refitted, last, added, refused, unconfirmed, .. } = model;
         let named = added.into_iter().zip(judged).map(Named::of).collect();
