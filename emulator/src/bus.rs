@@ -164,18 +164,9 @@ impl Board {
             Block::Tim6 => self.tim6.write(offset, value, now),
             Block::Lptim1 => self.lptim1.write(offset, value),
             Block::Watchdog => self.watchdog.write(offset, value, now),
-            Block::Spi2 if offset == 0x0C => {
-                self.spi_pins()?;
-                self.spi.write(offset, bytes, value, now)
-            }
-            Block::Spi2 => self.spi.write(offset, bytes, value, now),
+            Block::Spi2 => self.write_spi(offset, bytes, value),
             Block::Power => self.power.write(offset, value),
-            Block::Lpuart1 => {
-                if offset == 0 && value & 1 == 1 {
-                    self.given(0, &[2, 3], 12)?;
-                }
-                self.lpuart.write(offset, value, now)
-            }
+            Block::Lpuart1 => self.write_lpuart(offset, value),
             Block::Dma1 => self.dma.write(offset, value),
             Block::DmaRequests => self.dma.write_request(offset, value),
             Block::Rcc => self.write_rcc(offset, value),
@@ -193,6 +184,22 @@ impl Board {
             Block::Random => self.random.write(offset, value),
             Block::SystemConfig => Err(Refusal::NotModelled),
         }
+    }
+
+    /// Data take the pins.
+    fn write_spi(&mut self, offset: u32, bytes: usize, value: u32) -> Access<()> {
+        if offset == 0x0C {
+            self.spi_pins()?;
+        }
+        self.spi.write(offset, bytes, value, self.now)
+    }
+
+    /// Switching it on takes the pins.
+    fn write_lpuart(&mut self, offset: u32, value: u32) -> Access<()> {
+        if offset == 0 && value & 1 == 1 {
+            self.given(0, &[2, 3], 12)?;
+        }
+        self.lpuart.write(offset, value, self.now)
     }
 
     fn write_rcc(&mut self, offset: u32, value: u32) -> Access<()> {

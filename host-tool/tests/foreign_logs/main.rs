@@ -1,12 +1,19 @@
 //! The same logs as CSV, npz, Parquet and rosbag2: `rrr import` maps them, `rrr diagnose` says the same.
 
-mod python;
-
 use std::path::Path;
 use std::process::Command;
 
 use assert_cmd::cargo::cargo_bin;
 use serde_json::Value;
+use test_support::Python;
+
+/// The libraries that others write their logs with.
+const WITH_LOG_WRITERS: Python = Python {
+    variable: "RRR_LOGS_PYTHON",
+    folder: "logs-python",
+    packages: &["mcap-ros2-support==0.6.0", "numpy", "pyarrow"],
+    imports: "mcap_ros2, numpy, pyarrow",
+};
 
 const PENDULUM: &str = r#"format = 2
 [robot]
@@ -86,7 +93,7 @@ fn imported(at: &Path, ending: &str, names: &[String]) -> String {
 
 #[test]
 fn the_same_logs_in_four_formats_give_the_same_report() {
-    let Some(python) = python::with_log_writers() else { return };
+    let Some(python) = WITH_LOG_WRITERS.find(env!("CARGO_TARGET_TMPDIR")) else { return };
     let directory = tempfile::tempdir().unwrap();
     let at = directory.path();
     let names = simulated(at);

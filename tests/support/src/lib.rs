@@ -3,11 +3,15 @@
 //! A test that misses something says `skipped: TEST, because PATH is absent` and returns.
 //! With [`REQUIRE_VARIABLE`] set to 1, as in continuous integration, it fails instead.
 
+mod python;
+
 use std::env;
 use std::fs::OpenOptions;
 use std::io::Write;
 use std::panic::Location;
 use std::path::{Path, PathBuf};
+
+pub use python::Python;
 
 /// Set to 1 where nothing may be missing.
 pub const REQUIRE_VARIABLE: &str = "RRR_REQUIRE_DATA";

@@ -126,6 +126,7 @@ fn health(bits: u8) -> Health {
         overrun: bits & 1 != 0,
         converter_fault: bits & 2 != 0,
         parameters_corrupt: bits & 4 != 0,
+        clock_wrong: bits & 8 != 0,
         ..Health::default()
     }
 }

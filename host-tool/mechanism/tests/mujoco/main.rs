@@ -3,14 +3,23 @@
 //! Takes Python 3; the first run installs `mujoco` below `target/` and takes half a minute.
 
 mod chains;
-mod python;
 
 use std::path::Path;
 use std::process::Command;
 
+use test_support::Python;
+
+/// The version is that of the figures in docs/mechanisms.md.
+const WITH_MUJOCO: Python = Python {
+    variable: "RRR_MUJOCO_PYTHON",
+    folder: "mujoco-python",
+    packages: &["mujoco==4.0.0", "numpy"],
+    imports: "mujoco, numpy",
+};
+
 #[test]
 fn chains_move_as_mujoco_says() {
-    let Some(python) = python::with_mujoco() else { return };
+    let Some(python) = WITH_MUJOCO.find(env!("CARGO_TARGET_TMPDIR")) else { return };
     let place = Path::new(env!("CARGO_TARGET_TMPDIR"));
     let answers = place.join("chains.json");
     std::fs::write(&answers, chains::with_answers(50).to_string()).unwrap();
