@@ -68,6 +68,11 @@ criteria! {
         without_cause_steps: usize = 4,
         /// Length of the blocks from which intervals are drawn [s].
         block_s: f64 = 0.5,
+        /// They are shorter where what an effect explains lies in fewer blocks than these: one drawing
+        /// in exp(8) then misses it,
+        differing_blocks: f64 = 8.0,
+        /// but not shorter than this, for neighbouring rows say the same [s].
+        shortest_block_s: f64 = 0.05,
         /// How often they are drawn.
         draws: usize = 400,
         /// Length of the windows in which the predicted motion drifts [s].

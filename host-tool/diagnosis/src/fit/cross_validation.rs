@@ -7,20 +7,23 @@ use super::linearisation::Linearisation;
 use crate::rows::evidence::{Evidence, Rows};
 
 impl Linearisation {
-    /// Weighted train rows, each with everything open refitted, by the slopes, to the pieces of
-    /// logs that it does not lie in. Rows held out are as they were.
+    /// Weighted train rows, each as it is left where everything open is fitted to the pieces of logs
+    /// that it does not lie in: what this model leaves of it, and what the fit without those pieces
+    /// changes, by the slopes. Rows held out are as they were.
     ///
-    /// What a parameter gains by following what is left by chance, it loses here.
+    /// What a parameter gains by following what is left by chance, it loses here. A fit that is not
+    /// at its end is taken as it is, and not as the slopes promise.
     pub fn left_out(&self, evidence: &Evidence) -> Rows {
         let folds = evidence.criteria.selection.folds;
         let whole = self.normal();
+        let to_all = self.step_to_all();
         let mut rows = self.residual.clone();
         let of_joints: Vec<Vec<usize>> =
             self.joints.iter().map(|slopes| evidence.folds(slopes.joint)).collect();
         for fold in 0..folds {
             let Some(step) = self.step_without(&whole, &of_joints, fold) else { continue };
             for (slopes, fold_of) in self.joints.iter().zip(&of_joints) {
-                let own = own(slopes, &step);
+                let own = own(slopes, &(&step - &to_all));
                 let left_out = (0..self.train[slopes.joint]).filter(|&k| fold_of[k] == fold);
                 for k in left_out {
                     rows[slopes.joint][k] += slopes.matrix.row(k).dot(&own.transpose());

@@ -13,11 +13,32 @@ pub struct Blocks(Vec<Vec<f64>>);
 
 impl Blocks {
     /// Of what models leave [V], and of noise, rms in a stretch by joint [V].
+    ///
+    /// What an effect explains may lie in a second of the logs, a command at its limit say. Blocks are
+    /// as short as it takes to have what the first two models differ by in several of them, for blocks
+    /// drawn again would miss it else.
     pub fn of(
         evidence: &Evidence,
         joints: &[usize],
         models: &[&Rows],
         noise_v: impl Fn(usize, usize) -> f64,
+    ) -> Self {
+        let criteria = &evidence.criteria.verdict;
+        let mut block_s = criteria.block_s;
+        let mut blocks = Self::as_long_as(block_s, evidence, joints, models, &noise_v);
+        while blocks.differing() < criteria.differing_blocks && block_s > criteria.shortest_block_s {
+            block_s *= 0.5;
+            blocks = Self::as_long_as(block_s, evidence, joints, models, &noise_v);
+        }
+        blocks
+    }
+
+    fn as_long_as(
+        block_s: f64,
+        evidence: &Evidence,
+        joints: &[usize],
+        models: &[&Rows],
+        noise_v: &impl Fn(usize, usize) -> f64,
     ) -> Self {
         let mut blocks = Vec::new();
         for &joint in joints {
@@ -25,7 +46,7 @@ impl Blocks {
                 if evidence.stretches[s].role != Role::Holdout {
                     continue;
                 }
-                let length = block_rows(evidence, joint, s);
+                let length = block_rows(block_s, evidence, joint, s);
                 let starts = range.clone().step_by(length);
                 blocks.extend(starts.map(|start| {
                     let rows = start..(start + length).min(range.end);
@@ -37,6 +58,17 @@ impl Blocks {
             }
         }
         Self(blocks)
+    }
+
+    /// In how many blocks the first two models differ: (sum d)^2 / sum d^2.
+    fn differing(&self) -> f64 {
+        let difference = |block: &Vec<f64>| match block[..] {
+            [first, second, _, ..] => (first - second).abs(),
+            _ => 1.0,
+        };
+        let sum: f64 = self.0.iter().map(difference).sum();
+        let squares: f64 = self.0.iter().map(|block| difference(block).powi(2)).sum();
+        if squares > 0.0 { sum * sum / squares } else { f64::INFINITY }
     }
 
     /// A figure of the summed squares, with its 95 % interval.
@@ -61,9 +93,9 @@ impl Blocks {
     }
 }
 
-fn block_rows(evidence: &Evidence, joint: usize, s: usize) -> usize {
+fn block_rows(block_s: f64, evidence: &Evidence, joint: usize, s: usize) -> usize {
     let row_period_s = evidence.filter(joint, s).row_period_s();
-    (evidence.criteria.verdict.block_s / row_period_s).ceil().max(1.0) as usize
+    (block_s / row_period_s).ceil().max(1.0) as usize
 }
 
 /// Root mean square of each joint's confirming rows [V].
