@@ -12,13 +12,12 @@ criteria! {
         widest: f64 = 0.3,
         /// That is where a typical parameter, once all are free, is off by so many deviations,
         least_typical: f64 = 2.0,
-        /// and so much log-likelihood is gained by that beyond what causes gain;
+        /// and so much log-likelihood is gained by that beyond what causes gain. The doubt then becomes the
+        /// one by which the logs are most likely;
         least_gain: f64 = 50.0,
         /// where a log is left with more than so many times the noise, effects are searched for with
-        /// parameters all but free first: held far from the truth, they hide a cause;
+        /// parameters all but free first: held far from the truth, they hide a cause.
         much_left: f64 = 6.0,
-        /// else the doubt becomes so many times what is seen, for nobody knows how far the others are off.
-        margin: f64 = 1.2,
         /// Added for base parameters, in parts of the largest of their kind.
         of_largest: f64 = 0.004,
         /// Added for friction parameters, in parts of themselves.

@@ -43,7 +43,7 @@ criteria! {
         least_by_spring: f64 = 0.75,
         /// play this part, for a link that bounces is never predicted to the last;
         least_by_backlash: f64 = 0.6,
-        /// and either is sure of this share at least;
+        /// and either is sure of this part at least;
         least_sure_by_spring: f64 = 0.6,
         /// A spring leaves this part of the noise of the confirming logs at least, for it can follow
         /// noise;

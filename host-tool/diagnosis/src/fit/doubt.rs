@@ -2,6 +2,7 @@
 //! is off by a tenth or two everywhere, one whose arm carries something in a few parameters.
 
 use super::fitted_model::FittedModel;
+use super::gauss_newton::open_in;
 use super::unknowns::{Expected, Unknown, expected};
 use crate::logs::subject::Subject;
 
@@ -24,10 +25,28 @@ pub fn wider(subject: &Subject, last: &FittedModel) -> Option<f64> {
 /// The doubt that a model shows whose parameters are all but free: none where a typical one is within
 /// what the subject has.
 pub fn seen(subject: &Subject, free: &FittedModel) -> Option<f64> {
-    let prior = &subject.criteria.prior;
     let off = typical_deviation(subject, free)?;
-    let wanted = (prior.margin * off * prior.relative).min(prior.widest);
-    (off > prior.least_typical && wanted > prior.relative).then_some(wanted)
+    if off > subject.criteria.prior.least_typical { likeliest(subject, free) } else { None }
+}
+
+/// The doubt by which the logs are most likely, sought on a logarithmic scale between what the subject
+/// has and the widest; none where that is what it has.
+fn likeliest(subject: &Subject, free: &FittedModel) -> Option<f64> {
+    const STEPS: usize = 16;
+    let prior = &subject.criteria.prior;
+    let doubt = |step: usize| {
+        let part = step as f64 / STEPS as f64;
+        prior.relative * (prior.widest / prior.relative).powf(part)
+    };
+    let likelihood = |step: usize| {
+        let mut doubting = subject.clone();
+        doubting.doubt(doubt(step));
+        let known = open_in(&free.evidence, &doubting, &free.linear.hypothesis);
+        Some((step, free.linear.log_marginal_likelihood(known)?))
+    };
+    let all = (0..=STEPS).filter_map(likelihood);
+    let (best, _) = all.max_by(|a, b| a.1.total_cmp(&b.1))?;
+    (best > 0).then(|| doubt(best))
 }
 
 /// Whether causes that were found once parameters were all but free explain more than those of the last

@@ -31,7 +31,7 @@ pub struct Linearisation {
     pub(super) gradient: DVector<f64>,
     /// Products of the slopes.
     products: DMatrix<f64>,
-    normal: Cholesky<f64, Dyn>,
+    pub(super) normal: Cholesky<f64, Dyn>,
     /// Squares of each joint's train rows, everything open refitted by the slopes.
     refitted_squares: Vec<f64>,
     pub(crate) train: Vec<usize>,

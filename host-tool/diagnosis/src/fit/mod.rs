@@ -9,6 +9,7 @@ pub mod fitted_model;
 pub mod gauss_newton;
 pub mod joint_slopes;
 pub mod linearisation;
+mod marginal_likelihood;
 pub mod preparation;
 pub mod residual_stats;
 pub mod slopes;

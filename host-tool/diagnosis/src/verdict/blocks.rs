@@ -26,7 +26,8 @@ impl Blocks {
         let criteria = &evidence.criteria.verdict;
         let mut block_s = criteria.block_s;
         let mut blocks = Self::as_long_as(block_s, evidence, joints, models, &noise_v);
-        while blocks.differing() < criteria.differing_blocks && block_s > criteria.shortest_block_s {
+        while blocks.differing() < criteria.differing_blocks && block_s > criteria.shortest_block_s
+        {
             block_s *= 0.5;
             blocks = Self::as_long_as(block_s, evidence, joints, models, &noise_v);
         }

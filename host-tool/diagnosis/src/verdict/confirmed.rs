@@ -43,6 +43,8 @@ pub struct Worth {
     pub share_interval: [f64; 2],
     /// Part of what is left above the noise without it.
     pub part_of_left: f64,
+    /// Its interval.
+    pub part_interval: [f64; 2],
     /// 1 - rms with it / rms without it.
     pub shrinkage: f64,
     /// Its interval.
@@ -110,10 +112,10 @@ impl<'a> Confirmation<'a> {
             [without, with, _, noise] if without > noise => (without - with) / (without - noise),
             _ => 0.0,
         };
-        let (part_of_left, _) = blocks.figure(1, part);
+        let (part_of_left, part_interval) = blocks.figure(draws, part);
         let (share, share_interval) = blocks.figure(draws, share);
         let (shrinkage, shrinkage_interval) = blocks.figure(draws, shrinkage);
-        Worth { share, share_interval, part_of_left, shrinkage, shrinkage_interval }
+        Worth { share, share_interval, part_of_left, part_interval, shrinkage, shrinkage_interval }
     }
 
     /// Whether a model with tables leaves little of the gap: what remains is at the noise or drawn.

@@ -49,7 +49,7 @@ fn is_large(worth: &Worth, criteria: &VerdictCriteria) -> bool {
 /// Whether an effect is what it says: a spring between motor and link explains what it must to be
 /// one. A soft spring that stands for play leaves a quarter or more.
 pub fn is_sound(effect: &EffectInstance, worth: &Worth, criteria: &VerdictCriteria) -> bool {
-    let sure = worth.share_interval[0] >= criteria.least_sure_by_spring;
+    let sure = worth.part_interval[0] >= criteria.least_sure_by_spring;
     let least =
         if effect.has_backlash() { criteria.least_by_backlash } else { criteria.least_by_spring };
     let rings = worth.part_of_left >= least && sure;
