@@ -6,6 +6,9 @@ use super::joint_slopes::JointSlopes;
 use super::linearisation::Linearisation;
 use crate::rows::evidence::{Evidence, Rows};
 
+/// 97.5 % quantile of Student's t at four degrees of freedom, for five folds.
+const STUDENT_T: f64 = 2.776;
+
 impl Linearisation {
     /// Weighted train rows, each as it is left where everything open is fitted to the pieces of logs
     /// that it does not lie in: what this model leaves of it, and what the fit without those pieces
@@ -14,16 +17,12 @@ impl Linearisation {
     /// What a parameter gains by following what is left by chance, it loses here. A fit that is not
     /// at its end is taken as it is, and not as the slopes promise.
     pub fn left_out(&self, evidence: &Evidence) -> Rows {
-        let folds = evidence.criteria.selection.folds;
-        let whole = self.normal();
-        let to_all = self.step_to_all();
         let mut rows = self.residual.clone();
-        let of_joints: Vec<Vec<usize>> =
-            self.joints.iter().map(|slopes| evidence.folds(slopes.joint)).collect();
-        for fold in 0..folds {
-            let Some(step) = self.step_without(&whole, &of_joints, fold) else { continue };
+        let of_joints = self.folds(evidence);
+        for (fold, change) in self.changes_without(evidence).into_iter().enumerate() {
+            let Some(change) = change else { continue };
             for (slopes, fold_of) in self.joints.iter().zip(&of_joints) {
-                let own = own(slopes, &(&step - &to_all));
+                let own = own(slopes, &change);
                 let left_out = (0..self.train[slopes.joint]).filter(|&k| fold_of[k] == fold);
                 for k in left_out {
                     rows[slopes.joint][k] += slopes.matrix.row(k).dot(&own.transpose());
@@ -31,6 +30,40 @@ impl Linearisation {
             }
         }
         rows
+    }
+
+    /// Half the 95 % interval of each parameter that is open: by the curvature of the fit, or by what
+    /// leaving out one fold after the other changes, whichever is more. What a model leaves of a machine
+    /// differs from one stretch of motion to the next, and only that shows it.
+    pub fn half_intervals(&self, evidence: &Evidence) -> Vec<f64> {
+        let by_folds = self.jackknife_deviations(evidence) * STUDENT_T;
+        let wider = |place: usize| by_folds[place].max(1.96 * self.deviation(place));
+        (0..self.expected.len()).map(wider).collect()
+    }
+
+    /// Standard deviations of what is open: sqrt((F - 1)/F sum(change^2)), the delete-a-group jackknife
+    /// (Kott, 2001).
+    fn jackknife_deviations(&self, evidence: &Evidence) -> DVector<f64> {
+        let changes: Vec<DVector<f64>> =
+            self.changes_without(evidence).into_iter().flatten().collect();
+        let part = 1.0 - 1.0 / changes.len().max(1) as f64;
+        let zero = DVector::zeros(self.expected.len());
+        let squares = changes.iter().fold(zero, |sum, change| sum + change.component_mul(change));
+        squares.map(|square| (part * square).sqrt())
+    }
+
+    /// By how much the fit to all train rows but those of a fold differs from the one to all, fold by
+    /// fold.
+    fn changes_without(&self, evidence: &Evidence) -> Vec<Option<DVector<f64>>> {
+        let (whole, to_all) = (self.normal(), self.step_to_all());
+        let of_joints = self.folds(evidence);
+        let change = |fold| Some(self.step_without(&whole, &of_joints, fold)? - &to_all);
+        (0..evidence.criteria.selection.folds).map(change).collect()
+    }
+
+    /// The fold of every row, joint by joint.
+    fn folds(&self, evidence: &Evidence) -> Vec<Vec<usize>> {
+        self.joints.iter().map(|slopes| evidence.folds(slopes.joint)).collect()
     }
 
     /// The step that fits best to all train rows but those of a fold.

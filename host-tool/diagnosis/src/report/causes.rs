@@ -48,7 +48,8 @@ fn cause(subject: &Subject, judgement: &Judgement, named: &Named, index: usize) 
     }
 }
 
-/// 95 % intervals of an effect's parameters, from the curvature of the fit.
+/// 95 % intervals of an effect's parameters, from the curvature of the fit and from what leaving out
+/// parts of the logs changes, whichever is wider.
 fn intervals(
     judgement: &Judgement,
     effect: &EffectInstance,
@@ -56,13 +57,14 @@ fn intervals(
 ) -> BTreeMap<String, Interval> {
     use crate::fit::unknowns::Unknown;
     let linear = &judgement.last.linear;
+    let halves = linear.half_intervals(&judgement.last.evidence);
     let mut all = BTreeMap::<String, Interval>::new();
     for (value, parameter) in effect.definition.parameters.iter().enumerate() {
         let unknown = Unknown::Effect { index, value };
         let Some(place) = linear.expected.iter().position(|e| e.unknown == unknown) else {
             continue;
         };
-        let (middle, half) = (effect.values[value], 1.96 * linear.deviation(place));
+        let (middle, half) = (effect.values[value], halves[place]);
         let own = [(middle - half).max(parameter.lowest), (middle + half).min(parameter.highest)];
         let entry = match all.remove(parameter.name) {
             None => Interval::Number(own),

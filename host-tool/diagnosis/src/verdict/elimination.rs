@@ -71,6 +71,16 @@ impl<'a> Elimination<'a> {
         let fails = |index: &usize| {
             judged[*index].1 < least || !self.can_be(confirmation, *index, &judged[*index].0)
         };
+        self.smallest(judged, fails)
+    }
+
+    /// The smallest effect that is not likely to be a cause.
+    pub fn least_likely(&self, judged: &[Judged]) -> Option<usize> {
+        let least = self.subject.criteria.verdict.least_probability;
+        self.smallest(judged, |index| judged[*index].1 < least)
+    }
+
+    fn smallest(&self, judged: &[Judged], fails: impl Fn(&usize) -> bool) -> Option<usize> {
         let share = |index: &usize| judged[*index].0.share;
         let indices = (0..self.added.len()).filter(fails);
         indices.min_by(|a, b| share(a).total_cmp(&share(b)))

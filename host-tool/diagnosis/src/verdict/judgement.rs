@@ -57,7 +57,7 @@ impl<'a> Judgement<'a> {
         // Without them a cause must still be likely: one that lived by another falls with it.
         let mut now;
         (confirmation, now) = model.judged();
-        while let Some(index) = model.unlikely(&confirmation, &now) {
+        while let Some(index) = model.least_likely(&now) {
             if !model.take_out(index, judged[index]) {
                 break;
             }
