@@ -202,7 +202,8 @@ impl Searched {
         free.doubt(prior.widest);
         let near = &self.selection.refitted.linear.hypothesis;
         let wide = Self::of(&free, stretches.to_vec(), Some(near), progress).ok()?;
-        if wide.fault.is_some() || wide.selection.added.is_empty() {
+        let gains_more = wide.selection.last.gain_over(last) > prior.least_gain;
+        if wide.fault.is_some() || wide.selection.added.is_empty() || !gains_more {
             return None;
         }
         match doubt::seen(subject, &wide.selection.last) {
