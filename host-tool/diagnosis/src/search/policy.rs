@@ -30,12 +30,31 @@ pub fn is_done(gap: &ResidualStats, left: &ResidualStats, criteria: &Criteria) -
 pub fn is_accepted(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
     let (from, to) = (&before.stats, &after.stats);
     (from.excess > 0.0 || !after.ends_with_spring())
+        && (is_exchange(before, after) || may_be_spring(before, after, criteria))
         && !makes_implausible(from, to, criteria)
         && !takes_noise_for_motion(from, to, criteria)
         && (is_exchange(before, after)
             || reduces_excess(before, after, criteria)
             || restores_prior(from, to, criteria))
         && gain(before, after) > criteria.selection.least_log_likelihood
+}
+
+/// Whether an effect that is a spring between motor and link takes most of what is left on its joint:
+/// one that takes less only smooths something else, and hides it.
+fn may_be_spring(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
+    let Some(effect) = after.linear.hypothesis.effects.last().filter(|e| e.is_spring()) else {
+        return true;
+    };
+    let (from, to) = (left_on_v2(before, effect.joint), left_on_v2(after, effect.joint));
+    to < (1.0 - criteria.verdict.least_by_backlash) * from
+}
+
+/// Squares above the noise that a model leaves of a joint (0: of all) where it was not fitted [V^2].
+fn left_on_v2(model: &FittedModel, joint: u8) -> f64 {
+    let of_joints = excess_v2(&model.evidence, &model.left_out_v, Role::Train);
+    let counts = |index: usize| joint == 0 || index + 1 == usize::from(joint);
+    let both = model.evidence.joints.iter().zip(of_joints);
+    both.filter(|(index, _)| counts(**index)).map(|(_, v2)| v2).sum()
 }
 
 /// Whether one effect took the place of another, as a better spring does: then to explain better is
@@ -60,13 +79,7 @@ pub fn explains_as(
     with: &FittedModel,
     rival: &FittedModel,
 ) -> bool {
-    let joints = &without.evidence.joints;
-    let left_v2 = |model: &FittedModel| -> f64 {
-        let of_joints = excess_v2(&model.evidence, &model.left_out_v, Role::Train);
-        let counts = |index: usize| joint == 0 || index + 1 == usize::from(joint);
-        let both = joints.iter().zip(of_joints);
-        both.filter(|(index, _)| counts(**index)).map(|(_, v2)| v2).sum()
-    };
+    let left_v2 = |model: &FittedModel| left_on_v2(model, joint);
     let least = without.evidence.criteria.selection.least_as_rival;
     let taken_v2 = left_v2(without) - left_v2(with);
     left_v2(without) - left_v2(rival) >= least * taken_v2
