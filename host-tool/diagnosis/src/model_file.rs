@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use files::{ArmFile, ArmJoint, EffectTable, FileError, RobotFile};
+use files::{ArmFile, ArmJoint, EffectTable, FileError, Problem, RobotFile};
 use model::chain::BODY_PARAMETERS;
 use model::friction_parameters::COUNT as FRICTION_COUNT;
 use rig::Plant;
@@ -27,6 +27,39 @@ impl ModelFile {
         match self {
             Self::Robot(file) => file.write(path),
             Self::Arm(file) => file.write(path),
+        }
+    }
+
+    /// Reads a file of either format.
+    ///
+    /// # Errors
+    /// Names the file and line, what is wrong, and a remedy.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
+        match ArmFile::is_at(&path) {
+            true => Ok(Self::Arm(Box::new(ArmFile::read(path)?))),
+            false => Ok(Self::Robot(Box::new(RobotFile::read(path)?))),
+        }
+    }
+
+    /// The same of a text; the path is for messages.
+    ///
+    /// # Errors
+    /// As of [`ModelFile::read`].
+    pub fn parse(path: impl AsRef<Path>, text: String) -> Result<Self, FileError> {
+        match ArmFile::is_in(&text) {
+            true => Ok(Self::Arm(Box::new(ArmFile::parse(path, text.into_bytes())?))),
+            false => Ok(Self::Robot(Box::new(RobotFile::parse(path, text.into_bytes())?))),
+        }
+    }
+
+    /// Its text.
+    ///
+    /// # Errors
+    /// A value that TOML cannot hold.
+    pub fn to_toml(&self) -> Result<String, Problem> {
+        match self {
+            Self::Robot(file) => file.to_toml(),
+            Self::Arm(file) => file.to_toml(),
         }
     }
 

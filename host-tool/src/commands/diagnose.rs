@@ -82,11 +82,7 @@ pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
         (criteria.prior.relative, criteria.prior.widest) = (doubt, doubt);
     }
     let steps = Steps::new();
-    steps.at("reading the logs");
-    let diagnosis = match ArmFile::is_at(&arguments.model) {
-        true => of_arm(arguments, &criteria, &steps)?,
-        false => of_robot(arguments, &criteria, &steps)?,
-    };
+    let diagnosis = judge(&arguments.dataset, &arguments.model, &criteria, &|what| steps.at(what))?;
     steps.at("drawing the pictures");
     write(&diagnosis, &arguments.out)?;
     steps.finish();
@@ -95,30 +91,52 @@ pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
     Ok(diagnosis)
 }
 
+/// The diagnosis of a data set by a model file, of whichever format; `progress` hears what is under
+/// way.
+///
+/// # Errors
+/// Files that cannot be used, or logs that do not fit the model's robot.
+pub fn judge(
+    dataset: &Path,
+    model: &Path,
+    criteria: &Criteria,
+    progress: &dyn Fn(&str),
+) -> Result<Diagnosis, Failure> {
+    progress("reading the logs");
+    match ArmFile::is_at(model) {
+        true => of_arm(dataset, model, criteria, progress),
+        false => of_robot(dataset, model, criteria, progress),
+    }
+}
+
 /// The diagnosis of the three-joint robot, or of a rig of one joint.
 fn of_robot(
-    arguments: &Arguments,
+    dataset: &Path,
+    model: &Path,
     criteria: &Criteria,
-    steps: &Steps,
+    progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, Failure> {
-    let model = RobotFile::read(&arguments.model)?;
-    let campaign = Campaign::read(&Dataset::read(&arguments.dataset)?, model)?;
+    let model = RobotFile::read(model)?;
+    let campaign = Campaign::read(&Dataset::read(dataset)?, model)?;
     let catalogue = Catalogue::standard();
-    let mut diagnosis =
-        diagnosis::diagnose(&campaign, &catalogue, criteria, &|what| steps.at(what))?;
+    let mut diagnosis = diagnosis::diagnose(&campaign, &catalogue, criteria, progress)?;
     diagnosis.report.remarks.extend(campaign.notes);
     Ok(diagnosis)
 }
 
 /// The diagnosis of an arm of any kind.
-fn of_arm(arguments: &Arguments, criteria: &Criteria, steps: &Steps) -> Result<Diagnosis, Failure> {
-    let arm = ArmFile::read(&arguments.model)?;
+fn of_arm(
+    dataset: &Path,
+    model: &Path,
+    criteria: &Criteria,
+    progress: &dyn Fn(&str),
+) -> Result<Diagnosis, Failure> {
+    let arm = ArmFile::read(model)?;
     let catalogue = Catalogue::of_arm(arm.joints.len());
     let mut remarks = arm.remarks();
-    let dataset = Dataset::read(&arguments.dataset)?;
+    let dataset = Dataset::read(dataset)?;
     let (campaign, mut notes) = ArmCampaign::read_with_notes(&dataset, arm)?;
-    let mut diagnosis =
-        diagnosis::diagnose_arm(&campaign, &catalogue, criteria, &|what| steps.at(what))?;
+    let mut diagnosis = diagnosis::diagnose_arm(&campaign, &catalogue, criteria, progress)?;
     diagnosis.report.remarks.append(&mut remarks);
     diagnosis.report.remarks.append(&mut notes);
     Ok(diagnosis)
