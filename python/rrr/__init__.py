@@ -16,7 +16,7 @@ from rrr.diagnosing import diagnose
 from rrr.identifying import identify
 from rrr.logs import Log
 from rrr.model import Model
-from rrr.mujoco_amend import amend_mujoco, save_mujoco
+from rrr.mujoco_amend import amend_mujoco, mujoco_forces, save_mujoco
 from rrr.mujoco_model import from_mujoco
 from rrr.report import (
     Alternative,
@@ -25,6 +25,7 @@ from rrr.report import (
     ParameterChange,
     Remainder,
     Report,
+    Samples,
     Untestable,
 )
 
@@ -38,11 +39,13 @@ __all__ = [
     "ParameterChange",
     "Remainder",
     "Report",
+    "Samples",
     "Untestable",
     "amend_mujoco",
     "default_criteria",
     "diagnose",
     "from_mujoco",
     "identify",
+    "mujoco_forces",
     "save_mujoco",
 ]

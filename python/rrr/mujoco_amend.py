@@ -38,12 +38,17 @@ def mujoco_forces(spec: Any, report: Report | Model) -> str | None:
     `install(model)` of that file sets MuJoCo's callback for passive forces, `read(model, data)` is what the
     encoders read.
     """
-    _, left = _amended(spec, report)
+    left = effects_without_form(spec, report)
     if not left:
         return None
     head = "EFFECTS: list[dict[str, Any]] = []"
     code = (Path(__file__).parent / "mujoco_callbacks.py").read_text()
     return code.replace(head, f"EFFECTS: list[dict[str, Any]] = {pformat(left, width=96)}")
+
+
+def effects_without_form(spec: Any, report: Report | Model) -> list[dict[str, Any]]:
+    """What `EFFECTS` of that file holds: effects with what the callback must know of their joints."""
+    return _amended(spec, report)[1]
 
 
 def save_mujoco(spec: Any, report: Report | Model, path: str | PathLike[str]) -> list[Path]:

@@ -202,7 +202,8 @@ def _payload(to: Amendment, _: int, p: Parameters) -> bool:
     body = to.spec.bodies[link.root]
     if mass > 0:
         load = body.add_body(name="payload", pos=place)
-        load.explicitinertial, load.mass = True, mass
+        # A body without a centre of its own would have it at its place in the body above.
+        load.explicitinertial, load.mass, load.ipos = True, mass, np.zeros(3)
         load.inertia = np.full(3, 1e-9)
     else:
         own = _inertial_of(body, to.m, link.root)

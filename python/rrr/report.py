@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from functools import cached_property
 from html import escape
 from os import PathLike
-from typing import Any, TypeVar
+from typing import Any, TypeVar, overload
+
+import numpy as np
+from numpy.typing import NDArray
 
 from rrr import _rrr
 from rrr.model import Model
@@ -89,6 +93,28 @@ class Untestable:
     why: str
 
 
+@dataclass(frozen=True)
+class Samples(Sequence[Model]):
+    """Models drawn from what the logs leave open.
+
+    `values`, n x p, has a column for each parameter of model files that `names` names.
+    """
+
+    names: list[str]
+    values: NDArray[np.float64]
+    models: list[Model]
+
+    def __len__(self) -> int:
+        return len(self.models)
+
+    @overload
+    def __getitem__(self, index: int) -> Model: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Model]: ...
+    def __getitem__(self, index: int | slice) -> Model | list[Model]:
+        return self.models[index]
+
+
 Entry = TypeVar("Entry", Cause, Alternative, ParameterChange, Remainder, GapShare, Untestable)
 
 
@@ -150,13 +176,24 @@ class Report:
         """The model with the causes added, refitted: model.toml of `rrr diagnose`."""
         return Model.parse(self._found.model_toml(), "model.toml")
 
+    def samples(self, n: int, seed: int = 1) -> Samples:
+        """Draws n models from what the logs leave open, for domain randomisation.
+
+        All that was fitted is normal about the fit, by its curvature; the causes are those of `model` in
+        every draw. The same seed gives the same models. Raises `rrr.Error` for arms of position servos,
+        whose diagnosis keeps no covariance.
+        """
+        names, values, models = self._found.samples(n, seed)
+        rows = np.array(values, dtype=np.float64).reshape(n, len(names))
+        return Samples(names, rows, [Model(model) for model in models])
+
     def to_dict(self) -> dict[str, Any]:
         """All of report.json."""
         copy: dict[str, Any] = json.loads(self._found.json())
         return copy
 
     def write(self, directory: str | PathLike[str]) -> None:
-        """Writes report.json, report.html and model.toml, as `rrr diagnose --out` does."""
+        """Writes report.json, report.html, model.toml and samples.csv, as `rrr diagnose --out` does."""
         self._found.write(directory)
 
     def show(self) -> None:

@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use diagnosis::{Criteria, Diagnosis, ModelFile, Report};
+use diagnosis::report::samples::SAMPLES;
+use diagnosis::{Criteria, Diagnosis, ModelFile, Posterior, Report};
 use host_tool::commands::{diagnose as of_commands, diagnose_servos as of_motion};
 use host_tool::failure::Failure;
 use pyo3::prelude::*;
@@ -12,6 +13,7 @@ use report::servo_page::servo_page;
 use servo::report_words;
 
 use crate::failure::{Error, exception, file_exception};
+use crate::model::Model;
 use crate::work;
 
 /// What a diagnosis found, with the page and the model that it makes.
@@ -21,6 +23,7 @@ pub struct Diagnosed {
     words: String,
     page: Page,
     model: ModelFile,
+    posterior: Option<Posterior>,
 }
 
 impl Diagnosed {
@@ -30,6 +33,7 @@ impl Diagnosed {
             words: of_commands::in_words(diagnosis),
             page: diagnosis_page(diagnosis),
             model: diagnosis.model.clone(),
+            posterior: diagnosis.posterior.clone(),
         }
     }
 
@@ -37,7 +41,7 @@ impl Diagnosed {
         let words = report_words::in_words(&report);
         let page = servo_page(outcome, &report);
         let model = ModelFile::Arm(Box::new(servo::model_file::model_file(outcome)));
-        Self { report, words, page, model }
+        Self { report, words, page, model, posterior: None }
     }
 }
 
@@ -63,10 +67,33 @@ impl Diagnosed {
         self.model.to_toml().map_err(|problem| Error::new_err(problem.to_string()))
     }
 
-    /// Writes report.json, report.html and model.toml, as `rrr diagnose` does, into a directory.
+    /// Models drawn from what the logs leave open: names of parameters, their values, sample by
+    /// sample, and the models.
+    fn samples(
+        &self,
+        count: usize,
+        seed: u64,
+    ) -> PyResult<(Vec<String>, Vec<Vec<f64>>, Vec<Model>)> {
+        let posterior = self.posterior.as_ref().ok_or_else(|| {
+            Error::new_err(
+                "a diagnosis on motion keeps no covariance: no models can be drawn of it",
+            )
+        })?;
+        let samples = posterior.samples(count, seed);
+        let values = samples.iter().map(|sample| sample.values.clone()).collect();
+        let models = samples.into_iter().map(|sample| Model::of(sample.model)).collect();
+        Ok((posterior.names(), values, models))
+    }
+
+    /// Writes report.json, report.html, model.toml and samples.csv, as `rrr diagnose` does, into a directory.
     fn write(&self, directory: PathBuf) -> PyResult<()> {
         host_tool::output_files::create_directory(&directory).map_err(|e| exception(&e))?;
         self.model.write(directory.join(of_commands::MODEL)).map_err(file_exception)?;
+        if let Some(posterior) = &self.posterior {
+            let table = posterior.table(SAMPLES, 1);
+            let path = directory.join(of_commands::TABLE);
+            host_tool::output_files::write_text(&table, &path).map_err(|e| exception(&e))?;
+        }
         self.page.write(&directory.join(of_commands::PAGE)).map_err(file_exception)?;
         let path = directory.join(of_commands::REPORT);
         let json = host_tool::output_files::json(&self.report, &path);

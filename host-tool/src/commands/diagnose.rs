@@ -7,6 +7,7 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::output_files::{create_directory, json, write_text};
 use crate::terminal::progress::Steps;
+use diagnosis::report::samples::SAMPLES;
 use diagnosis::sentence;
 use diagnosis::{self, Criteria, Diagnosis, DiagnosisError, SubjectError};
 use files::{ArmFile, Dataset, RobotFile};
@@ -35,7 +36,8 @@ pub struct Arguments {
     /// The model whose gap is to be explained.
     #[arg(long, value_name = "MODEL.toml")]
     pub model: PathBuf,
-    /// Directory for report.json, report.html and model.toml, the model with the effects added.
+    /// Directory for report.json, report.html, model.toml, the model with the effects added, and
+    /// samples.csv, parameters drawn from what the logs leave open.
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Thresholds that replace the defaults, as TOML; what it does not name keeps its default.
@@ -159,6 +161,8 @@ impl From<DiagnosisError> for Failure {
 pub const REPORT: &str = "report.json";
 /// The report's name in the directory of a diagnosis.
 pub const PAGE: &str = "report.html";
+/// The table's of models drawn from what the logs leave open.
+pub const TABLE: &str = "samples.csv";
 /// The amended model's.
 pub const MODEL: &str = "model.toml";
 
@@ -178,9 +182,9 @@ pub fn refuse_to_replace(model: &Path, amended: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes report.json, report.html and model.toml into a directory, which is made.
+/// Writes report.json, report.html, model.toml and samples.csv into a directory, which is made.
 ///
-/// All three are drawn up before the first is written; each is written whole or not at all.
+/// All are drawn up before the first is written; each is written whole or not at all.
 ///
 /// # Errors
 /// The directory cannot be made, or a file not be written.
@@ -189,6 +193,9 @@ pub fn write(diagnosis: &Diagnosis, directory: &Path) -> Result<(), Failure> {
     let report = json(&diagnosis.report, &path)? + "\n";
     let page = diagnosis_page(diagnosis);
     create_directory(directory)?;
+    if let Some(posterior) = &diagnosis.posterior {
+        write_text(&posterior.table(SAMPLES, 1), &directory.join(TABLE))?;
+    }
     diagnosis.model.write(directory.join(MODEL))?;
     page.write(&directory.join(PAGE))?;
     write_text(&report, &path)
