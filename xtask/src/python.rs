@@ -71,6 +71,7 @@ fn pip(python: &OsStr) -> Command {
 /// A module of Python's, in the folder of the Python module.
 fn tool(python: &OsStr, module: &str) -> Command {
     let mut command = Command::new(python);
-    command.args(["-m", module]).current_dir(workspace::root().join("python"));
+    // -P: the installed module, not the sources beside.
+    command.args(["-P", "-m", module]).current_dir(workspace::root().join("python"));
     command
 }

@@ -8,6 +8,7 @@ use model::friction_parameters::COUNT as FRICTION_COUNT;
 use rig::Plant;
 
 use crate::logs::subject::{ONLY, Subject};
+use crate::trial::hypothesis::Hypothesis;
 
 /// A model file of format 1 or 2.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,11 +96,19 @@ impl ModelFile {
         }
     }
 
-    /// The same with a refitted plant in it.
-    pub fn refitted(&self, subject: &Subject, plant: &Plant) -> Self {
+    /// The same with a refitted plant in it, as simulators play it.
+    pub fn refitted(&self, subject: &Subject, found: &Hypothesis) -> Self {
         match self {
-            Self::Robot(file) => Self::Robot(Box::new(refitted_robot(subject, file, plant))),
-            Self::Arm(file) => Self::Arm(Box::new(refitted_arm(subject, file, plant))),
+            Self::Robot(file) => {
+                Self::Robot(Box::new(refitted_robot(subject, file, &found.played_plant())))
+            }
+            Self::Arm(file) => {
+                let mut arm = refitted_arm(subject, file, &found.plant);
+                for (joint, rotor) in arm.joints.iter_mut().zip(found.rotors_for_lead()) {
+                    add_to_rotor(joint, rotor);
+                }
+                Self::Arm(Box::new(arm))
+            }
         }
     }
 }
@@ -146,12 +155,14 @@ fn add_to_link(joint: &mut ArmJoint, value: usize, change: f64) {
     match value {
         0 => link.mass_kg.iter_mut().for_each(|mass| *mass += change),
         1..=3 => link.com_m.iter_mut().for_each(|centre| centre[value - 1] += change),
-        BODY_PARAMETERS => {
-            let is_there = joint.armature.is_some() || change != 0.0;
-            joint.armature = is_there.then(|| joint.armature.unwrap_or(0.0) + change);
-        }
+        BODY_PARAMETERS => add_to_rotor(joint, change),
         _ => link.inertia_kg_m2.iter_mut().for_each(|inertia| inertia[value - 4] += change),
     }
+}
+
+fn add_to_rotor(joint: &mut ArmJoint, change: f64) {
+    let is_there = joint.armature.is_some() || change != 0.0;
+    joint.armature = is_there.then(|| (joint.armature.unwrap_or(0.0) + change).max(0.0));
 }
 
 /// Friction as it was found; bristles and the Stribeck velocity only where the file had them or needs
