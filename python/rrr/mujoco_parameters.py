@@ -9,12 +9,10 @@ import mujoco
 import numpy as np
 
 from rrr.mujoco_chain import Inertial, Link, rigid_inertial, whole
-from rrr.mujoco_drive import NO_INPUT, armature, damping, drive, is_passive, on_joint
+from rrr.mujoco_drive import armature, damping, drive, on_joint
 
 LEAST_MOMENT_KG_M2 = 1e-10
 """MuJoCo takes no body without inertia."""
-STRIBECK_PART = 0.05
-"""A Stribeck level below this part of Coulomb friction is left to a callback or out."""
 
 
 def set_parameters(spec: Any, m: Any, link: Link, joint: dict[str, Any]) -> float:
@@ -61,6 +59,8 @@ def set_inertial(body: Any, own: Inertial) -> None:
     mujoco.mju_mat2Quat(quaternion, np.ascontiguousarray(turn).ravel())
     body.explicitinertial, body.mass = True, own.mass
     body.ipos, body.iquat, body.inertia = own.centre, quaternion, possible
+    # Not a number stands for "not given".
+    body.fullinertia = [np.nan, 0, 0, 0, 0, 0]
 
 
 def _possible(moments: Any) -> Any:
@@ -76,22 +76,20 @@ def _set_friction(
     """Coulomb and viscous friction in the joint's own form; with bristles as LuGre friction."""
     value = {name.split("_")[0]: v for name, v in friction.items()}
     element = spec.joints[joint]
-    viscous = k * value.get("alpha2", 0.0)
-    if found.kind != "position-servo":
-        viscous -= found.damping
-    change = viscous - damping(m, joint)[0]
+    back_emf = 0.0 if found.kind == "position-servo" else found.damping
+    change = k * value.get("alpha2", 0.0) - back_emf - damping(m, joint)[0]
     coefficients = np.array(element.damping, dtype=np.float64)
     coefficients[0] = max(coefficients[0] + change, 0.0)
     element.damping = coefficients
     if not found.bristles:
         element.frictionloss = k * max(value.get("alpha0", 0.0), 0.0)
         return
+    element.frictionloss = 0.0
     _set_bristles(spec, m, joint, value, k)
 
 
 def _set_bristles(spec: Any, m: Any, joint: int, value: dict[str, float], k: float) -> None:
-    """LuGre friction of the `dcmotor` that has it; `frictionloss` goes into it."""
-    spec.joints[joint].frictionloss = 0.0
+    """LuGre friction of the `dcmotor` that has it; `frictionloss` has gone into it."""
     for a in on_joint(m, joint):
         if m.actuator_dynprm[a, 5] > 0:
             actuator, gear = spec.actuators[a], abs(float(m.actuator_gear[a, 0]))
@@ -104,4 +102,3 @@ def _set_bristles(spec: Any, m: Any, joint: int, value: dict[str, float], k: flo
             )
             dynamics[5:7] = k * value["sigma0"] / gear**2, k * value.get("sigma1", 0.0) / gear**2
             actuator.biasprm, actuator.dynprm = bias, dynamics
-            assert NO_INPUT or is_passive(m, a)

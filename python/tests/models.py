@@ -76,3 +76,20 @@ SERVOS = """
 """
 
 ALL = {"planar": PLANAR, "gantry": GANTRY, "servos": SERVOS}
+
+LUGRE = """
+<mujoco model="lugre">
+  <worldbody>
+    <body>
+      <joint name="a" axis="0 1 0" armature="0.05"/>
+      <geom type="capsule" fromto="0 0 0 0.2 0 0" size="0.03"/>
+    </body>
+  </worldbody>
+  <option><flag contact="disable"/></option>
+  <actuator>
+    <motor joint="a" gear="3" ctrlrange="-4 4"/>
+    <dcmotor joint="a" input="none" resistance="1" motorconst="0 0" lugre="900 3 0.6 0.8 0.01"
+      damping="0.2" cogging="0.05 7 0.3"/>
+  </actuator>
+</mujoco>
+"""

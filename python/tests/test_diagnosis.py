@@ -68,14 +68,16 @@ def test_nothing_hidden_is_nothing_found(recordings: list[Recording], given: rrr
 def test_arrays_and_folders_are_the_same(
     recordings: list[Recording], given: rrr.Model, tmp_path: Path
 ) -> None:
-    log = recordings[0].log
-    arrays: dict[str, Any] = {"t": log.t, "q": log.q, "u": log.u}
+    logs, text = [recordings[0].log, recordings[3].log], "format = 1\n"
+    arrays: list[Any] = [{"t": log.t, "q": log.q, "u": log.u, "role": log.role} for log in logs]
     report = rrr.diagnose(arrays, given, progress=False)
-    table = np.column_stack([np.asarray(log.t), np.asarray(log.q), np.asarray(log.u)])
-    columns = "t_s,q1_rad,q2_rad,q3_rad,u1_V,u2_V,u3_V"
-    np.savetxt(tmp_path / "log.csv", table, fmt="%.17g", delimiter=",", header=columns, comments="")
-    entry = '[[log]]\nfile = "log.csv"\nexperiment = "task"\nrole = "train"\n'
-    (tmp_path / "dataset.toml").write_text("format = 1\n" + entry)
+    header = "t_s,q1_rad,q2_rad,q3_rad,u1_V,u2_V,u3_V"
+    for log in logs:
+        table = np.column_stack([np.asarray(log.t), np.asarray(log.q), np.asarray(log.u)])
+        path = tmp_path / f"{log.role}.csv"
+        np.savetxt(path, table, fmt="%.17g", delimiter=",", header=header, comments="")
+        text += f'[[log]]\nfile = "{path.name}"\nexperiment = "task"\nrole = "{log.role}"\n'
+    (tmp_path / "dataset.toml").write_text(text)
     given.write(tmp_path / "model.toml")
     other = rrr.diagnose(tmp_path, tmp_path / "model.toml", progress=False)
     first, second = report.to_dict(), other.to_dict()
@@ -129,7 +131,7 @@ def test_other_threads_go_on(recordings: list[Recording], given: rrr.Model) -> N
     thread.start()
     begin = time.monotonic()
     try:
-        rrr.diagnose(recordings[1].log, given, progress=False)
+        rrr.diagnose([recordings[0].log, recordings[3].log], given, progress=False)
     finally:
         is_over.set()
         thread.join()
