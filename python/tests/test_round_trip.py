@@ -37,7 +37,7 @@ EFFECTS: list[tuple[str, int, dict[str, Any]]] = [
     ("stribeck", 1, {"alpha1_V": 0.1, "stribeck_velocity_rad_per_s": 0.05}),
     ("encoder_eccentricity", 2, {"amplitude_rad": 0.05, "phase_rad": 0.3}),
     ("encoder_offset", 3, {"offset_rad": 0.1}),
-    ("contact", 0, {"stiffness_N_per_m": 1000.0, "height_m": 0.2}),
+    ("contact", 0, {"stiffness_N_per_m": 1000.0, "height_m": 0.9}),
     ("table", 3, {"axis": "velocity", "knots": [-1.0, 1.0], "values_V": [0.1, -0.1]}),
 ]
 
