@@ -65,8 +65,9 @@ def save_mujoco(spec: Any, report: Report | Model, path: str | PathLike[str]) ->
 
 
 def _amended(spec: Any, report: Report | Model) -> tuple[Any, list[dict[str, Any]]]:
+    from rrr.mujoco_amendment import Amendment
     from rrr.mujoco_chain import chain
-    from rrr.mujoco_native import Amendment
+    from rrr.mujoco_native import add
     from rrr.mujoco_parameters import set_parameters
 
     model = report.model if isinstance(report, Report) else report
@@ -81,7 +82,7 @@ def _amended(spec: Any, report: Report | Model) -> tuple[Any, list[dict[str, Any
     ]
     amendment = Amendment(copy, compiled, links, constants, content["joint"])
     for effect in content.get("effect", []):
-        amendment.add(effect)
+        add(amendment, effect)
     return copy, amendment.left
 
 

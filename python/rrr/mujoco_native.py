@@ -13,94 +13,22 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from rrr.mujoco_chain import SLIDE, Inertial, Link, body_inertial, whole
-from rrr.mujoco_drive import FIXED, NO_INPUT, drive, on_joint
-from rrr.mujoco_model import from_mujoco
+from rrr.mujoco_amendment import Amendment, Parameters, in_own_unit, inertial_of
+from rrr.mujoco_chain import Inertial, whole
+from rrr.mujoco_drive import FIXED, NO_INPUT
+from rrr.mujoco_hinges import backlash, elasticity
 from rrr.mujoco_parameters import set_inertial
 
-Parameters = dict[str, Any]
 
-
-class Amendment:
-    """A specification that takes effects; `left` are those that it has no form for.
-
-    `constants` is the torque by command of each joint [Nm by the command's unit].
-    """
-
-    def __init__(
-        self,
-        spec: Any,
-        m: Any,
-        links: list[Link],
-        constants: list[float],
-        joints: list[dict[str, Any]],
-    ) -> None:
-        self.spec, self.m, self.links = spec, m, links
-        self.constants, self.joints = constants, joints
-        # What the engine's model has already.
-        self.given = from_mujoco(m).to_dict().get("effect", [])
-        self.left: list[dict[str, Any]] = []
-
-    def add(self, effect: dict[str, Any]) -> None:
-        """Takes an `[[effect]]` of the model."""
-        name, number = effect["effect"], int(effect.get("joint", 0))
-        parameters = effect.get("parameters", {})
-        if effect in self.given:
-            return
-        form = FORMS.get(name)
-        if form is None or not form(self, number - 1, parameters):
-            self._leave(name, number, parameters)
-
-    def actuator(self, index: int) -> Any | None:
-        """The actuator that drives a joint, by its number from 0."""
-        found = drive(self.m, self.links[index].joint)
-        return None if found.actuator is None else self.spec.actuators[found.actuator]
-
-    def joint(self, index: int) -> Any:
-        """A joint's element."""
-        return self.spec.joints[self.links[index].joint]
-
-    def joint_name(self, index: int) -> str:
-        """A joint's name; one that has none is given one."""
-        joint = self.joint(index)
-        if not joint.name:
-            joint.name = f"joint{index + 1}"
-        return str(joint.name)
-
-    def add_passive(self, index: int) -> Any:
-        """A `dcmotor` on a joint that takes no command."""
-        actuator = self.spec.add_actuator(
-            target=self.joint_name(index), trntype=mujoco.mjtTrn.mjTRN_JOINT
-        )
-        actuator.gear = [1, 0, 0, 0, 0, 0]
-        return actuator
-
-    def _leave(self, name: str, number: int, parameters: Parameters) -> None:
-        """Hands an effect on, with what a callback must know."""
-        left: dict[str, Any] = {"effect": name, "joint": number, "parameters": parameters}
-        if number:
-            left |= self._of_joint(number - 1)
-        else:
-            link = self.links[-1]
-            body = self.spec.bodies[link.root]
-            body.name = body.name or "tip"
-            left |= {"body": str(body.name), "tip_m": [float(x) for x in link.anchor]}
-        self.left.append(left)
-
-    def _of_joint(self, index: int) -> dict[str, Any]:
-        actuator = self.actuator(index)
-        if actuator is not None and not actuator.name:
-            actuator.name = f"drive{index + 1}"
-        friction = self.joints[index].get("friction", {})
-        value = {name.split("_")[0]: v for name, v in friction.items()}
-        k = abs(self.constants[index])
-        return {
-            "name": self.joint_name(index),
-            "actuator": None if actuator is None else str(actuator.name),
-            "torque_constant": self.constants[index],
-            "coulomb": k * value.get("alpha0", 0.0),
-            "viscous": k * value.get("alpha2", 0.0),
-        }
+def add(to: Amendment, effect: dict[str, Any]) -> None:
+    """Puts an `[[effect]]` of the model into a specification, or hands it on."""
+    if effect in to.given:
+        return
+    name, number = effect["effect"], int(effect.get("joint", 0))
+    parameters = effect.get("parameters", {})
+    form = FORMS.get(name)
+    if form is None or not form(to, number - 1, parameters):
+        to.leave(name, number, parameters)
 
 
 def _torque_constant(to: Amendment, index: int, p: Parameters) -> bool:
@@ -167,7 +95,7 @@ def _spring(to: Amendment, index: int, p: Parameters) -> bool:
     if stiffness < 0:
         return False
     joint.stiffness = [stiffness, 0, 0]
-    joint.springref = _in_own_unit(to, to.links[index], [p["rest_rad"]])[0]
+    joint.springref = in_own_unit(to, to.links[index], [p["rest_rad"]])[0]
     return True
 
 
@@ -206,20 +134,9 @@ def _payload(to: Amendment, _: int, p: Parameters) -> bool:
         load.explicitinertial, load.mass, load.ipos = True, mass, np.zeros(3)
         load.inertia = np.full(3, 1e-9)
     else:
-        own = _inertial_of(body, to.m, link.root)
+        own = inertial_of(body, to.m, link.root)
         set_inertial(body, whole([own, Inertial(mass, place, np.zeros((3, 3)))]))
     return True
-
-
-def _inertial_of(body: Any, m: Any, root: int) -> Inertial:
-    """What the specification says by now, or what was compiled."""
-    if not body.explicitinertial:
-        return body_inertial(m, root)
-    turn = np.empty(9)
-    mujoco.mju_quat2Mat(turn, np.array(body.iquat))
-    matrix = turn.reshape(3, 3)
-    about = matrix @ np.diag(body.inertia) @ matrix.T
-    return Inertial(float(body.mass), np.array(body.ipos), about)
 
 
 def _tilt(to: Amendment, _: int, p: Parameters) -> bool:
@@ -228,60 +145,6 @@ def _tilt(to: Amendment, _: int, p: Parameters) -> bool:
     down = [math.sin(b), -math.sin(a) * math.cos(b), -math.cos(a) * math.cos(b)]
     to.spec.option.gravity = [g * x for x in down]
     return True
-
-
-def _elasticity(to: Amendment, index: int, p: Parameters) -> bool:
-    """A second hinge on the same axis: the joint is the motor's, the new one how far the link is
-    ahead of it."""
-    new = _second_joint(to, index, p)
-    new.stiffness = [p["stiffness_Nm_per_rad"], 0, 0]
-    new.damping = [p["damping_Nm_s_per_rad"], 0, 0]
-    return True
-
-
-def _second_joint(to: Amendment, index: int, p: Parameters) -> Any:
-    joint, link = to.joint(index), to.links[index]
-    body = to.spec.bodies[link.root]
-    # What the motor has is a part of the joint's own inertia: the rest of the rotor goes to the link.
-    rest = float(joint.armature) - p["motor_inertia_kg_m2"]
-    joint.armature = p["motor_inertia_kg_m2"]
-    is_slide = to.m.jnt_type[link.joint] == SLIDE
-    if rest and not is_slide:
-        own = _inertial_of(body, to.m, link.root)
-        about = own.about_centre + rest * np.outer(link.axis, link.axis)
-        set_inertial(body, Inertial(own.mass, own.centre, about))
-    return body.add_joint(
-        name=f"{to.joint_name(index)}_link", type=joint.type, axis=link.axis, pos=link.anchor
-    )
-
-
-def _backlash(to: Amendment, index: int, p: Parameters) -> bool:
-    """The same with a range for a spring: contact at its ends as stiff and as damped."""
-    link = to.links[index]
-    inertia = _reduced_inertia(to, index, p["motor_inertia_kg_m2"])
-    stiffness, damping = p["stiffness_Nm_per_rad"], p["damping_Nm_s_per_rad"]
-    frequency = math.sqrt(stiffness / inertia)
-    ratio = max(damping / (2 * math.sqrt(stiffness * inertia)), 0.05)
-    constant = max(1 / (ratio * frequency), 2 * to.spec.option.timestep)
-    new = _second_joint(to, index, p)
-    half = 0.5 * p["gap_rad"]
-    new.limited, new.range = True, _in_own_unit(to, link, [-half, half])
-    new.solref_limit = [constant, ratio]
-    return True
-
-
-def _reduced_inertia(to: Amendment, index: int, motor: float) -> float:
-    """That of motor and link against each other, in the model's own posture [kg m^2]."""
-    dof = int(to.m.jnt_dofadr[to.links[index].joint])
-    link = max(1.0 / float(to.m.dof_invweight0[dof]) - motor, motor)
-    return motor * link / (motor + link)
-
-
-def _in_own_unit(to: Amendment, link: Link, angles: list[float]) -> list[float]:
-    """Ranges stand in degrees where the compiler reads degrees."""
-    is_slide = to.m.jnt_type[link.joint] == SLIDE
-    by = math.degrees(1.0) if to.spec.compiler.degree and not is_slide else 1.0
-    return [by * angle for angle in angles]
 
 
 FORMS: dict[str, Callable[[Amendment, int, Parameters], bool]] = {
@@ -295,8 +158,8 @@ FORMS: dict[str, Callable[[Amendment, int, Parameters], bool]] = {
     "cogging": _cogging,
     "payload": _payload,
     "base_tilt": _tilt,
-    "joint_elasticity": _elasticity,
-    "backlash": _backlash,
+    "joint_elasticity": elasticity,
+    "backlash": backlash,
 }
 """What puts an effect into the specification: of the amendment, the joint's index (-1 for the whole
 robot) and the parameters; False where it cannot."""
