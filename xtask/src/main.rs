@@ -15,6 +15,7 @@ mod fuzz;
 mod image;
 mod lint;
 mod packages;
+mod python;
 mod setup;
 mod soak;
 mod source;
@@ -35,6 +36,7 @@ The project's chores: cargo xtask <task>
   firmware [qemu|nucleo]    build the images, print their paths and sizes, check the limits
   check-elf [qemu|nucleo]   check that the control tick neither computes in f64 nor panics
   test                      all of that, then the tests of all packages, the emulated board's too
+  python                    the wheel of the Python module, its tests, types and notebook
   lint                      imports, formatting and clippy, on the host and for every image
   imports [DIR]             the circles in which files or folders import each other
   lengths [DIR]             how long functions and files are, tests apart
@@ -74,6 +76,7 @@ fn run(arguments: &[&str]) -> Result<()> {
         ["firmware", boards @ ..] => firmware::run(boards),
         ["check-elf", boards @ ..] => check_elf::run(boards),
         ["test"] => test::run(),
+        ["python"] => python::test(),
         ["lint"] => lint::run(),
         [check @ ("imports" | "lengths"), directory @ ..] => source::run(check, directory),
         ["bench", filter @ ..] => bench::run(filter),

@@ -14,6 +14,7 @@ use crate::emulate;
 use crate::emulator;
 use crate::firmware;
 use crate::image::Image;
+use crate::python;
 use crate::toolchain::FirmwareToolchain;
 use crate::workspace;
 
@@ -27,13 +28,15 @@ pub fn run() -> Result<()> {
         Ok((qemu, build_and_check(&toolchain, Board::Nucleo)?))
     })?;
     run_tests(&qemu)?;
+    python::test()?;
     emulate::test(&nucleo)
 }
 
-/// The tests of all packages.
+/// The tests of all packages, but for the Python module, which [`python::test`] builds for the
+/// interpreter that it finds.
 fn tests() -> Command {
     let mut test = cargo("test");
-    test.args(["--quiet", "--release", "--workspace"]);
+    test.args(["--quiet", "--release", "--workspace", "--exclude", python::PACKAGE]);
     test
 }
 

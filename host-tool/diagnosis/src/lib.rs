@@ -24,6 +24,7 @@ pub mod gap_by_axis;
 pub mod logs;
 pub mod model_faults;
 mod model_file;
+mod posterior;
 pub mod quantity;
 pub mod report;
 mod result;
@@ -39,6 +40,7 @@ pub use criteria::Criteria;
 pub use gap_by_axis::gap_by_axis;
 pub use logs::subject::SubjectError;
 pub use model_file::ModelFile;
+pub use posterior::Posterior;
 pub use report::sentence::sentence;
 pub use result::*;
 

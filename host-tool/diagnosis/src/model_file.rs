@@ -2,12 +2,13 @@
 
 use std::path::Path;
 
-use files::{ArmFile, ArmJoint, EffectTable, FileError, RobotFile};
+use files::{ArmFile, ArmJoint, EffectTable, FileError, Problem, RobotFile};
 use model::chain::BODY_PARAMETERS;
 use model::friction_parameters::COUNT as FRICTION_COUNT;
 use rig::Plant;
 
 use crate::logs::subject::{ONLY, Subject};
+use crate::trial::hypothesis::Hypothesis;
 
 /// A model file of format 1 or 2.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +28,39 @@ impl ModelFile {
         match self {
             Self::Robot(file) => file.write(path),
             Self::Arm(file) => file.write(path),
+        }
+    }
+
+    /// Reads a file of either format.
+    ///
+    /// # Errors
+    /// Names the file and line, what is wrong, and a remedy.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
+        match ArmFile::is_at(&path) {
+            true => Ok(Self::Arm(Box::new(ArmFile::read(path)?))),
+            false => Ok(Self::Robot(Box::new(RobotFile::read(path)?))),
+        }
+    }
+
+    /// The same of a text; the path is for messages.
+    ///
+    /// # Errors
+    /// As of [`ModelFile::read`].
+    pub fn parse(path: impl AsRef<Path>, text: String) -> Result<Self, FileError> {
+        match ArmFile::is_in(&text) {
+            true => Ok(Self::Arm(Box::new(ArmFile::parse(path, text.into_bytes())?))),
+            false => Ok(Self::Robot(Box::new(RobotFile::parse(path, text.into_bytes())?))),
+        }
+    }
+
+    /// Its text.
+    ///
+    /// # Errors
+    /// A value that TOML cannot hold.
+    pub fn to_toml(&self) -> Result<String, Problem> {
+        match self {
+            Self::Robot(file) => file.to_toml(),
+            Self::Arm(file) => file.to_toml(),
         }
     }
 
@@ -62,11 +96,19 @@ impl ModelFile {
         }
     }
 
-    /// The same with a refitted plant in it.
-    pub fn refitted(&self, subject: &Subject, plant: &Plant) -> Self {
+    /// The same with a refitted plant in it, as simulators play it.
+    pub fn refitted(&self, subject: &Subject, found: &Hypothesis) -> Self {
         match self {
-            Self::Robot(file) => Self::Robot(Box::new(refitted_robot(subject, file, plant))),
-            Self::Arm(file) => Self::Arm(Box::new(refitted_arm(subject, file, plant))),
+            Self::Robot(file) => {
+                Self::Robot(Box::new(refitted_robot(subject, file, &found.played_plant())))
+            }
+            Self::Arm(file) => {
+                let mut arm = refitted_arm(subject, file, &found.plant);
+                for (joint, rotor) in arm.joints.iter_mut().zip(found.rotors_for_lead()) {
+                    add_to_rotor(joint, rotor);
+                }
+                Self::Arm(Box::new(arm))
+            }
         }
     }
 }
@@ -113,12 +155,14 @@ fn add_to_link(joint: &mut ArmJoint, value: usize, change: f64) {
     match value {
         0 => link.mass_kg.iter_mut().for_each(|mass| *mass += change),
         1..=3 => link.com_m.iter_mut().for_each(|centre| centre[value - 1] += change),
-        BODY_PARAMETERS => {
-            let is_there = joint.armature.is_some() || change != 0.0;
-            joint.armature = is_there.then(|| joint.armature.unwrap_or(0.0) + change);
-        }
+        BODY_PARAMETERS => add_to_rotor(joint, change),
         _ => link.inertia_kg_m2.iter_mut().for_each(|inertia| inertia[value - 4] += change),
     }
+}
+
+fn add_to_rotor(joint: &mut ArmJoint, change: f64) {
+    let is_there = joint.armature.is_some() || change != 0.0;
+    joint.armature = is_there.then(|| (joint.armature.unwrap_or(0.0) + change).max(0.0));
 }
 
 /// Friction as it was found; bristles and the Stribeck velocity only where the file had them or needs

@@ -8,6 +8,7 @@ pub use crate::findings::*;
 
 use crate::criteria::Criteria;
 use crate::model_file::ModelFile;
+use crate::posterior::Posterior;
 use files::Role;
 use rig::effects::Catalogue;
 use rig::plant::JointUnits;
@@ -25,6 +26,8 @@ pub struct Diagnosis {
     pub rivals: Vec<Rival>,
     /// The model with the effects added, both refitted.
     pub model: ModelFile,
+    /// What the logs leave open of that model; none where it was made up.
+    pub posterior: Option<Posterior>,
     /// The effects that were tried, in which the names above are looked up.
     pub catalogue: Catalogue,
     /// The thresholds by which it was made.

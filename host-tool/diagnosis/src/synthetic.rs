@@ -146,7 +146,8 @@ pub fn diagnosis(
     let model = ModelFile::Robot(Box::new(RobotFile::from_robot(&reference_robot())));
     let units = Default::default();
     let catalogue = Catalogue::standard();
-    Diagnosis { report, logs, waterfall, rivals: rivals(), model, catalogue, criteria, units }
+    let (rivals, posterior) = (rivals(), None);
+    Diagnosis { report, logs, waterfall, rivals, model, posterior, catalogue, criteria, units }
 }
 
 /// Cogging on joint 3.

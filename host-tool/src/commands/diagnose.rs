@@ -7,6 +7,7 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::output_files::{create_directory, json, write_text};
 use crate::terminal::progress::Steps;
+use diagnosis::report::samples::SAMPLES;
 use diagnosis::sentence;
 use diagnosis::{self, Criteria, Diagnosis, DiagnosisError, SubjectError};
 use files::{ArmFile, Dataset, RobotFile};
@@ -35,7 +36,8 @@ pub struct Arguments {
     /// The model whose gap is to be explained.
     #[arg(long, value_name = "MODEL.toml")]
     pub model: PathBuf,
-    /// Directory for report.json, report.html and model.toml, the model with the effects added.
+    /// Directory for report.json, report.html, model.toml, the model with the effects added, and
+    /// samples.csv, parameters drawn from what the logs leave open.
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Thresholds that replace the defaults, as TOML; what it does not name keeps its default.
@@ -82,11 +84,7 @@ pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
         (criteria.prior.relative, criteria.prior.widest) = (doubt, doubt);
     }
     let steps = Steps::new();
-    steps.at("reading the logs");
-    let diagnosis = match ArmFile::is_at(&arguments.model) {
-        true => of_arm(arguments, &criteria, &steps)?,
-        false => of_robot(arguments, &criteria, &steps)?,
-    };
+    let diagnosis = judge(&arguments.dataset, &arguments.model, &criteria, &|what| steps.at(what))?;
     steps.at("drawing the pictures");
     write(&diagnosis, &arguments.out)?;
     steps.finish();
@@ -95,30 +93,52 @@ pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
     Ok(diagnosis)
 }
 
+/// The diagnosis of a data set by a model file, of whichever format; `progress` hears what is under
+/// way.
+///
+/// # Errors
+/// Files that cannot be used, or logs that do not fit the model's robot.
+pub fn judge(
+    dataset: &Path,
+    model: &Path,
+    criteria: &Criteria,
+    progress: &dyn Fn(&str),
+) -> Result<Diagnosis, Failure> {
+    progress("reading the logs");
+    match ArmFile::is_at(model) {
+        true => of_arm(dataset, model, criteria, progress),
+        false => of_robot(dataset, model, criteria, progress),
+    }
+}
+
 /// The diagnosis of the three-joint robot, or of a rig of one joint.
 fn of_robot(
-    arguments: &Arguments,
+    dataset: &Path,
+    model: &Path,
     criteria: &Criteria,
-    steps: &Steps,
+    progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, Failure> {
-    let model = RobotFile::read(&arguments.model)?;
-    let campaign = Campaign::read(&Dataset::read(&arguments.dataset)?, model)?;
+    let model = RobotFile::read(model)?;
+    let campaign = Campaign::read(&Dataset::read(dataset)?, model)?;
     let catalogue = Catalogue::standard();
-    let mut diagnosis =
-        diagnosis::diagnose(&campaign, &catalogue, criteria, &|what| steps.at(what))?;
+    let mut diagnosis = diagnosis::diagnose(&campaign, &catalogue, criteria, progress)?;
     diagnosis.report.remarks.extend(campaign.notes);
     Ok(diagnosis)
 }
 
 /// The diagnosis of an arm of any kind.
-fn of_arm(arguments: &Arguments, criteria: &Criteria, steps: &Steps) -> Result<Diagnosis, Failure> {
-    let arm = ArmFile::read(&arguments.model)?;
+fn of_arm(
+    dataset: &Path,
+    model: &Path,
+    criteria: &Criteria,
+    progress: &dyn Fn(&str),
+) -> Result<Diagnosis, Failure> {
+    let arm = ArmFile::read(model)?;
     let catalogue = Catalogue::of_arm(arm.joints.len());
     let mut remarks = arm.remarks();
-    let dataset = Dataset::read(&arguments.dataset)?;
+    let dataset = Dataset::read(dataset)?;
     let (campaign, mut notes) = ArmCampaign::read_with_notes(&dataset, arm)?;
-    let mut diagnosis =
-        diagnosis::diagnose_arm(&campaign, &catalogue, criteria, &|what| steps.at(what))?;
+    let mut diagnosis = diagnosis::diagnose_arm(&campaign, &catalogue, criteria, progress)?;
     diagnosis.report.remarks.append(&mut remarks);
     diagnosis.report.remarks.append(&mut notes);
     Ok(diagnosis)
@@ -141,6 +161,8 @@ impl From<DiagnosisError> for Failure {
 pub const REPORT: &str = "report.json";
 /// The report's name in the directory of a diagnosis.
 pub const PAGE: &str = "report.html";
+/// The table's of models drawn from what the logs leave open.
+pub const TABLE: &str = "samples.csv";
 /// The amended model's.
 pub const MODEL: &str = "model.toml";
 
@@ -160,9 +182,9 @@ pub fn refuse_to_replace(model: &Path, amended: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes report.json, report.html and model.toml into a directory, which is made.
+/// Writes report.json, report.html, model.toml and samples.csv into a directory, which is made.
 ///
-/// All three are drawn up before the first is written; each is written whole or not at all.
+/// All are drawn up before the first is written; each is written whole or not at all.
 ///
 /// # Errors
 /// The directory cannot be made, or a file not be written.
@@ -171,6 +193,9 @@ pub fn write(diagnosis: &Diagnosis, directory: &Path) -> Result<(), Failure> {
     let report = json(&diagnosis.report, &path)? + "\n";
     let page = diagnosis_page(diagnosis);
     create_directory(directory)?;
+    if let Some(posterior) = &diagnosis.posterior {
+        write_text(&posterior.table(SAMPLES, 1), &directory.join(TABLE))?;
+    }
     diagnosis.model.write(directory.join(MODEL))?;
     page.write(&directory.join(PAGE))?;
     write_text(&report, &path)

@@ -1,5 +1,8 @@
 //! `rrr diagnose` on an arm of position servos, judged on motion.
 
+use std::path::Path;
+
+use diagnosis::Report;
 use files::{ArmFile, Dataset};
 use recordings::ArmCampaign;
 use report::servo_page::servo_page;
@@ -15,9 +18,12 @@ use crate::terminal::progress::Steps;
 /// The arguments of a diagnosis whose model is one of an arm of position servos.
 pub fn wanted(choice: &Choice) -> Option<&Arguments> {
     let arguments = choice.diagnosis.as_ref()?;
-    let is_arm = ArmFile::is_at(&arguments.model);
-    let arm = is_arm.then(|| ArmFile::read(&arguments.model).ok()).flatten()?;
-    is_servo_arm(&arm).then_some(arguments)
+    is_judged_on_motion(&arguments.model).then_some(arguments)
+}
+
+/// Whether a model file is that of an arm of position servos; one that cannot be read is not.
+pub fn is_judged_on_motion(model: &Path) -> bool {
+    ArmFile::is_at(model) && ArmFile::read(model).is_ok_and(|arm| is_servo_arm(&arm))
 }
 
 impl From<ServoError> for Failure {
@@ -37,13 +43,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let out = &arguments.out;
     refuse_to_replace(&arguments.model, &out.join(MODEL))?;
     let steps = Steps::new();
-    steps.at("reading the logs");
-    let arm = ArmFile::read(&arguments.model)?;
-    let dataset = Dataset::read(&arguments.dataset)?;
-    let (campaign, mut notes) = ArmCampaign::read_with_notes(&dataset, arm)?;
-    let outcome = Outcome::of(&campaign, &Settings::default(), &|what| steps.at(what))?;
-    let mut report = report(&outcome);
-    report.remarks.append(&mut notes);
+    let (outcome, report) = judge(&arguments.dataset, &arguments.model, &|what| steps.at(what))?;
     steps.at("drawing the pictures");
     let path = out.join(REPORT);
     let text = json(&report, &path)? + "\n";
@@ -56,4 +56,22 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     print!("{}", in_words(&report));
     println!("\nPictures: {}", out.join(PAGE).display());
     Ok(())
+}
+
+/// The diagnosis of a data set by the model of such an arm; `progress` hears what is under way.
+///
+/// # Errors
+/// Files that cannot be used, or logs that do not fit the arm.
+pub fn judge(
+    dataset: &Path,
+    model: &Path,
+    progress: &dyn Fn(&str),
+) -> Result<(Outcome, Report), Failure> {
+    progress("reading the logs");
+    let arm = ArmFile::read(model)?;
+    let (campaign, mut notes) = ArmCampaign::read_with_notes(&Dataset::read(dataset)?, arm)?;
+    let outcome = Outcome::of(&campaign, &Settings::default(), progress)?;
+    let mut report = report(&outcome);
+    report.remarks.append(&mut notes);
+    Ok((outcome, report))
 }

@@ -289,6 +289,11 @@ impl Linearisation {
         self.train[joint]
     }
 
+    /// The lower factor L of the inverse L L^T of the covariance of all that is open.
+    pub fn factor(&self) -> DMatrix<f64> {
+        self.normal.l()
+    }
+
     /// Standard deviation of an open parameter, for residuals that are noise alone.
     pub fn deviation(&self, place: usize) -> f64 {
         let mut unit = DVector::zeros(self.expected.len());

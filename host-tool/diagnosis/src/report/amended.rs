@@ -20,7 +20,7 @@ pub fn amended(subject: &Subject, file: &ModelFile, hypothesis: &Hypothesis) -> 
     let table = |table: &Table| {
         Table { joint: subject.outer_joint(table.joint), ..table.clone() }.to_effect_table()
     };
-    let mut amended = file.refitted(subject, &hypothesis.plant);
+    let mut amended = file.refitted(subject, hypothesis);
     let effects = hypothesis.effects.iter().map(effect);
     amended.set_effects(effects.chain(hypothesis.tables.iter().map(table)).collect());
     amended

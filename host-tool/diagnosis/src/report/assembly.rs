@@ -13,6 +13,7 @@ use crate::gap_by_axis::gap_by_axis;
 use crate::logs::subject::Subject;
 use crate::model_faults::FoundFault;
 use crate::model_file::ModelFile;
+use crate::posterior::Posterior;
 use crate::result::{
     DataParts, Diagnosis, Gap, GapShare, Level, LogResiduals, ModelFaultFound, Report, Verdict,
 };
@@ -82,6 +83,7 @@ impl Assembly<'_> {
             waterfall: self.waterfall(&given_v),
             rivals: rivals(subject, judgement),
             model: amended(subject, file, &self.tables.linear.hypothesis),
+            posterior: Some(Posterior::of(subject, file, &self.tables.linear)),
             catalogue: subject.catalogue.clone(),
             criteria: criteria.clone(),
             units: subject.units_by_number(),
@@ -148,6 +150,7 @@ impl Assembly<'_> {
             with_effects_v: rms(&confirmation.full.residual_v),
             with_tables_v: rms(&self.tables.residual_v),
             noise_floor_v: self.noise_rms_v(),
+            as_given_rad: drift_rms_rad(self.evidence, &as_given(self.subject)),
             refitted_rad: drift(&confirmation.refitted),
             with_effects_rad: drift(&confirmation.full),
             ..Gap::default()

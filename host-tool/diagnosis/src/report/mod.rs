@@ -8,5 +8,6 @@ pub mod motion_gap;
 pub mod parameters_changed;
 pub mod remainder;
 pub mod remaining_words;
+pub mod samples;
 pub mod sentence;
 pub mod words;

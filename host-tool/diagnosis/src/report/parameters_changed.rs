@@ -38,7 +38,7 @@ pub fn parameters_changed(subject: &Subject, refitted: &Linearisation) -> Vec<Pa
 }
 
 /// A parameter's name in the model file; none for what that does not hold.
-fn name(subject: &Subject, unknown: Unknown) -> Option<String> {
+pub(super) fn name(subject: &Subject, unknown: Unknown) -> Option<String> {
     match unknown {
         Unknown::Base(place) => Some(subject.base_name(place)),
         Unknown::Friction { joint, parameter } => {

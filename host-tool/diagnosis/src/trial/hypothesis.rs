@@ -92,6 +92,24 @@ impl Hypothesis {
         Self { plant, lag_s: none.clone(), friction_lead_s: none, effects, tables }
     }
 
+    /// Rotors that stand for friction running ahead, where none does, in simulators and on the board: of
+    /// viscous friction alpha2 (qd + T qdd) the second term is inertia [kg m^2; kg].
+    pub fn rotors_for_lead(&self) -> Vec<f64> {
+        let Plant { torque_constant_nm_per_v: constants, friction, .. } = &self.plant;
+        let lead_s = self.friction_lead_s.iter();
+        let joints = lead_s.zip(constants).zip(friction);
+        joints.map(|((lead_s, k), friction)| lead_s * k * friction.alpha2_v_s_per_rad).collect()
+    }
+
+    /// The plant as simulators play it, without friction that runs ahead.
+    pub fn played_plant(&self) -> Plant {
+        let mut plant = self.plant.clone();
+        for (joint, rotor) in self.rotors_for_lead().into_iter().enumerate() {
+            plant.body.remove_motor(joint, -rotor);
+        }
+        plant
+    }
+
     /// Its effects and then its tables, ready to act.
     pub fn built_effects(&self) -> Vec<Box<dyn Effect>> {
         let tables = self.tables.iter().map(|table| Box::new(table.clone()) as Box<dyn Effect>);

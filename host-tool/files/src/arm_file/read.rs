@@ -29,7 +29,12 @@ impl ArmFile {
     /// Whether a file holds an arm of any kind; a file that cannot be read does not.
     pub fn is_at(path: impl AsRef<Path>) -> bool {
         let text = bytes::read(path.as_ref()).ok().and_then(|bytes| String::from_utf8(bytes).ok());
-        text.is_some_and(|text| TomlSource::format_of(&text) == Some(ARM_FORMAT))
+        text.is_some_and(|text| Self::is_in(&text))
+    }
+
+    /// Whether a text is that of an arm of any kind.
+    pub fn is_in(text: &str) -> bool {
+        TomlSource::format_of(text) == Some(ARM_FORMAT)
     }
 
     /// Reads a file, and the URDF that it names.

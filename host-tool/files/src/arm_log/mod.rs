@@ -39,3 +39,10 @@ impl ArmLog {
         self.time_s.is_empty()
     }
 }
+
+/// The columns of a joint in a log, its number from 1: position, command (of a position servo its
+/// goal) and reference.
+pub fn columns(number: usize, joint: &crate::ArmJoint) -> [String; 3] {
+    let all = columns::Columns::of(number, joint);
+    [all.position, all.command, all.reference]
+}

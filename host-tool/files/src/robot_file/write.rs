@@ -18,8 +18,16 @@ impl RobotFile {
     /// The path cannot be written.
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), FileError> {
         let path = path.as_ref();
-        let text = text(self).map_err(|error| Problem::Toml(error.to_string()).in_file(path))?;
+        let text = self.to_toml().map_err(|problem| problem.in_file(path))?;
         replace_file(path, |out| out.write_all(text.as_bytes()).map_err(Problem::Unwritable))
+    }
+
+    /// The file's text.
+    ///
+    /// # Errors
+    /// A value that TOML cannot hold.
+    pub fn to_toml(&self) -> Result<String, Problem> {
+        text(self).map_err(|error| Problem::Toml(error.to_string()))
     }
 }
 

@@ -157,7 +157,8 @@ impl Body {
                 let (mut leaning, rest) = ([0.0; MAX_JOINTS], [0.0; MAX_JOINTS]);
                 chain.with_gravity(change).inverse_dynamics(q, &rest, &rest, &mut leaning);
                 let count = linked.joints();
-                torque[..count].iter_mut().zip(&leaning).for_each(|(sum, more)| *sum += more);
+                // What holds against gravity is the other way round.
+                torque[..count].iter_mut().zip(&leaning).for_each(|(sum, held)| *sum -= held);
             }
         }
     }
@@ -200,5 +201,24 @@ fn own_inertia(base: &mut BaseParameters<f64>, joint: usize) -> &mut f64 {
         0 => &mut base.zz1r,
         1 => &mut base.zz2r,
         _ => &mut base.ia3,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use files::ArmFile;
+
+    /// A carriage of 2 kg on a level rail along x: where the base leans by b about y it is pushed along
+    /// by m g sin b, as the definition of a tilt says.
+    #[test]
+    fn a_carriage_on_a_rail_that_leans_is_pushed_along_it() {
+        let text = "format = 2\n[robot]\n[[joint]]\nkind = \"prismatic\"\naxis = [1.0, 0.0, 0.0]\n\
+                    mass_kg = 2.0\ncom_m = [0.0, 0.0, 0.0]\ninertia_kg_m2 = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]\n";
+        let arm = ArmFile::parse("rail.toml", text.into()).unwrap();
+        let body = Body::of_chain(arm.chain().unwrap());
+        let mut force = [0.0];
+        body.add_tilt(&[0.3], &Tilt::new(0.1, 0.2, [0.0; 2]), &mut force);
+        assert!((force[0] - 2.0 * 9.81 * f64::sin(0.2)).abs() < 1e-12, "{force:?}");
     }
 }

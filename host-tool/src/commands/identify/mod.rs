@@ -1,12 +1,14 @@
 //! `rrr identify`: the model of an unknown robot from its recorded experiments.
 
 mod arm;
+mod found;
 mod servos;
 mod steps;
 mod whole;
 
 use clap::Args;
 
+pub use found::{Found, found};
 pub use steps::Step;
 pub use whole::Whole;
 

@@ -22,6 +22,9 @@ enum Rigid {
 
 impl Body {
     /// The body of a model file of any format; says what is left out of it.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or lacks a value.
     pub fn read(path: &Path) -> Result<Self, FileError> {
         let (body, effects) = if ArmFile::is_at(path) {
             let file = ArmFile::read(path)?;
@@ -38,7 +41,11 @@ impl Body {
         Ok(body)
     }
 
-    fn of_arm(file: &ArmFile) -> Result<Self, FileError> {
+    /// The body of an arm of any kind.
+    ///
+    /// # Errors
+    /// A link of which too little is known.
+    pub fn of_arm(file: &ArmFile) -> Result<Self, FileError> {
         for remark in file.remarks() {
             eprintln!("warning: {remark}");
         }
@@ -46,7 +53,11 @@ impl Body {
         Ok(Self { joints: joints.collect(), rigid: Rigid::Mechanism(Box::new(file.chain()?)) })
     }
 
-    fn of_robot(file: &RobotFile) -> Result<Self, FileError> {
+    /// The body of the three-joint robot, or of a rig of one joint.
+    ///
+    /// # Errors
+    /// A value that is missing.
+    pub fn of_robot(file: &RobotFile) -> Result<Self, FileError> {
         if file.is_pendulum() {
             let pendulum = file.pendulum()?;
             let constant = file.torque_constant(pendulum.joint)?;

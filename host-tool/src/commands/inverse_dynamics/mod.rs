@@ -10,8 +10,8 @@ use files::{FileError, Problem};
 
 use crate::failure::Failure;
 
-mod body;
-mod joint;
+pub mod body;
+pub mod joint;
 
 use body::Body;
 use joint::JointColumns;
