@@ -64,6 +64,8 @@ criteria! {
         /// An angle at which an effect rests lies no further from the motion [rad]: half a turn, beyond
         /// which a spring is an offset by another name.
         far_rest_rad: f64 = 3.2,
+        /// No joint warms faster than with this time constant [s].
+        least_warming_s: f64 = 0.5,
         /// A spring leaves its motor this part of the joint's inertia, or it only smooths what the
         /// encoder reads.
         least_motor_inertia: f64 = 0.02,

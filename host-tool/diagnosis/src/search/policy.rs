@@ -1,7 +1,7 @@
 //! When an effect is added to the model, and when the search ends: conditions on what models
 //! leave, and nothing that is computed.
 
-use crate::criteria::Criteria;
+use crate::criteria::{Criteria, SelectionCriteria};
 use crate::fit::excess::excess_v2;
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::residual_stats::ResidualStats;
@@ -132,7 +132,7 @@ pub fn is_physical(effect: &EffectInstance, subject: &Subject, evidence: &Eviden
     if !effect.is_spring() && effect.is_at_bound(policy.near_bound) {
         return false;
     }
-    if rests_far(effect, evidence) {
+    if rests_far(effect, evidence) || warms_at_once(effect, policy) {
         return false;
     }
     let Some((joint, spring)) = effect.build().and_then(|effect| effect.transmission()) else {
@@ -150,6 +150,15 @@ pub fn is_physical(effect: &EffectInstance, subject: &Subject, evidence: &Eviden
             * (spring.stiffness_nm_per_rad * link_kg_m2.max(0.0)).sqrt();
     let is_free = spring.gap_rad * spring.stiffness_nm_per_rad > policy.least_gap * largest_nm;
     has_motor && rings && (is_free || !effect.has_backlash())
+}
+
+/// Whether friction drifts so fast that it has another level from the first motion on, which is no
+/// warming.
+fn warms_at_once(effect: &EffectInstance, policy: &SelectionCriteria) -> bool {
+    let mut parameters = effect.definition.parameters.iter().zip(&effect.values);
+    effect.definition.name == "friction_drift"
+        && parameters
+            .any(|(p, value)| p.kind == Kind::TimeConstant && *value < policy.least_warming_s)
 }
 
 /// Whether an angle of an effect lies so far from the motion that it is none: cables that rest ten turns
