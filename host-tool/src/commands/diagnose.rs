@@ -6,11 +6,15 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::output_files::{create_directory, json, write_text};
+use crate::provenance::provenance;
+use crate::say;
+use crate::terminal::answer::answer;
 use crate::terminal::progress::Steps;
 use diagnosis::sentence;
 use diagnosis::{self, Criteria, Diagnosis, DiagnosisError, SubjectError};
 use files::{ArmFile, Dataset, RobotFile};
 use recordings::{ArmCampaign, Campaign};
+use report::Provenance;
 use report::diagnosis_page::diagnosis_page;
 use report::diagnosis_page::tables::{CAUSES, cause_rows};
 use rig::effects::Catalogue;
@@ -88,10 +92,11 @@ pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
         false => of_robot(arguments, &criteria, &steps)?,
     };
     steps.at("drawing the pictures");
-    write(&diagnosis, &arguments.out)?;
+    write(&diagnosis, &arguments.out, &provenance(&arguments.model, &arguments.dataset))?;
     steps.finish();
-    print!("{}", in_words(&diagnosis));
-    println!("\nPictures: {}", arguments.out.join(PAGE).display());
+    say!("{}", in_words(&diagnosis).trim_end());
+    say!("\nPictures: {}", arguments.out.join(PAGE).display());
+    answer(&diagnosis.report)?;
     Ok(diagnosis)
 }
 
@@ -166,10 +171,15 @@ pub fn refuse_to_replace(model: &Path, amended: &Path) -> Result<(), Failure> {
 ///
 /// # Errors
 /// The directory cannot be made, or a file not be written.
-pub fn write(diagnosis: &Diagnosis, directory: &Path) -> Result<(), Failure> {
+pub fn write(
+    diagnosis: &Diagnosis,
+    directory: &Path,
+    provenance: &Provenance,
+) -> Result<(), Failure> {
     let path = directory.join(REPORT);
     let report = json(&diagnosis.report, &path)? + "\n";
-    let page = diagnosis_page(diagnosis);
+    let mut page = diagnosis_page(diagnosis);
+    page.provenance(provenance);
     create_directory(directory)?;
     diagnosis.model.write(directory.join(MODEL))?;
     page.write(&directory.join(PAGE))?;
