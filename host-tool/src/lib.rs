@@ -5,4 +5,5 @@ pub mod commands;
 pub mod failure;
 pub mod options;
 pub mod output_files;
+pub mod provenance;
 pub mod terminal;

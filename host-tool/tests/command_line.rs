@@ -69,7 +69,9 @@ fn torques_and_voltages_are_exact() {
     inverse_dynamics(directory.path()).success().stderr("");
     let text = std::fs::read_to_string(directory.path().join("out.csv")).unwrap();
     let lines: Vec<_> = text.lines().collect();
-    assert_eq!(lines[0], "tau1_Nm,tau2_Nm,tau3_Nm,u1_V,u2_V,u3_V");
+    let rigid = "tau1_Nm,tau2_Nm,tau3_Nm,u1_V,u2_V,u3_V";
+    let whole = "friction1_V,friction2_V,friction3_V,needed1_V,needed2_V,needed3_V";
+    assert_eq!(lines[0], format!("{rigid},{whole}"));
     assert_eq!(lines.len(), 3);
     let robot = reference_robot::<f64>();
     let torque_nm = Posture::new(-1.2, 0.3).inverse_dynamics(
@@ -78,7 +80,11 @@ fn torques_and_voltages_are_exact() {
         &[1.5, -2.5, 3.5],
         &[10.0, -20.0, 30.0],
     );
-    let expected = [torque_nm, robot.torque_to_voltage(&torque_nm)].concat();
+    let rigid_v = robot.torque_to_voltage(&torque_nm);
+    let velocity = [1.5, -2.5, 3.5];
+    let friction_v = [0, 1, 2].map(|i| robot.friction[i].sliding(velocity[i]));
+    let needed_v = [0, 1, 2].map(|i| rigid_v[i] + friction_v[i]);
+    let expected = [torque_nm, rigid_v, friction_v, needed_v].concat();
     let found: Vec<f64> = lines[1].split(',').map(|field| field.parse().unwrap()).collect();
     assert_eq!(found, expected);
 }

@@ -165,20 +165,20 @@ fn effects_are_added() {
 }
 
 #[test]
-fn what_is_not_known_is_kept() {
-    let text = "title = \"rig 7\"\n".to_owned()
+fn notes_and_standard_errors_are_kept() {
+    let text = "note = \"rig 7\"\n".to_owned()
         + &reference_text()
             .replace("[base]", "[base]\nzz1r_standard_error = 0.01")
-            .replace("[robot]", "[robot]\nserial = \"A-12\"")
+            .replace("[robot]", "[robot]\nnote = \"A-12\"")
             .replace("joint = 2", "joint = 2\nnote = \"oiled\"")
-        + "\n[gains]\nproportional = [1.0, 2.0, 3.0]\n\n[[recorded]]\nday = 1\n";
+        + "\n[notes]\ngains = [1.0, 2.0, 3.0]\n\n[[notes.recorded]]\nday = 1\n";
     let file = parse(&text).unwrap();
     let (read, written) = round_trip(&file);
-    assert_eq!(read.extra["title"].as_str(), Some("rig 7"));
-    assert_eq!(read.extra["gains"]["proportional"].as_array().unwrap().len(), 3);
-    assert_eq!(read.extra["recorded"][0]["day"].as_integer(), Some(1));
+    assert_eq!(read.extra["note"].as_str(), Some("rig 7"));
+    assert_eq!(read.extra["notes"]["gains"].as_array().unwrap().len(), 3);
+    assert_eq!(read.extra["notes"]["recorded"][0]["day"].as_integer(), Some(1));
     assert_eq!(read.base_extra["zz1r_standard_error"].as_float(), Some(0.01));
-    assert_eq!(read.robot.extra["serial"].as_str(), Some("A-12"));
+    assert_eq!(read.robot.extra["note"].as_str(), Some("A-12"));
     assert_eq!(read.friction[1].extra["note"].as_str(), Some("oiled"));
     assert_eq!(round_trip(&read).1, written);
 }

@@ -124,9 +124,9 @@ mod tests {
     #[test]
     fn what_was_there_stays_byte_for_byte() {
         let there = "# Rig 3, after the belt was changed\r\nformat=1   # one\n\
-            encoder_counts_per_rev = 655_360\nrig = { name = 'left', year = 2026 }\n\n\
+            encoder_counts_per_rev = 655_360\nnotes = { name = 'left', year = 2026 }\n\n\
             [[log]] # by hand\nfile = \"a.csv\"\nexperiment = \"belt-test\"\nrole = \"train\"\n\
-            note = \"joint 2 squeaks\"\n\n[people]\nwho = [ 'A', 'B' ]";
+            note = \"joint 2 squeaks\"\n\n[note]\nwho = [ 'A', 'B' ]";
         assert_eq!(appended_to(there).unwrap(), format!("{there}\n{ADDED}"));
     }
 

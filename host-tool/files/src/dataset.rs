@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::error::{FileError, Problem};
+use super::known_keys::{self, TableKeys};
 use super::log::Log;
 use super::mapping::{self, Mapping, View};
 use super::replace::replace_file;
@@ -16,6 +17,26 @@ use super::toml_source::{FORMAT, TomlSource};
 
 /// The name of the list in a data set's directory.
 pub const LIST_NAME: &str = "dataset.toml";
+
+/// The keys of the list; those of `[columns]` and `[streams]` are checked with the mapping.
+const KEYS: [TableKeys; 2] = [
+    ("", &["format", "encoder_counts_per_rev", "joints", "columns", "streams", "log"]),
+    (
+        "log",
+        &[
+            "file",
+            "experiment",
+            "role",
+            "simulated",
+            "joint",
+            "joints",
+            "columns",
+            "streams",
+            "files",
+            "rows",
+        ],
+    ),
+];
 
 /// A list of logs in a directory.
 #[derive(Clone, Debug, PartialEq)]
@@ -120,6 +141,7 @@ impl Dataset {
     }
 
     fn of(directory: &Path, source: &TomlSource) -> Result<Self, FileError> {
+        known_keys::check(source, &KEYS)?;
         let list: List = source.parse()?;
         check(&list, source)?;
         mapping::parse(source)?;
@@ -136,14 +158,18 @@ impl Dataset {
     /// The path cannot be written.
     pub fn write(&self, directory: impl AsRef<Path>) -> Result<(), FileError> {
         let path = directory.as_ref().join(LIST_NAME);
+        let text = self.text(&path)?;
+        replace_file(&path, |out| out.write_all(text.as_bytes()).map_err(Problem::Unwritable))
+    }
+
+    /// The list's text; the path is for messages.
+    pub(super) fn text(&self, path: &Path) -> Result<String, FileError> {
         let list = List {
             format: FORMAT,
             encoder_counts_per_rev: self.encoder_counts_per_rev,
             logs: self.entries.clone(),
         };
-        let text =
-            toml::to_string(&list).map_err(|e| Problem::Toml(e.to_string()).in_file(&path))?;
-        replace_file(&path, |out| out.write_all(text.as_bytes()).map_err(Problem::Unwritable))
+        toml::to_string(&list).map_err(|e| Problem::Toml(e.to_string()).in_file(path))
     }
 
     /// Reads all logs, in the order of the list, on as many threads as there are cores.

@@ -9,8 +9,24 @@ use model::parameter::named;
 use serde::{Deserialize, Serialize};
 
 use super::error::{FileError, Problem};
+use super::known_keys::{self, TableKeys};
 use super::replace::replace_file;
 use super::toml_source::{FORMAT, TomlSource};
+
+/// The keys of the file.
+const KEYS: [TableKeys; 2] = [
+    ("", &["format", "condition_number", "sample_period_s", "seed", "fade_in_s", "joint"]),
+    ("joint", JOINT),
+];
+const JOINT: &[&str] = &[
+    "joint",
+    "centre_rad",
+    "period_s",
+    "sine_rad",
+    "cosine_rad",
+    "peak_velocity_rad_per_s",
+    "peak_command_V",
+];
 
 /// A Fourier series for each joint, and what is known of it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -84,6 +100,7 @@ impl ExcitationFile {
     }
 
     fn of(source: &TomlSource) -> Result<Self, FileError> {
+        known_keys::check(source, &KEYS)?;
         let file: Self = source.parse()?;
         file.check(source)?;
         Ok(file)

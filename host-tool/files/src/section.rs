@@ -8,6 +8,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::{FileError, Problem};
+use super::known_keys::FOR_PEOPLE;
 use super::toml_source::{TomlSource, whole};
 
 /// A table, and the keys that were asked for.
@@ -126,7 +127,9 @@ impl<'a, 'i> Section<'a, 'i> {
     /// Refuses the first key that was never asked for.
     pub(super) fn finish(self) -> Result<(), FileError> {
         let asked = self.asked.borrow();
-        let is_unknown = |key: &&Spanned<_>| !asked.iter().any(|name| name == key_text(key));
+        let is_unknown = |key: &&Spanned<_>| {
+            !asked.iter().any(|name| name == key_text(key)) && !FOR_PEOPLE.contains(&key_text(key))
+        };
         let Some(key) = self.table.keys().find(is_unknown) else { return Ok(()) };
         let mut known: Vec<&str> = Vec::new();
         for name in asked.iter() {

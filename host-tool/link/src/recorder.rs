@@ -210,18 +210,23 @@ impl Recorder {
     }
 
     fn sample(&self, since: u32, record: &Telemetry) -> BoardSample {
-        BoardSample {
-            t_s: f64::from(since) * self.period_ns / 1e9,
-            state: record.state.name(),
-            mode: record.mode.map(Mode::name),
-            saturated: [0, 1, 2].map(|i| record.saturated >> i & 1 == 1),
-            tick_time_us: f64::from(record.tick_time_tenth_us) / 10.0,
-            telemetry_dropped: record.dropped,
-            fault: record.fault.map_or("none", |(fault, _)| fault.name()),
-            fault_joint: record.fault.map_or(0, |(_, joint)| joint),
-            position_count: None,
-            command_v: None,
-        }
+        board_sample(f64::from(since) * self.period_ns / 1e9, record)
+    }
+}
+
+/// What a record tells beside the joints, at this time [s].
+pub fn board_sample(t_s: f64, record: &Telemetry) -> BoardSample {
+    BoardSample {
+        t_s,
+        state: record.state.name(),
+        mode: record.mode.map(Mode::name),
+        saturated: [0, 1, 2].map(|i| record.saturated >> i & 1 == 1),
+        tick_time_us: f64::from(record.tick_time_tenth_us) / 10.0,
+        telemetry_dropped: record.dropped,
+        fault: record.fault.map_or("none", |(fault, _)| fault.name()),
+        fault_joint: record.fault.map_or(0, |(_, joint)| joint),
+        position_count: None,
+        command_v: None,
     }
 }
 

@@ -10,6 +10,7 @@ use plotters::prelude::*;
 use super::axis::{Axis, bounds, padded, short};
 use super::series::{Series, Stroke};
 use super::thinning::thin;
+use super::zoom::{FRAME, SERIES, SERIES_END, zoomable};
 use files::replace::replace_file;
 use files::{FileError, Problem};
 
@@ -32,6 +33,8 @@ pub struct Chart {
     pub x_range: Option<(f64, f64)>,
     /// Width and height [px]; 0 takes the standard 760 x 300.
     pub size_px: (u32, u32),
+    /// Whether so many points are kept that a look at a part of x shows more.
+    pub is_detailed: bool,
 }
 
 /// Colours that the colour-blind tell apart (Okabe and Ito), blue, vermilion, green first.
@@ -48,6 +51,8 @@ const PALETTE: [RGBColor; 7] = [
 const INK: RGBColor = RGBColor(40, 44, 52);
 const GRID: RGBColor = RGBColor(226, 229, 233);
 const POINTS_ACROSS: usize = 900;
+/// The same of a chart that is looked at piece by piece.
+const DETAILED_ACROSS: usize = 4000;
 
 /// Height of a name in the legend.
 const LEGEND_ROW_PX: f64 = 20.0;
@@ -61,6 +66,11 @@ type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type OnAxes<'c, 'a, X, Y> = ChartContext<'c, SVGBackend<'a>, Cartesian2d<X, Y>>;
 type DrawResult<'a> =
     Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
+
+/// A mark in the drawing, which [`zoomable`] finds.
+fn mark<'a>(canvas: &Canvas<'a>, text: &str) -> DrawResult<'a> {
+    canvas.draw(&Text::new(text.to_owned(), (0, 0), ("sans-serif", 1).into_font()))
+}
 
 impl Chart {
     /// An empty chart.
@@ -88,6 +98,17 @@ impl Chart {
         Self { x_axis, y_axis, ..self }
     }
 
+    /// With points for a closer look.
+    pub fn detailed(self) -> Self {
+        Self { is_detailed: true, ..self }
+    }
+
+    /// With all series so far in another stroke.
+    pub fn restroked(mut self, stroke: Stroke) -> Self {
+        self.series.iter_mut().for_each(|series| series.stroke = stroke);
+        self
+    }
+
     /// With x from the lowest to the highest.
     pub fn x_from_to(self, lowest: f64, highest: f64) -> Self {
         Self { x_range: Some((lowest, highest)), ..self }
@@ -108,7 +129,7 @@ impl Chart {
             let _ = self.draw(&canvas);
             let _ = canvas.present();
         }
-        svg
+        zoomable(&svg)
     }
 
     /// Writes the chart as an SVG file, whole or not at all.
@@ -153,6 +174,7 @@ impl Chart {
             .x_label_area_size(38)
             .y_label_area_size(62)
             .build_cartesian_2d(x, y)?;
+        mark(canvas, &self.frame(&chart))?;
         chart
             .configure_mesh()
             .x_desc(&self.x_label)
@@ -164,9 +186,11 @@ impl Chart {
             .x_label_formatter(&|value| short(*value))
             .y_label_formatter(&|value| short(*value))
             .draw()?;
+        mark(canvas, SERIES)?;
         for series in &self.series {
             self.draw_series(&mut chart, series)?;
         }
+        mark(canvas, SERIES_END)?;
         if self.series.iter().any(|series| !series.name.is_empty()) {
             chart
                 .configure_series_labels()
@@ -189,10 +213,12 @@ impl Chart {
         Y: Ranged<ValueType = f64>,
     {
         let all = self.drawable(series);
-        let points = if series.stroke == Stroke::Area { all } else { thin(&all, POINTS_ACROSS) };
+        let across = if self.is_detailed { DETAILED_ACROSS } else { POINTS_ACROSS };
+        let points = if series.stroke == Stroke::Area { all } else { thin(&all, across) };
         let colour = PALETTE[series.colour % PALETTE.len()];
         let drawn = match series.stroke {
             Stroke::Line => chart.draw_series(LineSeries::new(points, colour.stroke_width(1)))?,
+            Stroke::Wide => chart.draw_series(LineSeries::new(points, colour.stroke_width(3)))?,
             Stroke::Broad => {
                 let pale = colour.mix(0.35).stroke_width(4);
                 chart.draw_series(LineSeries::new(points, pale))?
@@ -215,6 +241,22 @@ impl Chart {
             });
         }
         Ok(())
+    }
+
+    /// Where the axes lie and what they span, for who looks closer at a part; nothing of decades.
+    fn frame<X, Y>(&self, chart: &OnAxes<'_, '_, X, Y>) -> String
+    where
+        X: Ranged<ValueType = f64>,
+        Y: Ranged<ValueType = f64>,
+    {
+        let (x, y) = chart.plotting_area().get_pixel_range();
+        match (self.x_axis, self.y_axis, self.ranges()) {
+            (Axis::Linear, Axis::Linear, Some((across, up))) => format!(
+                "{FRAME}{} {} {} {} {} {} {} {}",
+                x.start, x.end, y.start, y.end, across.0, across.1, up.0, up.1
+            ),
+            _ => FRAME.to_owned(),
+        }
     }
 
     /// Letters so small that the title fits.

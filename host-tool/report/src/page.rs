@@ -5,6 +5,8 @@ use std::io::Write as _;
 use std::path::Path;
 
 use super::Chart;
+use super::provenance::Provenance;
+use super::zoom::SCRIPT;
 use files::replace::replace_file;
 use files::{FileError, Problem};
 
@@ -21,7 +23,9 @@ margin-top:2rem;border-bottom:1px solid #e2e5e9}table{border-collapse:collapse;m
 td,th{padding:.2rem .8rem;text-align:right;border-bottom:1px solid #e2e5e9}\
 td:first-child,th:first-child{text-align:left}.lead{font-size:1.15rem}\
 .words td,.words th{text-align:left;vertical-align:top}\
-.charts{display:flex;flex-wrap:wrap;gap:.6rem}svg{max-width:100%;height:auto}";
+.charts{display:flex;flex-wrap:wrap;gap:.6rem}svg{max-width:100%;height:auto}\
+svg[data-frame]{touch-action:none;cursor:zoom-in}.series *{vector-effect:non-scaling-stroke}\
+.provenance{margin-top:2.5rem;color:#6b7280;font-size:.85rem}";
 
 impl Page {
     /// A page with a title and the one sentence that matters.
@@ -96,6 +100,24 @@ impl Page {
         self
     }
 
+    /// Where the page comes from, at its end.
+    pub fn provenance(&mut self, provenance: &Provenance) -> &mut Self {
+        let Provenance { model, dataset, date, version, command_line } = provenance;
+        let rows = [
+            ("Model", model),
+            ("Data set", dataset),
+            ("Date", date),
+            ("Version", version),
+            ("Command line", command_line),
+        ];
+        let row = |(name, text): (&str, &String)| {
+            format!("<tr><td>{name}</td><td>{}</td></tr>", escape(text))
+        };
+        let rows: String = rows.into_iter().map(row).collect();
+        let _ = writeln!(self.body, "<table class=\"words provenance\">{rows}</table>");
+        self
+    }
+
     /// Writes the page, whole or not at all.
     ///
     /// # Errors
@@ -109,10 +131,22 @@ impl Page {
     pub fn to_html(&self) -> String {
         format!(
             "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\
-             <title>{}</title><style>{STYLE}</style></head>\n<body>\n{}</body></html>\n",
+             <title>{}</title><style>{STYLE}</style></head>\n<body>\n{}{}</body></html>\n",
             escape(&self.title),
-            self.body
+            self.body,
+            self.script()
         )
+    }
+
+    /// The script, where there is a chart that it can zoom.
+    fn script(&self) -> String {
+        match self.body.contains("<svg data-frame") {
+            true => {
+                let how = "Charts: wheel to look closer (with Shift both axes), drag to move, double click for all.";
+                format!("<p class=\"provenance\">{how}</p><script>{SCRIPT}</script>\n")
+            }
+            false => String::new(),
+        }
     }
 }
 

@@ -8,6 +8,8 @@ pub enum Stroke {
     Line,
     /// A thick pale line, for what lies beneath.
     Broad,
+    /// A wide line, for what another is to be seen upon.
+    Wide,
     /// A broken line.
     Dashed,
     /// Dots.

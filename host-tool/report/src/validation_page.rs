@@ -26,6 +26,13 @@ pub fn validation_page(held: &[HeldOutLog]) -> Page {
 pub fn lead(held: &[HeldOutLog]) -> String {
     let residuals = held.iter().flat_map(HeldOutLog::residuals);
     match residuals.max_by(|a, b| a.share.total_cmp(&b.share)) {
+        Some(worst) if worst.share > 1.0 => format!(
+            "On motion held out, the model explains nothing of the command of joint {}: it leaves {:.1} mV, \
+             more than the {:.1} mV that were commanded.",
+            worst.joint,
+            1e3 * worst.rms_v,
+            1e3 * worst.command_rms_v
+        ),
         Some(worst) => format!(
             "On motion held out, the model explains all but {:.2} % of the command of every \
              joint; the most is left on joint {}, {:.1} mV.",
@@ -57,33 +64,64 @@ pub fn rows(held: &[HeldOutLog]) -> Vec<Vec<String>> {
     held.iter().flat_map(|h| h.residuals().into_iter().map(|r| row(h, r))).collect()
 }
 
-/// Commands of a log, joint by joint.
+/// Commands of a log, joint by joint, and below each what is left of it, on an axis of its own; over the
+/// whole log.
 pub fn command_charts(held: &HeldOutLog) -> Vec<Chart> {
-    let Some(stretch) = held.stretches.first() else { return Vec::new() };
-    let points = |values: &[f64]| -> Vec<(f64, f64)> {
-        stretch.time_s.iter().copied().zip(values.iter().copied()).collect()
+    let commands = (0..3).map(|joint| command_chart(held, joint));
+    commands.chain((0..3).map(|joint| left_chart(held, joint))).collect()
+}
+
+/// The title of a joint's chart.
+fn title(held: &HeldOutLog, joint: usize) -> String {
+    format!("Joint {}, {}", joint + 1, held.file)
+}
+
+fn command_chart(held: &HeldOutLog, joint: usize) -> Chart {
+    let chart = Chart::new(title(held, joint), "time [s]", "command [V]").sized(THIRD.0, THIRD.1);
+    let chart = of_stretches(chart, held, joint, "recorded", 5, |joint, k| joint.measured_v[k]);
+    let chart = chart.restroked(Stroke::Wide);
+    let chart =
+        of_stretches(chart, held, joint, "reconstructed", 0, |joint, k| joint.reconstructed_v[k]);
+    of_stretches(chart, held, joint, "friction in it", 2, |joint, k| joint.friction_v[k]).detailed()
+}
+
+fn left_chart(held: &HeldOutLog, joint: usize) -> Chart {
+    let title = format!("Left of {}", title(held, joint));
+    let chart = Chart::new(title, "time [s]", "left [mV]").sized(THIRD.0, 200);
+    let left = |joint: &JointReconstruction, k: usize| {
+        1e3 * (joint.measured_v[k] - joint.reconstructed_v[k])
     };
-    let chart = |(index, joint): (usize, &JointReconstruction)| {
-        let left: Vec<f64> =
-            joint.measured_v.iter().zip(&joint.reconstructed_v).map(|(a, b)| a - b).collect();
-        Chart::new(format!("Joint {}, {}", index + 1, held.file), "time [s]", "command [V]")
-            .with(Series::line("recorded", 1, points(&joint.measured_v)).stroke(Stroke::Broad))
-            .with(Series::line("reconstructed", 0, points(&joint.reconstructed_v)))
-            .with(Series::line("friction in it", 2, points(&joint.friction_v)))
-            .with(Series::line("left", 3, points(&left)))
-            .sized(THIRD.0, THIRD.1)
-    };
-    stretch.joints.iter().enumerate().map(chart).collect()
+    of_stretches(chart, held, joint, "", 1, left).detailed()
+}
+
+/// A chart with a line for each unbroken stretch of the log, one name for all.
+fn of_stretches(
+    chart: Chart,
+    held: &HeldOutLog,
+    joint: usize,
+    name: &str,
+    colour: usize,
+    value: impl Fn(&JointReconstruction, usize) -> f64,
+) -> Chart {
+    held.stretches.iter().enumerate().fold(chart, |chart, (place, stretch)| {
+        let joint = &stretch.joints[joint];
+        let times = stretch.time_s.iter().enumerate();
+        let points = times.map(|(k, time_s)| (*time_s, value(joint, k))).collect();
+        let name = if place == 0 { name } else { "" };
+        chart.with(Series::line(name, colour, points))
+    })
 }
 
 fn drift_charts(held: &HeldOutLog) -> Vec<Chart> {
-    let Some(prediction) = held.predictions.first() else { return Vec::new() };
     let chart = |joint: usize| {
-        let errors = prediction.error_rad[joint].iter().map(|error| 1e3 * error);
-        let points = prediction.time_s.iter().copied().zip(errors).collect();
-        Chart::new(format!("Joint {}, {}", joint + 1, held.file), "time [s]", "drift [mrad]")
-            .with(Series::line("", 0, points))
+        let empty = Chart::new(title(held, joint), "time [s]", "drift [mrad]")
             .sized(THIRD.0, 220)
+            .detailed();
+        held.predictions.iter().fold(empty, |chart, prediction| {
+            let errors = prediction.error_rad[joint].iter().map(|error| 1e3 * error);
+            let points = prediction.time_s.iter().copied().zip(errors).collect();
+            chart.with(Series::line("", 0, points))
+        })
     };
     (0..3).map(chart).collect()
 }

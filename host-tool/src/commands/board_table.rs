@@ -52,14 +52,40 @@ pub fn table(record: &Telemetry, report: &Report, counts_per_turn: f64) -> Strin
     text
 }
 
+/// The same for programs, in SI units.
+pub fn as_json(record: &Telemetry, report: &Report, counts_per_turn: f64) -> serde_json::Value {
+    let position_rad = record.counts.map(|count| f64::from(count) / counts_per_turn * TAU);
+    let error_rad: Vec<Option<f64>> =
+        (0..3).map(|joint| error_rad(record, joint, position_rad[joint])).collect();
+    serde_json::json!({
+        "state": report.state.to_string(),
+        "tick": record.sequence,
+        "tick_time_us": f64::from(record.tick_time_tenth_us) / 10.0,
+        "overruns": report.counters.overruns,
+        "telemetry_dropped": record.dropped,
+        "position_rad": position_rad,
+        "command_V": record.codes.map(|code| f64::from(code.to_volts())),
+        "error_rad": error_rad,
+        "saturated": report.counters.saturated,
+        "mode": record.mode.map(|mode| mode.name()),
+        "fault": report.fault.map(|fault| fault.to_string()),
+    })
+}
+
 /// The tracking error, where there is a reference.
 fn error_mrad(record: &Telemetry, joint: usize, position_rad: f64) -> String {
+    let error_rad = error_rad(record, joint, position_rad);
+    error_rad.map_or("-".to_owned(), |error_rad| format!("{:.3}", 1e3 * error_rad))
+}
+
+/// The same [rad].
+fn error_rad(record: &Telemetry, joint: usize, position_rad: f64) -> Option<f64> {
     if record.state != State::Running {
-        return "-".to_owned();
+        return None;
     }
     let reference_rad = f64::from(record.reference[joint].0) / 2f64.powi(32) * TAU;
     let turns = ((reference_rad - position_rad) / TAU).round();
-    format!("{:.3}", 1e3 * (reference_rad - position_rad - turns * TAU))
+    Some(reference_rad - position_rad - turns * TAU)
 }
 
 fn row(text: &mut String, [joint, position, voltage, error, cut, mode]: [String; 6]) {

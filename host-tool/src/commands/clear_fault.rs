@@ -4,7 +4,9 @@ use firmware::link::Command;
 
 use crate::failure::Failure;
 pub use crate::options::board::BoardOptions as Arguments;
+use crate::terminal::answer::answer;
 use crate::terminal::output::print_line;
+use serde_json::json;
 
 /// Runs the command.
 ///
@@ -19,5 +21,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
         None => print_line("there is no fault")?,
     }
-    print_line(format_args!("the board is {}", client.report()?.state))
+    let state = client.report()?.state;
+    print_line(format_args!("the board is {state}"))?;
+    answer(&json!({ "state": state.to_string() }))
 }

@@ -5,7 +5,9 @@ use firmware::link::{Counters, Hello, Parameters, Report};
 use crate::failure::Failure;
 pub use crate::options::board::BoardOptions as Arguments;
 use crate::options::board::access;
+use crate::terminal::answer::answer;
 use crate::terminal::output::print_line;
+use serde_json::json;
 
 /// Runs the command.
 ///
@@ -16,7 +18,23 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let report = client.report()?;
     print_line(format_args!("line        {}", client.name()))?;
     print_line(format_args!("board       {}", board(client.hello())))?;
-    lines(&report).iter().try_for_each(print_line)
+    lines(&report).iter().try_for_each(print_line)?;
+    answer(&json!({
+        "line": client.name(),
+        "board": client.hello().board.as_str(),
+        "build": client.hello().build_id.as_str(),
+        "state": report.state.to_string(),
+        "fault": report.fault.map(|fault| fault.to_string()),
+        "position_known": report.position_known,
+        "parameters": parameters(report.parameters.as_ref()),
+        "needs_key": report.has_key,
+        "ticks": report.counters.ticks,
+        "overruns": report.counters.overruns,
+        "longest_tick_us": f64::from(report.counters.longest_tick_tenth_us) / 10.0,
+        "saturated": report.counters.saturated,
+        "telemetry_dropped": report.counters.telemetry_dropped,
+        "frames_broken": report.counters.frames_broken,
+    }))
 }
 
 fn board(hello: &Hello) -> String {

@@ -6,11 +6,14 @@ use std::time::Duration;
 use clap::Args;
 
 use crate::failure::Failure;
+use crate::say;
+use crate::terminal::answer::answer;
 use crate::terminal::progress::Progress;
 use files::RobotFile;
 use files::excitation_file::{ExcitationFile, JointTable};
 use identification::excitation_design::{Design, Effort, Range, Settings, design};
 use rig::Rig;
+use serde_json::json;
 
 /// Arguments of `rrr design-excitation`.
 #[derive(Debug, Args)]
@@ -51,9 +54,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     progress.finish();
     refuse_overload(&design, &settings)?;
     excitation_file(&design, &settings).write(&arguments.out)?;
-    print!("{}", table(&design, &settings));
-    println!("coefficients in {}", arguments.out.display());
-    Ok(())
+    say!("{}", table(&design, &settings).trim_end());
+    say!("coefficients in {}", arguments.out.display());
+    answer(&json!({
+        "out": arguments.out,
+        "condition_number": design.condition_number,
+        "peak_velocity_rad_per_s": design.demand.velocity_rad_per_s,
+        "peak_command_V": design.demand.command_v,
+        "cut_short": design.cut_short,
+    }))
 }
 
 const PROGRESS_STEPS: u64 = 1000;

@@ -6,12 +6,16 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::output_files::{create_directory, json, write_text};
+use crate::provenance::provenance;
+use crate::say;
+use crate::terminal::answer::answer;
 use crate::terminal::progress::Steps;
 use diagnosis::report::samples::SAMPLES;
 use diagnosis::sentence;
 use diagnosis::{self, Criteria, Diagnosis, DiagnosisError, SubjectError};
 use files::{ArmFile, Dataset, RobotFile};
 use recordings::{ArmCampaign, Campaign};
+use report::Provenance;
 use report::diagnosis_page::diagnosis_page;
 use report::diagnosis_page::tables::{CAUSES, cause_rows};
 use rig::effects::Catalogue;
@@ -86,10 +90,11 @@ pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
     let steps = Steps::new();
     let diagnosis = judge(&arguments.dataset, &arguments.model, &criteria, &|what| steps.at(what))?;
     steps.at("drawing the pictures");
-    write(&diagnosis, &arguments.out)?;
+    write(&diagnosis, &arguments.out, &provenance(&arguments.model, &arguments.dataset))?;
     steps.finish();
-    print!("{}", in_words(&diagnosis));
-    println!("\nPictures: {}", arguments.out.join(PAGE).display());
+    say!("{}", in_words(&diagnosis).trim_end());
+    say!("\nPictures: {}", arguments.out.join(PAGE).display());
+    answer(&diagnosis.report)?;
     Ok(diagnosis)
 }
 
@@ -188,10 +193,15 @@ pub fn refuse_to_replace(model: &Path, amended: &Path) -> Result<(), Failure> {
 ///
 /// # Errors
 /// The directory cannot be made, or a file not be written.
-pub fn write(diagnosis: &Diagnosis, directory: &Path) -> Result<(), Failure> {
+pub fn write(
+    diagnosis: &Diagnosis,
+    directory: &Path,
+    provenance: &Provenance,
+) -> Result<(), Failure> {
     let path = directory.join(REPORT);
     let report = json(&diagnosis.report, &path)? + "\n";
-    let page = diagnosis_page(diagnosis);
+    let mut page = diagnosis_page(diagnosis);
+    page.provenance(provenance);
     create_directory(directory)?;
     if let Some(posterior) = &diagnosis.posterior {
         write_text(&posterior.table(SAMPLES, 1), &directory.join(TABLE))?;

@@ -13,6 +13,9 @@ use servo::{
 use super::diagnose::{Arguments, Choice, MODEL, PAGE, REPORT, refuse_to_replace};
 use crate::failure::Failure;
 use crate::output_files::{create_directory, json, write_text};
+use crate::provenance::provenance;
+use crate::say;
+use crate::terminal::answer::answer;
 use crate::terminal::progress::Steps;
 
 /// The arguments of a diagnosis whose model is one of an arm of position servos.
@@ -47,15 +50,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     steps.at("drawing the pictures");
     let path = out.join(REPORT);
     let text = json(&report, &path)? + "\n";
-    let page = servo_page(&outcome, &report);
+    let mut page = servo_page(&outcome, &report);
+    page.provenance(&provenance(&arguments.model, &arguments.dataset));
     create_directory(out)?;
     model_file::model_file(&outcome).write(out.join(MODEL))?;
     page.write(&out.join(PAGE))?;
     write_text(&text, &path)?;
     steps.finish();
-    print!("{}", in_words(&report));
-    println!("\nPictures: {}", out.join(PAGE).display());
-    Ok(())
+    say!("{}", in_words(&report).trim_end());
+    say!("\nPictures: {}", out.join(PAGE).display());
+    answer(&report)
 }
 
 /// The diagnosis of a data set by the model of such an arm; `progress` hears what is under way.

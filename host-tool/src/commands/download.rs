@@ -9,10 +9,12 @@ use firmware::link::Source;
 
 use crate::failure::Failure;
 use crate::options::board::BoardOptions;
+use crate::terminal::answer::answer;
 use crate::terminal::output::print_line;
 use files::replace::replace_file;
 use files::{Problem, RobotFile};
 use link::transfer;
+use serde_json::json;
 
 /// Arguments of `rrr download`.
 #[derive(Debug, Args)]
@@ -39,7 +41,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let source = if arguments.in_use { Source::InUse } else { Source::Stored };
     let bytes = transfer::download(&mut client, source)?;
     write(out, &bytes)?;
-    print_line(format_args!("{}: a block of {} bytes", out.display(), bytes.len()))
+    print_line(format_args!("{}: a block of {} bytes", out.display(), bytes.len()))?;
+    answer(&json!({ "out": out, "bytes": bytes.len() }))
 }
 
 type Writer = fn(&Path, &[u8]) -> Result<(), Failure>;

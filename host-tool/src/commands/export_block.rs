@@ -9,10 +9,12 @@ use firmware::store::{Layout, Slot};
 use crate::failure::Failure;
 use crate::options::block::BlockOptions;
 use crate::options::slot::SlotName;
+use crate::terminal::answer::answer;
 use crate::terminal::output::print_line;
 use files::Problem;
 use files::replace::replace_file;
 use link::flash_image::FlashImage;
+use serde_json::json;
 
 /// Highest sequence number that a file may have: every later upload needs a higher one, and
 /// the board has room for as many again.
@@ -53,7 +55,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     })?;
     let (out, sequence) = (arguments.out.display(), arguments.sequence);
     let (address, bytes) = (Layout::G474.slot(slot), image.bytes());
-    print_line(format_args!("{out}: block {sequence} for {slot} at 0x{address:08X}, {bytes} bytes"))
+    print_line(format_args!(
+        "{out}: block {sequence} for {slot} at 0x{address:08X}, {bytes} bytes"
+    ))?;
+    answer(
+        &json!({ "out": arguments.out, "sequence": sequence, "address": address, "bytes": bytes }),
+    )
 }
 
 /// How the file's ending wants the image.

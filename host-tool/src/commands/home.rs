@@ -9,9 +9,11 @@ use firmware::link::{Command, Source};
 
 use crate::failure::Failure;
 use crate::options::board::BoardOptions;
+use crate::terminal::answer::answer;
 use crate::terminal::interrupt::interrupt;
 use crate::terminal::output::print_line;
 use link::{Client, settling, transfer};
+use serde_json::json;
 
 /// Arguments of `rrr home`.
 #[derive(Debug, Args)]
@@ -60,7 +62,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             ))?,
         }
     }
-    Ok(())
+    answer(&json!({ "at_rad": at_rad, "position_known": client.report()?.position_known }))
 }
 
 fn stopped() -> Failure {

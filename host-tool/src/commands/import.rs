@@ -6,12 +6,15 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::output_files::{create_directory, write_text};
+use crate::say;
+use crate::terminal::answer::answer;
 use files::arm_file::DriveKind;
 use files::guess::Command;
 use files::import::{Draft, draft};
 use files::mapping::{self, Mapped, Needs};
 use files::{ArmFile, Dataset, RobotFile};
 use model::mechanism::JointKind;
+use serde_json::json;
 
 /// Arguments of `rrr import`.
 #[derive(Debug, Args)]
@@ -48,7 +51,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     write_text(&draft.text, &list)?;
     tell(&draft, &list);
     try_to_read(&directory);
-    Ok(())
+    answer(&json!({ "list": list, "guessed": draft.guessed, "open": draft.open }))
 }
 
 impl Arguments {
@@ -96,13 +99,13 @@ impl Arguments {
 }
 
 fn tell(draft: &Draft, list: &Path) {
-    println!("Guessed, each with its reason:");
-    draft.guessed.iter().for_each(|line| println!("  {line}"));
+    say!("Guessed, each with its reason:");
+    draft.guessed.iter().for_each(|line| say!("  {line}"));
     if !draft.open.is_empty() {
-        println!("\nOpen, with the line to write under [columns]:");
-        draft.open.iter().for_each(|line| println!("  {line}"));
+        say!("\nOpen, with the line to write under [columns]:");
+        draft.open.iter().for_each(|line| say!("  {line}"));
     }
-    println!("\nWritten: {}; look it through before anything is judged by it.", list.display());
+    say!("\nWritten: {}; look it through before anything is judged by it.", list.display());
 }
 
 /// Reads the logs as the list has them, and says what they are.
@@ -110,15 +113,15 @@ fn try_to_read(directory: &Path) {
     let read = Dataset::read(directory).and_then(|dataset| Ok((dataset.mapping()?, dataset)));
     // A list of another name is not read from its directory.
     let Ok((mapping, dataset)) = read else { return };
-    println!();
+    say!("");
     let required = ["t_s".to_owned()];
     let needs = Needs { required: &required, beside: "a position and a command of each joint" };
     for (place, entry) in dataset.entries.iter().enumerate() {
         let view = mapping.view(place);
         let file = view.label(&entry.file);
         match mapping::read(directory, &entry.file, &view, needs) {
-            Ok(mapped) => println!("  {file}: {}", in_words(mapped)),
-            Err(error) => println!("  cannot be read as it stands: {error}"),
+            Ok(mapped) => say!("  {file}: {}", in_words(mapped)),
+            Err(error) => say!("  cannot be read as it stands: {error}"),
         }
     }
 }

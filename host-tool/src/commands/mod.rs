@@ -5,7 +5,7 @@
 
 use clap::{CommandFactory, Parser, Subcommand};
 
-use crate::failure::Failure;
+use crate::failure::{Failure, status};
 
 mod arm_simulation;
 pub mod blind_trial;
@@ -37,8 +37,11 @@ pub mod validate;
 
 /// Simulates, identifies, controls and diagnoses the RRR robot.
 #[derive(Debug, Parser)]
-#[command(name = "rrr", version, about, propagate_version = true)]
+#[command(name = "rrr", version, about, propagate_version = true, after_help = status::help())]
 pub struct CommandLine {
+    /// Print what was found as one JSON object; words go to the standard error then.
+    #[arg(long, global = true)]
+    pub json: bool,
     /// What to do.
     #[command(subcommand)]
     pub command: Command,

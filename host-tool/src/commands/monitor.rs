@@ -7,10 +7,12 @@ use std::time::Instant;
 use clap::Args;
 use firmware::link::{Command, Source};
 
-use super::board_table::{PERIOD, redrawn, table};
+use super::board_table::{PERIOD, as_json, redrawn, table};
 use crate::failure::Failure;
 use crate::options::board::BoardOptions;
+use crate::terminal::answer::answer;
 use crate::terminal::interrupt::interrupt;
+use crate::terminal::json_mode::is_json;
 use crate::terminal::output;
 use link::settling::next_record;
 use link::{Client, LinkError, transfer};
@@ -55,7 +57,12 @@ impl Arguments {
         let mut lines = 0;
         while !interrupted.load(Ordering::Relaxed) {
             let record = next_record(client)?;
-            let table = table(&record, &client.report()?, counts_per_turn);
+            let report = client.report()?;
+            answer(&as_json(&record, &report, counts_per_turn))?;
+            let table = match is_json() {
+                true => String::new(),
+                false => table(&record, &report, counts_per_turn),
+            };
             match output::write(&redrawn(&table, lines)) {
                 Err(error) if error.kind() == ErrorKind::BrokenPipe => break,
                 written => written.map_err(|error| output::not_written(&error))?,

@@ -11,11 +11,16 @@ use crate::failure::Failure;
 use crate::options::compensation::compensated;
 use crate::options::effects;
 use crate::options::mode::mode_named;
+use crate::options::number::noise_v;
 use crate::output_files::create_directory;
+use crate::say;
+use crate::terminal::answer::answer;
 use crate::terminal::progress::Progress;
-use files::{ArmFile, Dataset, ExcitationFile, Experiment, RobotFile, Role};
+use files::log::unix_ns;
+use files::{ArmFile, Dataset, Entry, ExcitationFile, Experiment, McapDetails, RobotFile, Role};
 use rig::effects::Effect;
 use rig::{Plan, Recipe, Rig};
+use serde_json::json;
 use simulation::board::{Board, InProcess, Qemu, QemuSettings};
 use simulation::{Settings, SimulatedRobot, record_robot, start_of};
 
@@ -56,7 +61,7 @@ pub struct Arguments {
     #[arg(long, default_value_t = 1)]
     pub seed: u32,
     /// Amplifier noise [V rms].
-    #[arg(long, default_value_t = 0.004)]
+    #[arg(long, default_value_t = 0.004, value_parser = noise_v)]
     pub noise_v: f64,
     /// Integration steps per tick.
     #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1000))]
@@ -96,20 +101,22 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let rig = arguments.rig()?;
     let plans = arguments.plans(&rig)?;
     arguments.effects()?;
+    let entries = arguments.entries(&plans);
+    let names: Vec<String> = entries.iter().map(|entry| entry.file.clone()).collect();
+    Dataset::check_room(&arguments.out, &names)?;
     create_directory(&arguments.out)?;
     let mut board = arguments.board()?;
     for (index, plan) in plans.iter().enumerate() {
         arguments.record(&mut *board, &rig, plan, index as u32)?;
     }
-    let extension = arguments.format.extension();
     let dataset = Dataset {
         directory: arguments.out.clone(),
         encoder_counts_per_rev: Some(f64::from(rig.encoder_counts_per_turn)),
-        entries: plans.iter().map(|plan| plan.entry(extension)).collect(),
+        entries,
     };
-    dataset.write(&arguments.out)?;
-    println!("{} logs in {}", plans.len(), arguments.out.display());
-    Ok(())
+    dataset.write_simulated(&arguments.out)?;
+    say!("{} logs in {}", plans.len(), arguments.out.display());
+    answer(&json!({ "dataset": arguments.out, "logs": names }))
 }
 
 impl Arguments {
@@ -129,6 +136,11 @@ impl Arguments {
             noise_v: 0.004,
             substeps: 10,
         }
+    }
+
+    /// The list's entries for plans.
+    fn entries(&self, plans: &[Plan]) -> Vec<Entry> {
+        plans.iter().map(|plan| plan.entry(self.format.extension())).collect()
     }
 
     /// What is to be simulated of an arm of any kind.
@@ -226,7 +238,12 @@ impl Arguments {
         })?;
         progress.finish();
         let entry = plan.entry(self.format.extension());
-        recording.log.write(self.out.join(entry.file))?;
+        let details = McapDetails {
+            counts_per_rev: Some(f64::from(rig.encoder_counts_per_turn)),
+            began_unix_ns: unix_ns(),
+            board: &[],
+        };
+        recording.log.write_with(self.out.join(entry.file), &details)?;
         Ok(())
     }
 }

@@ -12,6 +12,9 @@ use super::simulate_servos;
 use crate::failure::Failure;
 use crate::options::effects;
 use crate::output_files::create_directory;
+use crate::say;
+use crate::terminal::answer::answer;
+use serde_json::json;
 
 /// The only data set of an arm.
 const DATASET: &str = "gap";
@@ -30,9 +33,11 @@ pub fn run(arguments: &ArmSimulation) -> Result<(), Failure> {
     }
     let plant = Plant::of_arm(&arm)?;
     all_effects(arguments, &arm)?;
-    create_directory(arguments.out)?;
     let rate_hz = arm.sample_period_s.map_or(USUAL_HZ, |period_s| 1.0 / period_s);
     let plans = gap_plans(rate_hz, u64::from(arguments.seed));
+    let names: Vec<String> = plans.iter().map(file_name).collect();
+    Dataset::check_room(arguments.out, &names)?;
+    create_directory(arguments.out)?;
     let mut entries = Vec::new();
     for plan in &plans {
         let log = record_arm(&arm, &plant, all_effects(arguments, &arm)?, &plan.motion);
@@ -42,9 +47,9 @@ pub fn run(arguments: &ArmSimulation) -> Result<(), Failure> {
     }
     let directory = arguments.out.to_owned();
     let dataset = Dataset { directory, encoder_counts_per_rev: None, entries };
-    dataset.write(arguments.out)?;
-    println!("{} logs in {}", plans.len(), arguments.out.display());
-    Ok(())
+    dataset.write_simulated(arguments.out)?;
+    say!("{} logs in {}", plans.len(), arguments.out.display());
+    answer(&json!({ "dataset": arguments.out, "logs": names }))
 }
 
 fn file_name(plan: &ArmPlan) -> String {

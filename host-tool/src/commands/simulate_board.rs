@@ -9,6 +9,7 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::options::effects;
+use crate::options::number::noise_v;
 use crate::output_files::write_bytes;
 use crate::terminal::interrupt::interrupt;
 use crate::terminal::output::print_line;
@@ -48,7 +49,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     pub flash: Option<PathBuf>,
     /// Amplifier noise [V rms].
-    #[arg(long, default_value_t = 0.004)]
+    #[arg(long, default_value_t = 0.004, value_parser = noise_v)]
     pub noise_v: f64,
     /// Seed of the noise.
     #[arg(long, default_value_t = 1)]

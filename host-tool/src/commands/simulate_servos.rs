@@ -7,6 +7,9 @@ use servo::simulated::{gap_recording, simulated};
 use super::arm_simulation::ArmSimulation;
 use crate::failure::Failure;
 use crate::output_files::create_directory;
+use crate::say;
+use crate::terminal::answer::answer;
+use serde_json::json;
 
 /// Records the arm.
 ///
@@ -16,6 +19,8 @@ pub fn run(arguments: &ArmSimulation, arm: &ArmFile) -> Result<(), Failure> {
     let texts = arguments.effects.iter();
     let hidden = texts.map(|text| table(text)).collect::<Result<Vec<EffectTable>, Failure>>()?;
     let campaign = simulated(arm, &hidden, &gap_recording(arm), u64::from(arguments.seed))?;
+    let names: Vec<String> = campaign.recordings.iter().map(|log| log.file.clone()).collect();
+    Dataset::check_room(arguments.out, &names)?;
     create_directory(arguments.out)?;
     let mut entries = Vec::new();
     for recording in campaign.recordings {
@@ -24,9 +29,9 @@ pub fn run(arguments: &ArmSimulation, arm: &ArmFile) -> Result<(), Failure> {
         entries.push(Entry { file, experiment, role, joint: None });
     }
     let (directory, count) = (arguments.out.to_owned(), entries.len());
-    Dataset { directory, encoder_counts_per_rev: None, entries }.write(arguments.out)?;
-    println!("{count} logs in {}", arguments.out.display());
-    Ok(())
+    Dataset { directory, encoder_counts_per_rev: None, entries }.write_simulated(arguments.out)?;
+    say!("{count} logs in {}", arguments.out.display());
+    answer(&json!({ "dataset": arguments.out, "logs": names }))
 }
 
 fn table(text: &str) -> Result<EffectTable, Failure> {

@@ -6,9 +6,11 @@ use super::connect::parameters;
 use crate::failure::Failure;
 use crate::options::block::BlockOptions;
 use crate::options::board::{BoardOptions, access};
+use crate::terminal::answer::answer;
 use crate::terminal::output::print_line;
 use clap::Args;
 use link::transfer;
+use serde_json::json;
 
 /// Arguments of `rrr upload`.
 #[derive(Debug, Args)]
@@ -44,5 +46,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             "position    unknown: the counts per turn have changed; `rrr home` sets it again",
         )?;
     }
-    print_line(format_args!("link        {}", access(&report)))
+    print_line(format_args!("link        {}", access(&report)))?;
+    answer(&json!({ "model": arguments.model, "parameters": parameters(Some(&in_use)) }))
 }

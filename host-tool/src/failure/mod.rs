@@ -6,12 +6,10 @@ use simulation::board::BoardError;
 mod flash_error;
 mod link_error;
 mod plant_error;
+pub mod status;
 mod step_error;
 
-/// The exit status after bad input, of clap's as well, and after whatever went wrong.
-pub const BAD_INPUT: u8 = 2;
-/// The exit status after Ctrl-C, by custom 128 and the signal's number.
-pub const INTERRUPTED: u8 = 130;
+pub use status::{BAD_INPUT, INTERRUPTED, NOT_PASSED};
 
 /// The message when a command fails: what is wrong, and what to do about it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -31,6 +29,11 @@ impl Failure {
         Self { message: message.into(), hint: hint.into(), status: BAD_INPUT }
     }
 
+    /// The command has done its work, and what it found does not pass.
+    pub fn not_passed(message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self { status: NOT_PASSED, ..Self::new(message, hint) }
+    }
+
     /// The user ended the command with Ctrl-C; what it has come to so far.
     pub fn interrupted(message: impl Into<String>) -> Self {
         Self { message: message.into(), hint: String::new(), status: INTERRUPTED }
@@ -40,6 +43,9 @@ impl Failure {
     pub fn report(&self) -> String {
         match self.hint.as_str() {
             _ if self.status == INTERRUPTED => format!("interrupted: {}", self.message),
+            hint if self.status == NOT_PASSED => {
+                format!("not passed: {}\nhint: {hint}", self.message)
+            }
             "" => format!("error: {}", self.message),
             hint => format!("error: {}\nhint: {hint}", self.message),
         }

@@ -6,4 +6,5 @@ pub mod compensation;
 pub mod effects;
 pub mod key_file;
 pub mod mode;
+pub mod number;
 pub mod slot;

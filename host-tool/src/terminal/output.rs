@@ -3,13 +3,19 @@
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 
+use super::json_mode::is_json;
 use crate::failure::Failure;
 
-/// Writes a line; that nobody reads it any more is no failure.
+/// Writes a line; that nobody reads it any more is no failure. Where the answer is JSON, words go to the
+/// standard error.
 ///
 /// # Errors
 /// The system does not take it, as on a full disk.
 pub fn print_line(line: impl Display) -> Result<(), Failure> {
+    if is_json() {
+        eprintln!("{line}");
+        return Ok(());
+    }
     match write(&format!("{line}\n")) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(not_written(&error)),
         _ => Ok(()),
@@ -18,7 +24,11 @@ pub fn print_line(line: impl Display) -> Result<(), Failure> {
 
 /// Writes a line if the output takes it: an arm that moves does not depend on the terminal.
 pub fn try_print_line(line: impl Display) {
-    let _ = write(&format!("{line}\n"));
+    if is_json() {
+        let _ = writeln!(std::io::stderr(), "{line}");
+    } else {
+        let _ = write(&format!("{line}\n"));
+    }
 }
 
 /// Writes a text as it is.

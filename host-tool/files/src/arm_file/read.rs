@@ -11,7 +11,7 @@ use super::read_joint::read_joint;
 use super::urdf;
 use crate::bytes;
 use crate::error::{FileError, Problem};
-use crate::robot_file::EffectTable;
+use crate::robot_file::{EFFECT, EffectTable, SAMPLE_PERIOD_S, STRONGEST_GRAVITY_M_S2};
 use crate::section::Section;
 use crate::toml_source::{ARM_FORMAT, TomlSource};
 
@@ -68,7 +68,7 @@ fn arm_of(path: &Path, source: &TomlSource) -> Result<ArmFile, FileError> {
     let tables = file.sections("joint")?;
     let arm = ArmFile {
         name: robot.text("name")?,
-        gravity_m_s2: robot.numbers("gravity_m_s2")?.unwrap_or(UPRIGHT_M_S2),
+        gravity_m_s2: gravity(&robot)?,
         sample_period_s: sample_period(&robot)?,
         joints: joints(path, &robot, &tables)?,
         effects: effects(&file, source)?,
@@ -85,12 +85,22 @@ fn sample_period(robot: &Section) -> Result<Option<f64>, FileError> {
     const NAME: &str = "sample_period_s";
     let period = robot.number(NAME)?;
     match period {
-        Some(period) if period <= 0.0 => {
-            let what = format!("{NAME} is {period}, but must be above 0");
-            Err(robot.problem(NAME, Problem::Contradiction(what)))
+        Some(period) if !(SAMPLE_PERIOD_S[0]..=SAMPLE_PERIOD_S[1]).contains(&period) => {
+            let what = format!("{NAME} is {period}, but must be above 0, from 0.000001 to 10 s");
+            Err(robot.problem(NAME, Problem::OutOfRange(what)))
         }
         _ => Ok(period),
     }
+}
+
+fn gravity(robot: &Section) -> Result<[f64; 3], FileError> {
+    const NAME: &str = "gravity_m_s2";
+    let gravity = robot.numbers(NAME)?.unwrap_or(UPRIGHT_M_S2);
+    if gravity.iter().any(|part: &f64| part.abs() > STRONGEST_GRAVITY_M_S2) {
+        let what = format!("{NAME} is {gravity:?}, but must be at most 98.1 m/s^2");
+        return Err(robot.problem(NAME, Problem::OutOfRange(what)));
+    }
+    Ok(gravity)
 }
 
 /// The joints: as the tables say, or of a URDF with what the tables add.
@@ -116,9 +126,8 @@ fn joints(path: &Path, robot: &Section, tables: &[Section]) -> Result<Vec<ArmJoi
 }
 
 fn effects(file: &Section, source: &TomlSource) -> Result<Vec<EffectTable>, FileError> {
-    const KEYS: [&str; 3] = ["effect", "joint", "parameters"];
     for table in file.sections("effect")? {
-        KEYS.iter().for_each(|key| {
+        EFFECT.iter().for_each(|key| {
             table.has(key);
         });
         table.finish()?;

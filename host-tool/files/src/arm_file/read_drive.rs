@@ -87,7 +87,7 @@ pub(super) fn require(
     match value {
         Some(value) if !holds(value) => {
             let what = format!("{name} in {} is {value}, but must {must}", table.name());
-            Err(table.problem(name, Problem::Contradiction(what)))
+            Err(table.problem(name, Problem::OutOfRange(what)))
         }
         _ => Ok(()),
     }

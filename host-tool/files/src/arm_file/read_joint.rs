@@ -8,6 +8,7 @@ use super::read_drive::{read_drive, read_encoder, read_friction, require};
 use super::standard_errors::read_standard_errors;
 use super::units::Units;
 use crate::error::{FileError, Problem};
+use crate::robot_file::LONGEST_LINK_M;
 use crate::section::Section;
 
 const KINDS: [(&str, JointKind); 2] =
@@ -58,7 +59,10 @@ fn read_geometry(
         None => return Err(missing(table, "kind")),
     }
     joint.origin_xyz_m = table.numbers("origin_xyz_m")?.unwrap_or(joint.origin_xyz_m);
+    require_length(table, "origin_xyz_m", joint.origin_xyz_m)?;
     joint.origin_rpy_rad = table.numbers("origin_rpy_rad")?.unwrap_or(joint.origin_rpy_rad);
+    let turned = largest(joint.origin_rpy_rad);
+    require(table, "origin_rpy_rad", Some(turned), IN_RADIANS, |angle| angle <= FULL_TURN_RAD)?;
     match table.numbers::<3>("axis")? {
         Some(axis) => joint.axis = axis,
         None if is_from_urdf => {}
@@ -73,11 +77,25 @@ fn read_geometry(
     Ok(())
 }
 
+/// Angles of frames end after a turn; what is beyond was meant in degrees.
+const FULL_TURN_RAD: f64 = 6.3;
+const IN_RADIANS: &str = "be within a turn either way: angles are in radians";
+
+fn largest(values: [f64; 3]) -> f64 {
+    values.into_iter().map(f64::abs).fold(0.0, f64::max)
+}
+
+fn require_length(table: &Section, name: &str, values: [f64; 3]) -> Result<(), FileError> {
+    let must = "be within 10 m either way: lengths are in metres";
+    require(table, name, Some(largest(values)), must, |length| length <= LONGEST_LINK_M)
+}
+
 fn read_link(table: &Section, link: &mut LinkTable) -> Result<(), FileError> {
     link.mass_kg = table.number("mass_kg")?.or(link.mass_kg);
     link.com_m = table.numbers("com_m")?.or(link.com_m);
     link.inertia_kg_m2 = table.numbers("inertia_kg_m2")?.or(link.inertia_kg_m2);
     require(table, "mass_kg", link.mass_kg, "be 0 or more", |mass| mass >= 0.0)?;
+    require_length(table, "com_m", link.com_m.unwrap_or_default())?;
     let moments = link.inertia_kg_m2.map(|[xx, _, _, yy, _, zz]| xx.min(yy).min(zz));
     require(table, "inertia_kg_m2", moments, "have no moment ixx, iyy, izz below 0", |i| i >= 0.0)
 }

@@ -6,7 +6,7 @@ use super::columns::Columns;
 use super::{ArmJointLog, ArmLog};
 use crate::arm_file::{ArmFile, ArmJoint};
 use crate::error::{FileError, LocatedProblem, Place, Problem};
-use crate::log::check::check_time;
+use crate::log::check::{check_joints, check_time};
 use crate::mapping::{self, Needs, View};
 use crate::table::{Kind, Table, Values};
 
@@ -94,6 +94,8 @@ fn log_from(
         return Err(Problem::NoSamples.into());
     }
     check_time(&time_s)?;
+    let last = arm.joints.len();
+    check_joints(table.names(), last, &format!("the model ends with joint {last}"))?;
     let joints = (1..).zip(arm.joints.iter().zip(columns));
     let joints =
         joints.map(|(number, (joint, columns))| of_joint(&mut table, number, joint, columns));

@@ -17,6 +17,7 @@ pub(super) fn gaps(plan: &Plan, command: Option<Command>, joints: Option<usize>)
     }
     let seen: BTreeSet<usize> =
         all.iter().map(|guess| guess.quantity.joint).filter(|joint| *joint > 0).collect();
+    open.extend(joints.and_then(|count| more_joints(&seen, count)));
     let joints = joints.map_or(seen, |count| (1..=count).collect());
     if joints.is_empty() {
         open.extend(of_joint(&all, command, 1));
@@ -29,6 +30,21 @@ pub(super) fn gaps(plan: &Plan, command: Option<Command>, joints: Option<usize>)
         open.push(counts.to_owned());
     }
     open
+}
+
+/// Joints that the model lacks.
+fn more_joints(seen: &BTreeSet<usize>, count: usize) -> Option<String> {
+    let list = |numbers: &mut dyn Iterator<Item = usize>| {
+        numbers.map(|number| number.to_string()).collect::<Vec<_>>().join(", ")
+    };
+    let beyond = list(&mut seen.iter().copied().filter(|joint| *joint > count));
+    (!beyond.is_empty()).then(|| {
+        let (all, kept) = (seen.len(), list(&mut (1..=count)));
+        format!(
+            "the logs have {all} joints, the model has {count}: give the model of that arm; or, where joints \
+             {beyond} stood still, write `joints = [{kept}]` before [columns]"
+        )
+    })
 }
 
 /// What a joint lacks.

@@ -1,7 +1,10 @@
 //! What every log must be, read or to be written.
 
+use std::collections::BTreeSet;
+
 use super::{JointLog, Log, Position};
 use crate::error::{LocatedProblem, Place, Problem};
+use crate::quantity::{Quantity, Role};
 
 impl Log {
     /// Checks that there are samples of some joint, that all columns are as long as the
@@ -101,6 +104,28 @@ fn check_finite(values: &[f64], column: &str) -> Result<(), LocatedProblem> {
 pub(super) fn check_written_time(time_s: &[f64]) -> Result<(), LocatedProblem> {
     let written: Vec<f64> = time_s.iter().map(|time_s| (time_s * 1e9).round() / 1e9).collect();
     check_time(&written)
+}
+
+/// Checks that columns name no joint that the model lacks; `model` says which it has.
+///
+/// # Errors
+/// Some do.
+pub fn check_joints<'a>(
+    names: impl Iterator<Item = &'a str>,
+    most: usize,
+    model: &str,
+) -> Result<(), Problem> {
+    let is_of_joint =
+        |quantity: &Quantity| matches!(quantity.role, Role::Position | Role::Count | Role::Command);
+    let joints = names.filter_map(Quantity::of).filter(is_of_joint).map(|quantity| quantity.joint);
+    let beyond: BTreeSet<usize> = joints.filter(|joint| *joint > most).collect();
+    let numbers: Vec<String> = beyond.iter().map(ToString::to_string).collect();
+    let found = match numbers.as_slice() {
+        [] => return Ok(()),
+        [one] => format!("joint {one} is"),
+        several => format!("joints {} are", several.join(", ")),
+    };
+    Err(Problem::MoreJoints { found, model: model.to_owned() })
 }
 
 /// Checks that the time increases strictly.

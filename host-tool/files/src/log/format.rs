@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{BoardSample, Log, check, from_table, read_mcap, write_csv, write_mcap};
+use super::{Log, McapDetails, check, from_table, read_mcap, write_csv, write_mcap};
 use crate::bytes;
 use crate::error::{FileError, LocatedProblem, Problem};
 use crate::mapping::{self, Needs, View};
@@ -93,17 +93,17 @@ impl Log {
     /// # Errors
     /// A log that would not read back, or a path that cannot be written.
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), FileError> {
-        self.write_with_board(path, &[])
+        self.write_with(path, &McapDetails::default())
     }
 
-    /// [`Log::write`] with what the board reported beside its joints, which only `.mcap` holds.
+    /// [`Log::write`] with what is known beside the log, which only `.mcap` holds.
     ///
     /// # Errors
     /// As of [`Log::write`].
-    pub fn write_with_board(
+    pub fn write_with(
         &self,
         path: impl AsRef<Path>,
-        board: &[BoardSample],
+        details: &McapDetails,
     ) -> Result<(), FileError> {
         let path = path.as_ref();
         let format = Format::of(path)?;
@@ -112,7 +112,7 @@ impl Log {
             .map_err(|fault| fault.in_file(path))?;
         match format {
             Format::Csv => write_csv::write(self, path),
-            Format::Mcap => write_mcap::write(self, board, path),
+            Format::Mcap => write_mcap::write(self, details, path),
         }
     }
 }

@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use super::check::{check_time, command_column, count_column, radian_column, reference_column};
+use super::check::{
+    check_joints, check_time, command_column, count_column, radian_column, reference_column,
+};
 use super::{JointLog, Log, Position};
 use crate::error::{FileError, LocatedProblem, Problem};
 use crate::table::{Kind, Table, Values};
@@ -31,6 +33,7 @@ pub(super) fn log_from(mut table: Table) -> Result<Log, LocatedProblem> {
         return Err(Problem::NoSamples.into());
     }
     check_time(&time_s)?;
+    check_joints(table.names(), 3, "a robot of format 1 has joints 1 to 3 alone")?;
     let mut joints = Vec::new();
     for joint in 1..=3 {
         joints.extend(joint_from(&mut table, joint)?);

@@ -1,17 +1,24 @@
 //! A log: what the joints did, sample by sample.
 
 mod board_message;
+mod channel;
 pub(crate) mod check;
 mod format;
 mod from_table;
 mod growing_csv;
+mod joint_columns;
 mod joint_message;
+pub mod live;
+mod mcap_details;
 mod read_mcap;
 mod write_csv;
 mod write_mcap;
 
 pub use board_message::BoardSample;
+pub use channel::Channel;
+pub use check::check_joints;
 pub use growing_csv::GrowingCsv;
+pub use mcap_details::{McapDetails, unix_ns};
 
 /// A recorded log.
 ///

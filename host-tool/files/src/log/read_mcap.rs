@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use super::joint_message::{JointMessage, topic};
+use serde::de::DeserializeOwned;
+
+use super::joint_message::{CountMessage, JointMessage, count_topic, topic};
 use super::{JointLog, Log, Position};
 use crate::error::{FileError, LocatedProblem, Problem};
 use crate::mcap_records::{TopicMessage, for_each_message};
@@ -15,10 +17,13 @@ pub(super) fn of(path: &Path, bytes: &[u8]) -> Result<Log, FileError> {
 /// The log that an MCAP file's messages make; messages on other topics are ignored.
 pub(super) fn log_from(bytes: &[u8]) -> Result<Log, LocatedProblem> {
     let mut joints: [Samples; 3] = Default::default();
-    let topics = [1, 2, 3].map(topic);
+    let topics = [1, 2, 3].map(|joint| [topic(joint), count_topic(joint)]);
     for_each_message(bytes, |message| {
-        match topics.iter().position(|topic| topic == message.topic) {
-            Some(index) => joints[index].push(&message),
+        let of_joint = |names: &[String; 2]| names.iter().position(|name| name == message.topic);
+        let place = topics.iter().enumerate().find_map(|(i, names)| Some((i, of_joint(names)?)));
+        match place {
+            Some((joint, 0)) => joints[joint].push(&message),
+            Some((joint, _)) => joints[joint].push_count(&message),
             None => Ok(()),
         }
     })?;
@@ -32,6 +37,8 @@ pub(super) fn log_from(bytes: &[u8]) -> Result<Log, LocatedProblem> {
 struct Samples {
     time_s: Vec<f64>,
     counts: Vec<i64>,
+    /// Counts of a channel of their own, which go before angles: these follow from them.
+    own_counts: Vec<i64>,
     angles_rad: Vec<f64>,
     command_v: Vec<f64>,
     reference_rad: Vec<f64>,
@@ -39,12 +46,7 @@ struct Samples {
 
 impl Samples {
     fn push(&mut self, message: &TopicMessage<'_>) -> Result<(), Problem> {
-        let sample: JointMessage =
-            serde_json::from_slice(message.data).map_err(|error| Problem::BrokenMessage {
-                topic: message.topic.to_owned(),
-                number: self.time_s.len() + 1,
-                what: error.to_string(),
-            })?;
+        let sample: JointMessage = parsed(message, self.time_s.len())?;
         self.time_s.push(sample.t_s.unwrap_or(message.log_time_ns as f64 / 1e9));
         self.counts.extend(sample.position_count);
         self.angles_rad.extend(sample.position_rad);
@@ -53,9 +55,16 @@ impl Samples {
         Ok(())
     }
 
+    fn push_count(&mut self, message: &TopicMessage<'_>) -> Result<(), Problem> {
+        let sample: CountMessage = parsed(message, self.own_counts.len())?;
+        self.own_counts.push(sample.position_count);
+        Ok(())
+    }
+
     /// The joint's columns; those that are not as long as the time are found by the check.
     fn into_joint(self, joint: u8) -> Result<JointLog, Problem> {
         let position = match (self.counts.is_empty(), self.angles_rad.is_empty()) {
+            _ if !self.own_counts.is_empty() => Position::Count(self.own_counts),
             (false, false) => return Err(Problem::BothPositions(joint)),
             (true, _) => Position::Radian(self.angles_rad),
             (_, true) => Position::Count(self.counts),
@@ -63,6 +72,15 @@ impl Samples {
         let reference_rad = Some(self.reference_rad).filter(|values| !values.is_empty());
         Ok(JointLog { joint, position, command_v: self.command_v, reference_rad })
     }
+}
+
+/// A message, of which so many came before.
+fn parsed<T: DeserializeOwned>(message: &TopicMessage<'_>, before: usize) -> Result<T, Problem> {
+    serde_json::from_slice(message.data).map_err(|error| Problem::BrokenMessage {
+        topic: message.topic.to_owned(),
+        number: before + 1,
+        what: error.to_string(),
+    })
 }
 
 /// Joins the joints to a log; all must have the same times.

@@ -16,14 +16,15 @@ struct List {
     columns: BTreeMap<String, ColumnSource>,
     #[serde(default)]
     streams: BTreeMap<String, StreamSource>,
+    joints: Option<Vec<usize>>,
     #[serde(default, rename = "log")]
     logs: Vec<LogMapping>,
 }
 
 /// The mapping of a data set's list.
 pub(crate) fn parse(source: &TomlSource) -> Result<Mapping, FileError> {
-    let List { columns, streams, logs } = source.parse()?;
-    let common = LogMapping { columns, streams, ..LogMapping::default() };
+    let List { columns, streams, joints, logs } = source.parse()?;
+    let common = LogMapping { columns, streams, joints, ..LogMapping::default() };
     check(&common).map_err(|(key, what)| {
         source.problem_in(Problem::Contradiction(what), "columns", None, &key)
     })?;

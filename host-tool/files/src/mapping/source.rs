@@ -30,7 +30,8 @@ impl Source {
         for (name, source) in view.columns.iter().filter(|(name, _)| *name != "t_s") {
             let is_here =
                 if is_own { source.stream.is_empty() } else { source.stream == self.name };
-            let Some(quantity) = Quantity::of(name).filter(|_| is_here) else { continue };
+            let is_meant = |quantity: &Quantity| is_here && view.has_joint(quantity.joint);
+            let Some(quantity) = Quantity::of(name).filter(is_meant) else { continue };
             if self.has(&source.column) {
                 wanted.push(Wanted { quantity, source: source.clone() });
             } else if !self.has(name) {
@@ -46,8 +47,8 @@ impl Source {
                     })
             };
             let named = self.stream.table.names().filter(|name| *name != "t_s" && self.has(name));
-            let named: Vec<Wanted> =
-                named.filter_map(Wanted::as_named).filter(|new| !is_mapped(new)).collect();
+            let is_meant = |new: &Wanted| view.has_joint(new.quantity.joint) && !is_mapped(new);
+            let named: Vec<Wanted> = named.filter_map(Wanted::as_named).filter(is_meant).collect();
             wanted.extend(named);
         }
         wanted

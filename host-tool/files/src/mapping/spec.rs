@@ -30,6 +30,8 @@ pub struct LogMapping {
     /// Only rows in which these columns have these values.
     #[serde(default)]
     pub rows: BTreeMap<String, f64>,
+    /// Only these joints of the files, where not all are meant.
+    pub joints: Option<Vec<usize>>,
 }
 
 /// Where a column of a log comes from.

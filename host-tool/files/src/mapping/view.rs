@@ -13,6 +13,7 @@ pub struct View {
     pub(super) streams: BTreeMap<String, StreamSource>,
     pub(super) files: BTreeMap<String, String>,
     pub(super) rows: BTreeMap<String, f64>,
+    pub(super) joints: Option<Vec<usize>>,
 }
 
 /// The name of the stream whose clock is the log's.
@@ -36,6 +37,7 @@ impl View {
         self.streams
             .extend(mapping.streams.iter().map(|(name, stream)| (name.clone(), stream.clone())));
         self.files.extend(mapping.files.iter().map(|(name, file)| (name.clone(), file.clone())));
+        self.joints = mapping.joints.clone().or(self.joints.take());
         self.rows.extend(mapping.rows.iter().map(|(name, value)| (name.clone(), *value)));
     }
 
@@ -51,6 +53,11 @@ impl View {
             rows if rows.is_empty() => file.to_owned(),
             rows => format!("{file} ({rows})"),
         }
+    }
+
+    /// Whether a joint of the files is meant; 0 stands for what belongs to no joint.
+    pub(super) fn has_joint(&self, joint: usize) -> bool {
+        joint == 0 || self.joints.as_ref().is_none_or(|joints| joints.contains(&joint))
     }
 
     /// Whether a column of a file may be needed, its brackets left away.

@@ -9,6 +9,7 @@ const FURTHEST_RAD: f64 = 1000.0;
 impl RobotFile {
     /// Checks joint numbers and that tables agree with one another.
     pub(super) fn check(&self) -> Result<(), FileError> {
+        self.check_ranges()?;
         self.check_torque_constants()?;
         self.check_limits()?;
         self.check_motors()?;

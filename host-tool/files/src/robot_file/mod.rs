@@ -6,18 +6,22 @@ use super::toml_source::TomlSource;
 
 mod check;
 mod convert;
+mod keys;
 mod one_joint;
+mod ranges;
 mod read;
 mod tables;
 mod write;
 
+pub(super) use keys::EFFECT;
+pub(super) use ranges::{LONGEST_LINK_M, SAMPLE_PERIOD_S, STRONGEST_GRAVITY_M_S2};
 pub(super) use tables::whole_if_possible;
 pub use tables::{EffectTable, FrictionTable, PendulumTable, RobotTable};
 
 /// A robot or model file: a rig of three joints, or of the one joint of eq. (11).
 ///
-/// A `robot.toml` has neither `base` nor friction; a `model.toml` has both. Tables and
-/// keys that are not known here are kept in `extra` and written back.
+/// A `robot.toml` has neither `base` nor friction; a `model.toml` has both. Notes and
+/// standard errors are kept in `extra` and written back; other keys are refused.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RobotFile {
     /// The manufacturer's data.
@@ -32,7 +36,7 @@ pub struct RobotFile {
     pub friction: Vec<FrictionTable>,
     /// Effects that the model carries beyond rigid body and friction, in order.
     pub effects: Vec<EffectTable>,
-    /// All other tables and keys, such as `[gains]` or standard errors.
+    /// `[notes]` and the like.
     pub extra: toml::Table,
     /// Where the values came from, for messages.
     source: TomlSource,

@@ -6,9 +6,11 @@ use model::{BaseParameters, base};
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
+use super::keys::KEYS;
 use super::tables::as_number;
 use super::{EffectTable, FrictionTable, PendulumTable, RobotFile, RobotTable};
 use crate::error::{FileError, Problem};
+use crate::known_keys;
 use crate::toml_source::{ARM_FORMAT, TomlSource};
 
 /// The tables that are known here; the rest of the file is found by comparison.
@@ -52,6 +54,7 @@ fn arm_of_any_kind(error: FileError) -> FileError {
 }
 
 fn of(source: TomlSource) -> Result<RobotFile, FileError> {
+    known_keys::check(&source, &KEYS)?;
     let mut file = file_from(&source)?;
     file.source = source;
     file.check()?;

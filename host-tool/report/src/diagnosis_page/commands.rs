@@ -11,7 +11,8 @@ const WINDOW_S: (f64, f64) = (0.5, 6.0);
 /// Periods of what is left that the eye can tell apart.
 const PERIODS: f64 = 40.0;
 
-/// Two charts per joint that matters: the command, and what is left of it.
+/// Four charts per joint that matters: the command and what is left of it, where most is left and over
+/// the whole log.
 pub(super) fn charts(diagnosis: &Diagnosis, stages: &Stages) -> Vec<Chart> {
     let named = !diagnosis.report.causes.is_empty();
     let held = diagnosis.logs.iter().filter(|log| log.role == Role::Holdout);
@@ -22,8 +23,12 @@ pub(super) fn charts(diagnosis: &Diagnosis, stages: &Stages) -> Vec<Chart> {
     };
     let pair = |joint: &JointResiduals| {
         let window = window(&log.time_s, before(joint, named));
-        let piece = Piece { log, joint, window };
-        [piece.command(after(joint, named)), piece.rest(stages)]
+        let whole = (0, log.time_s.len());
+        let of = |window| {
+            let piece = Piece { log, joint, window };
+            [piece.command(after(joint, named)), piece.rest(stages)]
+        };
+        [of(window), of(whole)].concat()
     };
     log.joints.iter().filter(drawn).flat_map(pair).collect()
 }
@@ -42,8 +47,9 @@ impl Piece<'_> {
             command_v.iter().zip(left_v).map(|(command, left)| command - left).collect();
         let title = format!("Joint {}, {}", self.joint.joint, self.log.file);
         Chart::new(title, "time [s]", "command [V]")
-            .with(Series::line("recorded", 1, self.points(command_v, 1.0)).stroke(Stroke::Broad))
+            .with(Series::line("recorded", 5, self.points(command_v, 1.0)).stroke(Stroke::Wide))
             .with(Series::line("reconstructed", 0, self.points(&reconstructed, 1.0)))
+            .detailed()
             .sized(HALF.0, HALF.1)
     }
 
@@ -54,6 +60,7 @@ impl Piece<'_> {
         Chart::new(title, "time [s]", "residual [mV]")
             .with(Series::line(stages.names.0, 1, earlier))
             .with(Series::line(stages.names.1, 0, later))
+            .detailed()
             .sized(HALF.0, HALF.1)
     }
 

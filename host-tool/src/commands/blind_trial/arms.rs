@@ -4,10 +4,12 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::workers::on_all_cores;
 use crate::failure::Failure;
+use crate::say;
+use crate::terminal::answer::answer;
 use crate::terminal::progress::Progress;
 use blind_trial::arms::{
-    ArmCase, ArmOutcome, ArmResults, ArmTrialSettings, answer, diagnose_arm_case, draw_arms, short,
-    write,
+    ArmCase, ArmOutcome, ArmResults, ArmTrialSettings, answer as in_words, diagnose_arm_case,
+    draw_arms, short, write,
 };
 use blind_trial::{RunSettings, SealedTruth};
 use diagnosis::{Criteria, Report, diagnose_arm};
@@ -19,17 +21,17 @@ use servo::{Outcome, Settings, is_servo_arm, report::report};
 pub(super) fn run(settings: &ArmTrialSettings, run: &RunSettings) -> Result<(), Failure> {
     let cases = drawn(settings)?;
     let truth = SealedTruth::of(cases.clone());
-    println!("SHA-256 of the truth: {}", truth.hash());
+    say!("SHA-256 of the truth: {}", truth.hash());
     truth.write_hash(&run.out)?;
     let mut outcomes = on_all_cores(&cases, &|case| diagnose_one(case, run))?;
     outcomes.sort_by_key(|outcome| outcome.case);
     truth.reveal(&run.out)?;
-    println!("SHA-256 of the truth, opened: {}\n", truth.hash());
+    say!("SHA-256 of the truth, opened: {}\n", truth.hash());
     let results = ArmResults::new(settings, truth.hash(), outcomes);
     write(&results, &run.out)?;
-    println!("{}", short(&results));
-    println!("Cases: {}", run.out.join("arm-trial.md").display());
-    Ok(())
+    say!("{}", short(&results));
+    say!("Cases: {}", run.out.join("arm-trial.md").display());
+    answer(&results)
 }
 
 fn drawn(settings: &ArmTrialSettings) -> Result<Vec<ArmCase>, Failure> {
@@ -42,7 +44,7 @@ fn drawn(settings: &ArmTrialSettings) -> Result<Vec<ArmCase>, Failure> {
 
 fn diagnose_one(case: &ArmCase, run: &RunSettings) -> Result<ArmOutcome, Failure> {
     let outcome = diagnose_arm_case(case, run, &diagnosed)?;
-    println!("case {:03}: {}, {:.0} s", outcome.case, answer(&outcome), outcome.seconds);
+    say!("case {:03}: {}, {:.0} s", outcome.case, in_words(&outcome), outcome.seconds);
     Ok(outcome)
 }
 

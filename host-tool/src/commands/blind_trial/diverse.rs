@@ -6,6 +6,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::workers::on_all_cores;
 use crate::failure::Failure;
+use crate::say;
+use crate::terminal::answer::answer;
 use crate::terminal::progress::Progress;
 use blind_trial::diverse::{
     self, DiverseCase, DiverseOutcome, DiverseResults, DiverseSettings, diagnose_diverse,
@@ -21,12 +23,12 @@ pub(super) fn run(settings: &DiverseSettings, run: &RunSettings) -> Result<(), F
     let mut outcomes = on_all_cores(&cases, &|case| diagnose_one(case, run))?;
     outcomes.sort_by_key(|outcome| outcome.case);
     truth.reveal(&run.out)?;
-    println!("SHA-256 of the truth, opened: {}\n", truth.hash());
+    say!("SHA-256 of the truth, opened: {}\n", truth.hash());
     let results = DiverseResults::new(settings, truth.hash(), outcomes);
     diverse::write(&results, &run.out)?;
-    println!("{}", diverse::short(&results));
-    println!("Cases: {}", run.out.join("diverse-trial.md").display());
-    Ok(())
+    say!("{}", diverse::short(&results));
+    say!("Cases: {}", run.out.join("diverse-trial.md").display());
+    answer(&results)
 }
 
 /// Writes the logs of all cases with their truth, without a diagnosis.
@@ -42,7 +44,7 @@ pub(super) fn draw_only(settings: &DiverseSettings, out: &Path) -> Result<(), Fa
     }
     progress.finish();
     truth.reveal(out)?;
-    println!("{} cases in {}", cases.len(), out.display());
+    say!("{} cases in {}", cases.len(), out.display());
     Ok(())
 }
 
@@ -57,7 +59,7 @@ fn sealed(
     let cases = draw_diverse(settings, &one_more)?;
     progress.finish();
     let truth = SealedTruth::new(&cases.iter().map(|c| c.case.clone()).collect::<Vec<_>>());
-    println!("SHA-256 of the truth: {}", truth.hash());
+    say!("SHA-256 of the truth: {}", truth.hash());
     truth.write_hash(out)?;
     Ok((cases, truth))
 }
@@ -69,6 +71,6 @@ fn diagnose_one(case: &DiverseCase, run: &RunSettings) -> Result<DiverseOutcome,
     })?;
     diverse::append(&outcome, &run.out)?;
     let answer = diverse::answer(&outcome);
-    println!("case {:03}: {answer}, {:.0} s", outcome.case, outcome.seconds);
+    say!("case {:03}: {answer}, {:.0} s", outcome.case, outcome.seconds);
     Ok(outcome)
 }

@@ -12,7 +12,10 @@ use clap::Args;
 
 use self::workers::on_all_cores;
 use crate::failure::Failure;
+use crate::options::number::{duration_scale, noise_mv};
 use crate::output_files::create_directory;
+use crate::say;
+use crate::terminal::answer::answer;
 use crate::terminal::progress::Progress;
 use blind_trial::arms::{ArmKind, ArmTrialSettings};
 use blind_trial::diverse::{DiverseSettings, Ranges};
@@ -51,10 +54,10 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR", default_value = "blind-trial")]
     pub out: PathBuf,
     /// All durations of the logs times this.
-    #[arg(long, value_name = "X", default_value_t = 1.0)]
+    #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = duration_scale)]
     pub duration_scale: f64,
     /// Amplifier noise [mV rms], instead of 3 to 6 mV as drawn.
-    #[arg(long = "noise-mV", value_name = "X")]
+    #[arg(long = "noise-mV", value_name = "X", value_parser = noise_mv)]
     pub noise_mv: Option<f64>,
     /// Only cases of this kind.
     #[arg(long, value_enum)]
@@ -79,7 +82,7 @@ pub struct Arguments {
 /// # Errors
 /// Arguments out of range, files that cannot be written, or a case that cannot be drawn.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let settings = arguments.draw_settings()?;
+    let settings = arguments.draw_settings();
     let of_arm = arguments.arm.map(|arm| arguments.arm_settings(arm)).transpose()?;
     create_directory(&arguments.out)?;
     if let Some(settings) = of_arm {
@@ -94,28 +97,24 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let catalogue = Catalogue::standard();
     let cases = drawn(&settings, &catalogue)?;
     let truth = SealedTruth::new(&cases);
-    println!("SHA-256 of the truth: {}", truth.hash());
+    say!("SHA-256 of the truth: {}", truth.hash());
     truth.write_hash(&arguments.out)?;
     if arguments.draw_only {
         return arguments.write_all(&cases, &truth);
     }
     let outcomes = arguments.diagnose_all(&cases)?;
     truth.reveal(&arguments.out)?;
-    println!("SHA-256 of the truth, opened: {}\n", truth.hash());
+    say!("SHA-256 of the truth, opened: {}\n", truth.hash());
     let results = Results::new(&catalogue, &settings, truth.hash(), outcomes);
     output::write(&results, &arguments.out)?;
-    println!("{}", markdown::short(&results));
-    println!("Cases: {}", arguments.out.join("blind-trial.md").display());
-    Ok(())
+    say!("{}", markdown::short(&results));
+    say!("Cases: {}", arguments.out.join("blind-trial.md").display());
+    answer(&results)
 }
 
 impl Arguments {
-    fn draw_settings(&self) -> Result<DrawSettings, Failure> {
-        in_range("--duration-scale", self.duration_scale, 0.2, 20.0)?;
-        if let Some(noise_mv) = self.noise_mv {
-            in_range("--noise-mV", noise_mv, 0.0, 1000.0)?;
-        }
-        Ok(DrawSettings {
+    fn draw_settings(&self) -> DrawSettings {
+        DrawSettings {
             seed: self.seed,
             first: self.first,
             cases: self.cases,
@@ -123,7 +122,7 @@ impl Arguments {
             only: self.only.clone(),
             duration_scale: self.duration_scale,
             noise_v: self.noise_mv.map(|noise_mv| 1e-3 * noise_mv),
-        })
+        }
     }
 
     /// The diverse trial's draw: all kinds, or the one that is asked for.
@@ -177,7 +176,7 @@ impl Arguments {
         let mut outcomes = on_all_cores(cases, &|case| {
             let outcome = self.diagnose_one(case)?;
             let answer = markdown::answer(&outcome.answer);
-            println!("case {:03}: {answer}, {:.0} s", case.number, outcome.seconds);
+            say!("case {:03}: {answer}, {:.0} s", case.number, outcome.seconds);
             Ok(outcome)
         })?;
         outcomes.sort_by_key(|outcome| outcome.case);
@@ -204,7 +203,7 @@ impl Arguments {
         }
         progress.finish();
         truth.reveal(&self.out)?;
-        println!("{} cases in {}", cases.len(), self.out.display());
+        say!("{} cases in {}", cases.len(), self.out.display());
         Ok(())
     }
 }
@@ -216,14 +215,6 @@ fn drawn(settings: &DrawSettings, catalogue: &Catalogue) -> Result<Vec<Case>, Fa
         draw(settings, catalogue, &|| progress.at(done.fetch_add(1, Ordering::Relaxed) + 1))?;
     progress.finish();
     Ok(cases)
-}
-
-fn in_range(name: &str, value: f64, lowest: f64, highest: f64) -> Result<(), Failure> {
-    if (lowest..=highest).contains(&value) {
-        return Ok(());
-    }
-    let hint = format!("give a number from {lowest} to {highest}");
-    Err(Failure::new(format!("{name} {value} is out of range"), hint))
 }
 
 impl From<TrialError> for Failure {

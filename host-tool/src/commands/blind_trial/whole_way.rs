@@ -2,6 +2,8 @@
 
 use super::workers::on_all_cores;
 use crate::failure::Failure;
+use crate::say;
+use crate::terminal::answer::answer;
 use blind_trial::whole_way::{self, WholeWayResults, WholeWaySettings};
 use blind_trial::{Case, RunSettings};
 use diagnosis::{Criteria, diagnose};
@@ -14,9 +16,9 @@ pub(super) fn run(settings: &WholeWaySettings, run: &RunSettings) -> Result<(), 
     outcomes.sort_by_key(|outcome| outcome.outcome.case);
     let results = WholeWayResults::new(settings, outcomes);
     whole_way::write(&results, &run.out)?;
-    println!("\n{}", whole_way::page(&results));
-    println!("Robots: {}", run.out.join("whole-way.md").display());
-    Ok(())
+    say!("\n{}", whole_way::page(&results));
+    say!("Robots: {}", run.out.join("whole-way.md").display());
+    answer(&results)
 }
 
 fn walk(
@@ -29,6 +31,6 @@ fn walk(
         diagnosis.map(|found| found.report).map_err(|error| error.to_string())
     })?;
     let answer = whole_way::answer(&outcome);
-    println!("robot {:03}: {answer}, {:.0} s", outcome.outcome.case, outcome.outcome.seconds);
+    say!("robot {:03}: {answer}, {:.0} s", outcome.outcome.case, outcome.outcome.seconds);
     Ok(outcome)
 }

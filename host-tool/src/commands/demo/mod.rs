@@ -12,6 +12,7 @@ use model::reference_robot::reference_robot;
 
 use super::{identify, simulate};
 use crate::failure::Failure;
+use crate::options::number::duration_s;
 use crate::output_files::create_directory;
 use crate::terminal::progress::Progress;
 use files::{EffectTable, RobotFile};
@@ -33,7 +34,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Length of each run [s].
-    #[arg(long, default_value_t = 20.0)]
+    #[arg(long, default_value_t = 20.0, value_parser = duration_s)]
     pub duration_s: f32,
 }
 

@@ -6,7 +6,10 @@ use recordings::ArmCampaign;
 
 use super::whole::Whole;
 use crate::failure::Failure;
+use crate::say;
+use crate::terminal::answer::answer;
 use crate::terminal::progress::Steps;
+use serde_json::json;
 
 /// Runs the whole procedure.
 ///
@@ -26,26 +29,24 @@ pub fn run(arguments: &Whole, steps: &Steps) -> Result<(), Failure> {
     arguments.write_summary(&found)?;
     steps.finish();
     print_table(&found, &campaign.arm.joints);
-    notes.iter().for_each(|note| println!("  note: {note}"));
-    println!("\nModel: {}\nFigures: {}", arguments.out.display(), summary.display());
-    Ok(())
+    notes.iter().for_each(|note| say!("  note: {note}"));
+    say!("\nModel: {}\nFigures: {}", arguments.out.display(), summary.display());
+    answer(&json!({ "model": arguments.out, "summary": found }))
 }
 
 fn print_table(found: &IdentifiedArm, joints: &[ArmJoint]) {
     let which = if found.is_held_out { "held out" } else { "fitted to" };
-    println!(
-        "What the model leaves of the command on the logs {which} (rms, part of the command):\n"
-    );
+    say!("What the model leaves of the command on the logs {which} (rms, part of the command):\n");
     for log in &found.left {
-        println!("  {}", log.file);
+        say!("  {}", log.file);
         print_log(log, joints);
     }
     match found.condition_number {
-        Some(number) => println!("\n  condition number {number:.0}"),
-        None => println!("\n  the logs alone leave some base parameters open"),
+        Some(number) => say!("\n  condition number {number:.0}"),
+        None => say!("\n  the logs alone leave some base parameters open"),
     }
     for remark in &found.remarks {
-        println!("  note: {remark}");
+        say!("  note: {remark}");
     }
 }
 
@@ -53,13 +54,13 @@ fn print_log(log: &LogLeft, joints: &[ArmJoint]) {
     for (number, (left, joint)) in (1..).zip(log.joints.iter().zip(joints)) {
         let name = joint.name.as_deref().unwrap_or_default();
         match left {
-            Some(left) => println!(
+            Some(left) => say!(
                 "    joint {number} {name:16} {:10.4} {:2} ({:5.2} %)",
                 left.rms,
                 joint.command_unit(),
                 100.0 * left.share
             ),
-            None => println!("    joint {number} {name:16} stands"),
+            None => say!("    joint {number} {name:16} stands"),
         }
     }
 }

@@ -13,6 +13,9 @@ pub use steps::Step;
 pub use whole::Whole;
 
 use crate::failure::Failure;
+use crate::provenance::provenance;
+use crate::say;
+use crate::terminal::answer::answer;
 use crate::terminal::progress::Steps;
 use files::{ArmFile, Dataset, RobotFile};
 use identification::procedure::{self, Identified, model_file};
@@ -20,6 +23,7 @@ use recordings::Campaign;
 use report::identification_page::identification_page;
 use report::identification_summary::Summary;
 use report::one_joint_page::{one_joint_page, one_joint_rows};
+use serde_json::json;
 
 /// Arguments of `rrr identify`: those of the whole procedure, or a step.
 #[derive(Debug, Args)]
@@ -63,14 +67,23 @@ pub fn run_whole(arguments: &Whole) -> Result<(), Failure> {
     let identified = procedure::identify(&campaign, &|step| steps.at(step))?;
     steps.at("writing the report");
     let page = arguments.beside("identification.html")?;
-    model_file(&identified, &campaign.robot_file).write(&arguments.out)?;
-    arguments.write_summary(&Summary::of(&identified))?;
-    identification_page(&campaign, &identified).write(&page)?;
+    let out = arguments.model_path(is_possible(&identified));
+    model_file(&identified, &campaign.robot_file).write(&out)?;
+    let summary = Summary::of(&identified);
+    arguments.write_summary(&summary)?;
+    let mut html = identification_page(&campaign, &identified);
+    html.provenance(&provenance(&arguments.robot, &arguments.dataset)).write(&page)?;
     steps.finish();
     print_table(&identified);
-    campaign.notes.iter().for_each(|note| println!("  note: {note}"));
-    println!("\nModel: {}\nFigures: {}", arguments.out.display(), page.display());
-    Ok(())
+    campaign.notes.iter().for_each(|note| say!("  note: {note}"));
+    say!("\nModel: {}\nFigures: {}", out.display(), page.display());
+    answer(&json!({ "model": out, "possible": out == arguments.out, "summary": summary }))?;
+    arguments.passed(&out, &identified.missing)
+}
+
+/// Whether a robot can have the parameters.
+fn is_possible(identified: &Identified) -> bool {
+    identified.robot.checked().is_ok()
 }
 
 /// The same on a rig of one joint.
@@ -79,34 +92,35 @@ fn of_one_joint(arguments: &Whole, campaign: &Campaign, steps: &Steps) -> Result
     let page = arguments.beside("identification.html")?;
     identified.model_file(&campaign.robot_file).write(&arguments.out)?;
     arguments.write_summary(&identified.motion)?;
-    one_joint_page(&identified).write(&page)?;
+    let mut html = one_joint_page(&identified);
+    html.provenance(&provenance(&arguments.robot, &arguments.dataset)).write(&page)?;
     steps.finish();
     for row in one_joint_rows(&identified) {
-        println!("  {:28} {:>26}", row[0], row[1]);
+        say!("  {:28} {:>26}", row[0], row[1]);
     }
     for remark in &identified.missing {
-        println!("  note: {remark}");
+        say!("  note: {remark}");
     }
-    println!("\nModel: {}\nFigures: {}", arguments.out.display(), page.display());
-    Ok(())
+    say!("\nModel: {}\nFigures: {}", arguments.out.display(), page.display());
+    answer(&json!({ "model": arguments.out, "summary": identified.motion }))
 }
 
 fn print_table(identified: &Identified) {
-    println!("What the model leaves of the command on the logs held out:\n");
-    println!("  log                          joint 1            joint 2            joint 3");
+    say!("What the model leaves of the command on the logs held out:\n");
+    say!("  log                          joint 1            joint 2            joint 3");
     for held in &identified.held_out {
         let shares: Vec<String> = held
             .residuals()
             .iter()
             .map(|r| format!("{:5.1} mV ({:4.2} %)", 1e3 * r.rms_v, 100.0 * r.share))
             .collect();
-        println!("  {:26} {}", held.file, shares.join("  "));
+        say!("  {:26} {}", held.file, shares.join("  "));
     }
-    println!();
+    say!("");
     for law in &identified.laws {
-        println!("  {}", law.sentence());
+        say!("  {}", law.sentence());
     }
     for remark in &identified.missing {
-        println!("  note: {remark}");
+        say!("  note: {remark}");
     }
 }

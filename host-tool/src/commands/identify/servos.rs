@@ -6,7 +6,10 @@ use servo::{Identified, Settings};
 
 use super::whole::Whole;
 use crate::failure::Failure;
+use crate::say;
+use crate::terminal::answer::answer;
 use crate::terminal::progress::Steps;
+use serde_json::json;
 
 /// Runs the whole procedure.
 ///
@@ -21,9 +24,9 @@ pub fn run(arguments: &Whole, arm: ArmFile, steps: &Steps) -> Result<(), Failure
     found.model.write(&arguments.out)?;
     arguments.write_summary(&found.summary)?;
     steps.finish();
-    println!("What the model leaves of positions, simulated from the goals (rms, mrad):\n");
+    say!("What the model leaves of positions, simulated from the goals (rms, mrad):\n");
     for joint in &found.summary.joints {
-        println!(
+        say!(
             "  joint {}  as given {:7.2}  refitted {:7.2}",
             joint.joint,
             1e3 * joint.as_given_rad,
@@ -31,9 +34,9 @@ pub fn run(arguments: &Whole, arm: ArmFile, steps: &Steps) -> Result<(), Failure
         );
     }
     for remark in &found.summary.remarks {
-        println!("  note: {remark}");
+        say!("  note: {remark}");
     }
-    notes.iter().for_each(|note| println!("  note: {note}"));
-    println!("\nModel: {}\nFigures: {}", arguments.out.display(), summary.display());
-    Ok(())
+    notes.iter().for_each(|note| say!("  note: {note}"));
+    say!("\nModel: {}\nFigures: {}", arguments.out.display(), summary.display());
+    answer(&json!({ "model": arguments.out, "summary": found.summary }))
 }

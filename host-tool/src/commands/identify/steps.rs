@@ -6,7 +6,10 @@ use clap::{Args, Subcommand};
 use serde::Serialize;
 
 use crate::failure::Failure;
-use crate::output_files::{create_directory, json, write_text};
+use crate::output_files::{self, create_directory, write_text};
+use crate::provenance::provenance;
+use crate::say;
+use crate::terminal::answer::answer;
 use files::{Dataset, Experiment, RobotFile, Role};
 use identification::base_parameters::friction::FrictionEstimate;
 use identification::presliding::Prior;
@@ -14,6 +17,7 @@ use identification::{base_parameters, ekf, presliding, static_friction};
 use recordings::{Campaign, StepError, Trace};
 use report::Page;
 use report::step_page::{base_page, ekf_page, presliding_page, static_page};
+use serde_json::json;
 
 /// A step of the procedure.
 #[derive(Debug, Subcommand)]
@@ -126,11 +130,12 @@ impl StepArguments {
     fn write(&self, name: &str, numbers: &impl Serialize, page: &Page) -> Result<(), Failure> {
         create_directory(&self.out)?;
         let path = self.out.join(format!("{name}.json"));
-        write_text(&json(numbers, &path)?, &path)?;
+        write_text(&output_files::json(numbers, &path)?, &path)?;
         let path = self.out.join(format!("{name}.html"));
-        page.write(&path)?;
-        println!("Figures: {}", path.display());
-        Ok(())
+        let provenance = provenance(&self.robot, &self.dataset);
+        page.clone().provenance(&provenance).write(&path)?;
+        say!("Figures: {}", path.display());
+        answer(&json!({ "figures": path, "found": numbers }))
     }
 }
 

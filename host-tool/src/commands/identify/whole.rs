@@ -31,6 +31,34 @@ impl Whole {
         Ok(directory.join(name))
     }
 
+    /// Where a model goes: one that no robot can have beside its place, `model.impossible.toml`.
+    pub fn model_path(&self, possible: bool) -> PathBuf {
+        match possible {
+            true => self.out.clone(),
+            false => self.out.with_extension("impossible.toml"),
+        }
+    }
+
+    /// Ends with a status of its own where the model has gone elsewhere; `remarks` say why.
+    ///
+    /// # Errors
+    /// It has.
+    pub fn passed(&self, out: &Path, remarks: &[String]) -> Result<(), Failure> {
+        if *out == self.out {
+            return Ok(());
+        }
+        let why = remarks.iter().find(|remark| remark.starts_with("no robot")).cloned();
+        let message = format!(
+            "{}; {} is not written, the model is in {}",
+            why.unwrap_or_else(|| "no robot has these parameters".to_owned()),
+            self.out.display(),
+            out.display()
+        );
+        let hint = "look at robot.toml (torque constants, order and signs of joints) and at the notes; \
+                    record a richer excitation";
+        Err(Failure::not_passed(message, hint))
+    }
+
     /// Writes `identification.json`.
     pub fn write_summary(&self, summary: &impl serde::Serialize) -> Result<(), Failure> {
         let path = self.beside("identification.json")?;

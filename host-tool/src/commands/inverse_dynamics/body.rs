@@ -3,9 +3,10 @@
 use std::path::Path;
 
 use files::{ArmFile, FileError, RobotFile};
-use model::Pendulum;
 use model::mechanism::{Mechanism, Rrr};
+use model::{Friction, Pendulum};
 
+use super::friction;
 use super::joint::JointColumns;
 
 /// A rigid body, and the columns of its joints.
@@ -35,7 +36,7 @@ impl Body {
         };
         if !effects.is_empty() {
             eprintln!(
-                "note: effects of the model are left out: inverse dynamics is rigid body only"
+                "note: effects of the model are left out: inverse dynamics is rigid body and friction only"
             );
         }
         Ok(body)
@@ -61,7 +62,8 @@ impl Body {
         if file.is_pendulum() {
             let pendulum = file.pendulum()?;
             let constant = file.torque_constant(pendulum.joint)?;
-            let joints = vec![JointColumns::with_voltage(pendulum.joint, constant)];
+            let friction = friction_of(file, pendulum.joint);
+            let joints = vec![JointColumns::with_voltage(pendulum.joint, constant, friction)];
             return Ok(Self { rigid: Rigid::Pendulum(pendulum), joints });
         }
         let rrr = Rrr { base: file.base_parameters()?, geometry: file.geometry()? };
@@ -70,8 +72,19 @@ impl Body {
             eprintln!("warning: no rigid robot has these base parameters: {error}");
         }
         let constants = (1..).zip(file.torque_constants()?);
-        let joints = constants.map(|(joint, k)| JointColumns::with_voltage(joint, k)).collect();
+        let joints = constants
+            .map(|(joint, k)| JointColumns::with_voltage(joint, k, friction_of(file, joint)))
+            .collect();
         Ok(Self { rigid: Rigid::Mechanism(Box::new(rrr)), joints })
+    }
+
+    /// The number of the last joint.
+    pub fn last_joint(&self) -> usize {
+        match &self.rigid {
+            Rigid::Mechanism(arm) => arm.joints(),
+            // Columns of the other joints of an arm may stand beside those of the one.
+            Rigid::Pendulum(_) => 3,
+        }
     }
 
     /// The torques [Nm; N] of a motion, one entry per joint.
@@ -85,4 +98,8 @@ impl Body {
             }
         }
     }
+}
+
+fn friction_of(file: &RobotFile, joint: u8) -> Option<Friction<f64>> {
+    file.friction_table(joint).ok().map(friction::of_table)
 }

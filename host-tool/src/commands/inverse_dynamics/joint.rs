@@ -2,7 +2,10 @@
 
 use files::ArmJoint;
 use files::arm_file::DriveKind;
+use model::Friction;
 use model::mechanism::JointKind;
+
+use super::friction;
 
 /// A joint's number and units, and the torque by its command.
 #[derive(Clone, Debug)]
@@ -11,13 +14,18 @@ pub struct JointColumns {
     kind: JointKind,
     /// The command's unit, and the torque by it, where both are known.
     command: Option<(&'static str, f64)>,
+    friction: Option<Friction<f64>>,
 }
 
 impl JointColumns {
     /// A joint of the robot of format 1, which is commanded a voltage; torque constant in Nm/V.
-    pub fn with_voltage(number: u8, torque_constant_nm_per_v: f64) -> Self {
+    pub fn with_voltage(
+        number: u8,
+        torque_constant_nm_per_v: f64,
+        friction: Option<Friction<f64>>,
+    ) -> Self {
         let command = Some(("V", torque_constant_nm_per_v));
-        Self { number: number.into(), kind: JointKind::Revolute, command }
+        Self { number: number.into(), kind: JointKind::Revolute, command, friction }
     }
 
     /// A joint of an arm of any kind, its number from 1.
@@ -28,7 +36,10 @@ impl JointColumns {
             // A torque is its own command, a servo's is a goal.
             DriveKind::Torque | DriveKind::PositionServo => None,
         });
-        Self { number, kind: joint.kind, command }
+        let is_goal =
+            joint.drive.as_ref().is_some_and(|drive| drive.kind == DriveKind::PositionServo);
+        let friction = friction::of_joint(joint).filter(|_| !is_goal);
+        Self { number, kind: joint.kind, command, friction }
     }
 
     /// Position, velocity and acceleration.
@@ -43,16 +54,33 @@ impl JointColumns {
 
     /// Torque or force.
     pub fn torque(&self) -> String {
-        let unit = match self.kind {
+        format!("tau{}_{}", self.number, self.torque_unit())
+    }
+
+    fn torque_unit(&self) -> &'static str {
+        match self.kind {
             JointKind::Revolute => "Nm",
             JointKind::Prismatic => "N",
-        };
-        format!("tau{}_{unit}", self.number)
+        }
     }
 
     /// The command, where it is neither torque nor goal.
     pub fn command(&self) -> Option<String> {
         self.command.map(|(unit, _)| format!("u{}_{unit}", self.number))
+    }
+
+    /// Friction, and the whole command that a motion needs: the rigid body's share and friction's; in
+    /// files that tell friction, where the command is no goal.
+    pub fn needed(&self) -> Option<[String; 2]> {
+        self.friction?;
+        let unit = self.command.map_or(self.torque_unit(), |(unit, _)| unit);
+        Some(["friction", "needed"].map(|name| format!("{name}{}_{unit}", self.number)))
+    }
+
+    /// The values of [`JointColumns::needed`], from the rigid body's torque and the velocity.
+    pub fn needed_values(&self, torque: f64, velocity: f64) -> Option<[f64; 2]> {
+        let friction = self.friction?.sliding(velocity);
+        Some([friction, torque / self.torque_constant().unwrap_or(1.0) + friction])
     }
 
     /// Torque by command.

@@ -4,6 +4,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
+use files::log::check_joints;
 use files::replace::replace_file;
 use files::table::{Kind, Table};
 use files::{FileError, Problem};
@@ -11,6 +12,7 @@ use files::{FileError, Problem};
 use crate::failure::Failure;
 
 pub mod body;
+mod friction;
 pub mod joint;
 
 use body::Body;
@@ -26,7 +28,9 @@ pub struct Arguments {
     /// joint is prismatic (.csv or .csv.gz).
     #[arg(value_name = "STATES.csv")]
     pub states: PathBuf,
-    /// Where the columns tau1_Nm.. (tau1_N..) and u1_V.. (u1_A..) go.
+    /// Where the columns go: tau1_Nm.. (tau1_N..) and u1_V.. (u1_A..) = tau / k_t, of the rigid body with
+    /// its rotors alone; where the model tells friction, friction1_V.. at that velocity, and
+    /// needed1_V.., the sum of both: what the drive must put out.
     #[arg(long, value_name = "OUT.csv")]
     pub out: PathBuf,
 }
@@ -37,7 +41,7 @@ pub struct Arguments {
 /// A file that cannot be read or written, named with line and column.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let body = Body::read(&arguments.model)?;
-    let motion = Motion::read(arguments, &body.joints)?;
+    let motion = Motion::read(arguments, &body)?;
     write(arguments, &body, &motion)?;
     Ok(())
 }
@@ -50,13 +54,17 @@ struct Motion {
 }
 
 impl Motion {
-    fn read(arguments: &Arguments, joints: &[JointColumns]) -> Result<Self, FileError> {
+    fn read(arguments: &Arguments, body: &Body) -> Result<Self, FileError> {
+        let joints = &body.joints;
         let names = [0, 1, 2].map(|order| -> Vec<String> {
             joints.iter().map(|joint| joint.motion()[order].clone()).collect()
         });
         let wanted = |name: &str| names.iter().flatten().any(|wanted| wanted == name);
         let kind_of = |name: &str| if wanted(name) { Kind::Float } else { Kind::Skipped };
         let mut table = Table::read(&arguments.states, kind_of)?;
+        let last = body.last_joint();
+        check_joints(table.names(), last, &format!("the model ends with joint {last}"))
+            .map_err(|problem| problem.in_file(&arguments.states))?;
         if table.rows() == 0 {
             return Err(Problem::NoSamples.in_file(&arguments.states));
         }
@@ -82,7 +90,15 @@ fn write(arguments: &Arguments, body: &Body, motion: &Motion) -> Result<(), File
         put(header(&body.joints))?;
         (0..motion.rows).try_for_each(|row| {
             let [q, qd, qdd] = motion.row(row);
-            put(line(body, &body.torques(&q, &qd, &qdd)))
+            let values = values(body, &body.torques(&q, &qd, &qdd), &qd);
+            if values.iter().any(|value| !value.is_finite()) {
+                return Err(Problem::OutOfRange(format!(
+                    "sample {} of {} needs infinite torques or commands",
+                    row + 1,
+                    arguments.states.display()
+                )));
+            }
+            put(values.iter().map(f64::to_string).collect::<Vec<_>>().join(","))
         })
     })
 }
@@ -90,13 +106,19 @@ fn write(arguments: &Arguments, body: &Body, motion: &Motion) -> Result<(), File
 fn header(joints: &[JointColumns]) -> String {
     let torques = joints.iter().map(JointColumns::torque);
     let commands = joints.iter().filter_map(JointColumns::command);
-    torques.chain(commands).collect::<Vec<_>>().join(",")
+    let [friction, needed] = [0, 1]
+        .map(|index| joints.iter().filter_map(move |joint| Some(joint.needed()?[index].clone())));
+    torques.chain(commands).chain(friction).chain(needed).collect::<Vec<_>>().join(",")
 }
 
-/// Torques and commands with as many digits as the values have.
-fn line(body: &Body, torques: &[f64]) -> String {
-    let joints = torques.iter().zip(&body.joints);
-    let commands = joints.filter_map(|(torque, joint)| Some(torque / joint.torque_constant()?));
-    let values = torques.iter().copied().chain(commands);
-    values.map(|value| value.to_string()).collect::<Vec<_>>().join(",")
+/// The values of a row, in the order of the header.
+fn values(body: &Body, torques: &[f64], velocities: &[f64]) -> Vec<f64> {
+    let joints = || torques.iter().zip(&body.joints);
+    let commands = joints().filter_map(|(torque, joint)| Some(torque / joint.torque_constant()?));
+    let needed: Vec<[f64; 2]> = joints()
+        .zip(velocities)
+        .filter_map(|((torque, joint), velocity)| joint.needed_values(*torque, *velocity))
+        .collect();
+    let parts = [0, 1].map(|index| needed.iter().map(move |values| values[index]));
+    torques.iter().copied().chain(commands).chain(parts.into_iter().flatten()).collect()
 }

@@ -6,6 +6,7 @@ use std::time::Instant;
 use firmware::link::Report;
 
 use super::super::board_table::{PERIOD, redrawn, table};
+use crate::terminal::json_mode::is_json;
 use crate::terminal::output;
 use crate::terminal::progress::Progress;
 use files::GrowingCsv;
@@ -28,7 +29,7 @@ pub struct Live {
 impl Live {
     /// For a phase of so many ticks, whose log grows in this file.
     pub fn new(phase: &'static str, ticks: u32, counts: u32, growing: GrowingCsv) -> Self {
-        let is_terminal = std::io::stdout().is_terminal();
+        let is_terminal = std::io::stdout().is_terminal() && !is_json();
         Self {
             phase,
             counts_per_turn: f64::from(counts),

@@ -6,7 +6,8 @@ use crate::failure::Failure;
 use crate::output_files::create_directory;
 use crate::terminal::output::try_print_line;
 use files::dataset::LIST_NAME;
-use files::{Dataset, Entry, GrowingCsv, Problem};
+use files::log::unix_ns;
+use files::{Dataset, Entry, GrowingCsv, McapDetails, Problem};
 use link::Recorder;
 use rig::Plan;
 
@@ -80,7 +81,7 @@ impl LogFolder {
         let appended = Dataset::append(&self.directory, &entry, counts_per_rev);
         self.print_log(&entry.file, if appended.is_ok() { "" } else { "; not in dataset.toml" });
         appended?;
-        self.write_mcap(&entry.file, recorder)
+        self.write_mcap(&entry.file, counts_per_rev, recorder)
     }
 
     /// Writes a log that is no experiment of the data set, for this reason: the approach, or a run
@@ -88,13 +89,19 @@ impl LogFolder {
     ///
     /// # Errors
     /// Files that cannot be written.
-    pub fn save_unlisted(&self, name: &str, why: &str, recorder: &Recorder) -> Result<(), Failure> {
+    pub fn save_unlisted(
+        &self,
+        name: &str,
+        why: &str,
+        counts_per_rev: f64,
+        recorder: &Recorder,
+    ) -> Result<(), Failure> {
         let file = self.free_name(name) + CSV;
         if !self.write_csv(&file, recorder)? {
             return Ok(());
         }
         self.print_log(&file, &format!(", {why}; not in dataset.toml"));
-        self.write_mcap(&file, recorder)
+        self.write_mcap(&file, counts_per_rev, recorder)
     }
 
     /// Writes the CSV log; false, with a line on the terminal, if there is nothing to write.
@@ -108,9 +115,21 @@ impl LogFolder {
     }
 
     /// Last, as the log is whole without it.
-    fn write_mcap(&self, file: &str, recorder: &Recorder) -> Result<(), Failure> {
+    fn write_mcap(
+        &self,
+        file: &str,
+        counts_per_rev: f64,
+        recorder: &Recorder,
+    ) -> Result<(), Failure> {
         let mcap = self.directory.join(file.replace(CSV, MCAP));
-        Ok(recorder.log.write_with_board(mcap, &recorder.board)?)
+        // It has just ended.
+        let duration_ns = recorder.log.time_s.last().map_or(0, |last_s| (last_s * 1e9) as u64);
+        let details = McapDetails {
+            counts_per_rev: Some(counts_per_rev),
+            began_unix_ns: unix_ns().saturating_sub(duration_ns),
+            board: &recorder.board,
+        };
+        Ok(recorder.log.write_with(mcap, &details)?)
     }
 
     fn print_log(&self, file: &str, what: &str) {

@@ -127,11 +127,12 @@ impl Arguments {
         let result = summary::print(phase, outcome, &recorder, client.counters());
         let saved = match phase {
             Phase::Experiment if is_fault && plan.role == Role::Train => {
-                folder.save_unlisted(&plan.name, "it ended in a fault", &recorder)
+                folder.save_unlisted(&plan.name, "it ended in a fault", counts_per_rev, &recorder)
             }
             Phase::Experiment => folder.save(&plan, counts_per_rev, &recorder),
             Phase::Approach => {
-                folder.save_unlisted(&phase.log_name(&plan.name), "the approach", &recorder)
+                let name = phase.log_name(&plan.name);
+                folder.save_unlisted(&name, "the approach", counts_per_rev, &recorder)
             }
         };
         if saved.is_ok() {

@@ -3,9 +3,11 @@
 use firmware::supervisor::FaultRecord;
 
 use crate::failure::Failure;
+use crate::terminal::answer::answer;
 use crate::terminal::output::try_print_line;
 use link::run::RunOutcome;
 use link::{LineCounters, LinkError, Recorder};
+use serde_json::json;
 
 /// What to do about a fault.
 pub const FAULT_HINT: &str = "docs/safety.md says what it means; then `rrr clear-fault`";
@@ -60,6 +62,17 @@ pub fn print(
 ) -> Result<(), Failure> {
     print_figures(recorder, counters);
     let failure = failure(phase.name(), outcome, recorder);
+    let _ = answer(&json!({
+        "phase": phase.name(),
+        "finished": failure.is_none(),
+        "ended": failure.as_ref().map(|failure| &failure.message),
+        "samples": recorder.log.len(),
+        "ticks": recorder.ticks_done(),
+        "missing": recorder.missed(),
+        "dropped": recorder.dropped(),
+        "saturated": recorder.saturated,
+        "longest_tick_us": f64::from(recorder.longest_tick_tenth_us) / 10.0,
+    }));
     match &failure {
         None => try_print_line("played to its end; 0 V, disarmed"),
         Some(failure) => try_print_line(format_args!("ended       {}", failure.message)),
