@@ -115,7 +115,7 @@ fn refitted(campaign: &Campaign) -> Robot<f64> {
 /// The amended model, through its file.
 fn amended(diagnosis: &Diagnosis, name: &str) -> RobotFile {
     let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    write(diagnosis, &directory, &report::Provenance::default()).unwrap();
+    write(diagnosis, &directory, &Default::default()).unwrap();
     RobotFile::read(directory.join(MODEL)).unwrap()
 }
 
