@@ -147,7 +147,8 @@ fn bad_models_are_named_with_their_line() {
         std::fs::write(&path, text.replace(from, to)).unwrap();
         assert_refused(directory.path(), parts);
     };
-    says("zz1r", "zz9r", &["model.toml, line 12", "zz1r in [base] is missing"]);
+    says("zz1r", "note", &["model.toml, line 12", "zz1r in [base] is missing"]);
+    says("zz1r", "zz9r", &["model.toml, line 13", "zz9r is not known in [base]; known are zz1r"]);
     says("6.3,", "0,", &["model.toml, line 10", "torque_constant_Nm_per_V of joint 2 is 0"]);
     says("format = 1", "format = 7", &["model.toml, line 1", "format 7"]);
 }

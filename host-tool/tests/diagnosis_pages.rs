@@ -6,13 +6,12 @@ use std::path::PathBuf;
 use diagnosis::synthetic::{At, cogging, diagnosis, more_viscous, payload, slow_friction};
 use diagnosis::{Alternative, Diagnosis, Verdict};
 use host_tool::commands::diagnose::{in_words, write};
-use report::Provenance;
 
 /// Writes all files, and gives the page and the report.
 fn written(name: &str, diagnosis: &Diagnosis) -> (String, serde_json::Value) {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../target/diagnosis-pages");
     let directory = root.join(name);
-    write(diagnosis, &directory, &Provenance::default()).unwrap();
+    write(diagnosis, &directory, &Default::default()).unwrap();
     let read = |file: &str| std::fs::read_to_string(directory.join(file)).unwrap();
     assert!(read("model.toml").contains("[base]"));
     (read("report.html"), serde_json::from_str(&read("report.json")).unwrap())

@@ -209,7 +209,7 @@ fn other_formats_are_refused_in_words() {
 
 #[test]
 fn base_parameters_are_all_there() {
-    let error = parse(&reference_text().replace("mx3r", "mx4r")).unwrap_err();
+    let error = parse(&reference_text().replace("mx3r", "note")).unwrap_err();
     assert_says(&error, &["line 12", "mx3r in [base] is missing"]);
     let error = parse(&reference_text().replace("zz1r = ", "zz1r = true # ")).unwrap_err();
     assert_says(&error, &["line 13", "zz1r must be a number"]);

@@ -10,7 +10,7 @@ use plotters::prelude::*;
 use super::axis::{Axis, bounds, padded, short};
 use super::series::{Series, Stroke};
 use super::thinning::thin;
-use super::zoom::{FRAME, SERIES, SERIES_END, zoomable};
+use super::zoom::{FRAME, Line, SERIES, SERIES_END, exact, zoomable};
 use files::replace::replace_file;
 use files::{FileError, Problem};
 
@@ -129,7 +129,25 @@ impl Chart {
             let _ = self.draw(&canvas);
             let _ = canvas.present();
         }
-        zoomable(&svg)
+        match self.lines() {
+            Some(lines) => exact(&zoomable(&svg), &lines),
+            None => zoomable(&svg),
+        }
+    }
+
+    /// The lines of a chart for a closer look, if it has nothing else.
+    fn lines(&self) -> Option<Vec<Line>> {
+        let line = |series: &Series| {
+            let width = match series.stroke {
+                Stroke::Line => 1,
+                Stroke::Wide => 3,
+                _ => return None,
+            };
+            let RGBColor(red, green, blue) = PALETTE[series.colour % PALETTE.len()];
+            let colour = format!("#{red:02X}{green:02X}{blue:02X}");
+            Some((colour, width, thin(&self.drawable(series), DETAILED_ACROSS)))
+        };
+        self.is_detailed.then(|| self.series.iter().map(line).collect()).flatten()
     }
 
     /// Writes the chart as an SVG file, whole or not at all.

@@ -24,6 +24,42 @@ pub(super) fn zoomable(svg: &str) -> String {
     format!("{head}<g class=\"mesh\">{mesh}</g><g><g class=\"series\">{series}</g></g>{legend}")
 }
 
+/// A line as it is drawn: colour, width [px], points.
+pub(super) type Line = (String, u32, Vec<(f64, f64)>);
+
+/// The drawing with its lines to a hundredth of a pixel, where the library draws whole pixels, of which a
+/// closer look would show the steps.
+pub(super) fn exact(svg: &str, lines: &[Line]) -> String {
+    const OPEN: &str = "<g class=\"series\">";
+    let Some(frame) = frame_of(svg) else { return svg.to_owned() };
+    let Some((head, rest)) = svg.split_once(OPEN) else { return svg.to_owned() };
+    let Some((_, tail)) = rest.split_once("</g>") else { return svg.to_owned() };
+    let drawn: String = lines.iter().map(|line| polyline(line, frame)).collect();
+    format!("{head}{OPEN}\n{drawn}</g>{tail}")
+}
+
+/// Pixels from left to right and from top to bottom, and what they span.
+fn frame_of(svg: &str) -> Option<[f64; 8]> {
+    let (_, rest) = svg.split_once("data-frame=\"")?;
+    let numbers: Option<Vec<f64>> =
+        rest.split('"').next()?.split(' ').map(|number| number.parse().ok()).collect();
+    numbers?.try_into().ok()
+}
+
+fn polyline((colour, width, points): &Line, frame: [f64; 8]) -> String {
+    let [left, right, top, bottom, x0, x1, y0, y1] = frame;
+    let point = |(x, y): &(f64, f64)| {
+        let across = left + (x - x0) / (x1 - x0) * (right - left);
+        let down = bottom - (y - y0) / (y1 - y0) * (bottom - top);
+        format!("{across:.2},{down:.2} ")
+    };
+    let points: String = points.iter().map(point).collect();
+    format!(
+        "<polyline fill=\"none\" opacity=\"1\" stroke=\"{colour}\" stroke-width=\"{width}\" \
+         points=\"{points}\"/>\n"
+    )
+}
+
 /// The text before the element with a mark, the mark, and the text behind it.
 fn cut<'a>(svg: &'a str, mark: &str) -> Option<(&'a str, &'a str, &'a str)> {
     let at = svg.find(mark)?;

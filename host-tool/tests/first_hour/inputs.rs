@@ -164,7 +164,7 @@ fn infinite_voltages_are_refused() {
     assert_tells(&text, &["line ", "`robot.command_limit_V = inf` is not a finite number"]);
     let text = of_model(at, "[robot]", "[robot]\ncommand_limit_V = 1e300");
     assert_tells(&text, &["command_limit_V is 1"]);
-    write(at, "states.csv", &STATES.replace("0,0,0\n", "1e308,1e308,1e308\n"));
+    write(at, "states.csv", &STATES.replace("0,0,0,0,0,0\n", "1e200,1e200,1e200,0,0,0\n"));
     let line = "inverse-dynamics --model model.toml states.csv --out out.csv";
     assert_tells(&refused(at, &words(line)), &["sample 1 of states.csv needs infinite"]);
     assert!(!at.join("out.csv").exists());

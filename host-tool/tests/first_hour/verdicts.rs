@@ -48,7 +48,7 @@ fn the_limits_of_validate_are_options() {
     let line = "validate logs --model model.toml --out out --largest-share 0 --smallest-left-mv 0";
     assert_eq!(rrr(directory.path(), &words(line)).status.code(), Some(1));
     with_wrong_model(directory.path());
-    let line = "validate logs --model wrong.toml --out out --smallest-left-mv 10000";
+    let line = "validate logs --model wrong.toml --out out --largest-share 10000";
     assert_eq!(rrr(directory.path(), &words(line)).status.code(), Some(0));
 }
 
@@ -100,4 +100,28 @@ fn a_failure_is_json_too() {
     assert!(failure["error"].as_str().unwrap().contains("none/dataset.toml"), "{failure}");
     assert!(failure["hint"].is_string());
     refused(directory.path(), &words("validate none --model model.toml --out out"));
+}
+
+#[test]
+fn identify_does_not_write_a_model_that_it_calls_impossible() {
+    let directory = with_model();
+    let at = directory.path();
+    let line = "simulate --model model.toml --dataset excitation --out logs --format csv";
+    said(at, &words(line));
+    // Every command with the other sign: inertias come out negative.
+    let log = at.join("logs/excitation.csv");
+    let mut recorded = files::Log::read(&log).unwrap();
+    recorded.joints.iter_mut().flat_map(|joint| &mut joint.command_v).for_each(|u| *u = -*u);
+    recorded.write(&log).unwrap();
+    let run = rrr(at, &words("identify logs --robot model.toml --out found/model.toml --json"));
+    let text = String::from_utf8(run.stderr).unwrap();
+    assert_eq!(run.status.code(), Some(1), "{text}");
+    assert_tells(
+        &text,
+        &["not passed: no robot has these parameters: ", "found/model.toml is not written"],
+    );
+    assert!(!at.join("found/model.toml").exists());
+    assert!(at.join("found/model.impossible.toml").exists());
+    let found: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+    assert_eq!(found["possible"], false);
 }
