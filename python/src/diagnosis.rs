@@ -16,6 +16,9 @@ use crate::failure::{Error, exception, file_exception};
 use crate::model::Model;
 use crate::work;
 
+/// Names of parameters, their values, sample by sample, and the models.
+type Samples = (Vec<String>, Vec<Vec<f64>>, Vec<Model>);
+
 /// What a diagnosis found, with the page and the model that it makes.
 #[pyclass(frozen, module = "rrr._rrr")]
 pub struct Diagnosed {
@@ -69,11 +72,7 @@ impl Diagnosed {
 
     /// Models drawn from what the logs leave open: names of parameters, their values, sample by
     /// sample, and the models.
-    fn samples(
-        &self,
-        count: usize,
-        seed: u64,
-    ) -> PyResult<(Vec<String>, Vec<Vec<f64>>, Vec<Model>)> {
+    fn samples(&self, count: usize, seed: u64) -> PyResult<Samples> {
         let posterior = self.posterior.as_ref().ok_or_else(|| {
             Error::new_err(
                 "a diagnosis on motion keeps no covariance: no models can be drawn of it",
