@@ -197,7 +197,7 @@ fn every_criterion_is_printed_with_its_unit_and_read_back() {
     let text = said(directory.path(), &["diagnose", "--print-criteria"]);
     write(directory.path(), "criteria.toml", &text);
     assert_eq!(
-        Criteria::read(&directory.path().join("criteria.toml")).unwrap(),
+        Criteria::read(directory.path().join("criteria.toml")).unwrap(),
         Criteria::default()
     );
 }
