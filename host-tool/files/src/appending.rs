@@ -10,7 +10,7 @@ use super::toml_source::{FORMAT, TomlSource};
 
 impl Dataset {
     /// Adds a log in encoder counts to the list in a directory that is there, whole or not at
-    /// all. Whatever the list holds stays byte for byte, comments and unknown keys too; where
+    /// all. Whatever the list holds stays byte for byte, comments and notes too; where
     /// there is no list, there is one now.
     ///
     /// # Errors

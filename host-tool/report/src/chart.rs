@@ -236,7 +236,7 @@ impl Chart {
         let colour = PALETTE[series.colour % PALETTE.len()];
         let drawn = match series.stroke {
             Stroke::Line => chart.draw_series(LineSeries::new(points, colour.stroke_width(1)))?,
-            Stroke::Wide => chart.draw_series(LineSeries::new(points, colour.stroke_width(3)))?,
+            Stroke::Wide => chart.draw_series(LineSeries::new(points, colour.stroke_width(6)))?,
             Stroke::Broad => {
                 let pale = colour.mix(0.35).stroke_width(4);
                 chart.draw_series(LineSeries::new(points, pale))?

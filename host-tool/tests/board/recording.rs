@@ -84,7 +84,7 @@ fn a_list_that_is_there_stays_as_it_was_and_gets_one_log_more() {
     rrr(at, &board, "upload model.toml").success();
     std::fs::create_dir(at.join("logs")).unwrap();
     let list = at.join("logs/dataset.toml");
-    let there = "# Rig 3\nformat = 1\nencoder_counts_per_rev = 655360\nrig = \"left\"\n\n[[log]]\n\
+    let there = "# Rig 3\nformat = 1\nencoder_counts_per_rev = 655360\nnote = \"left\"\n\n[[log]]\n\
         file = \"a.csv\"  # by hand\nexperiment = \"belt-test\"\nrole = \"train\"\n";
     std::fs::write(&list, there).unwrap();
     rrr(at, &board, "run hold --duration 1 --out logs").success();
