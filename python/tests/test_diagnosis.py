@@ -2,6 +2,7 @@
 
 import _thread
 import json
+import signal
 import threading
 import time
 import tomllib
@@ -112,11 +113,14 @@ def test_errors_have_the_words_of_the_command_line(tmp_path: Path, given: rrr.Mo
 
 def test_ctrl_c_is_raised_at_once(recordings: list[Recording], given: rrr.Model) -> None:
     logs = [log.log for log in recordings]
+    # Shells start jobs in the background with Ctrl-C ignored.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     threading.Timer(0.7, _thread.interrupt_main).start()
     begin = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
         rrr.diagnose(logs, given, progress=False)
     assert time.monotonic() - begin < 2.0
+    signal.signal(signal.SIGINT, before)
 
 
 def test_other_threads_go_on(recordings: list[Recording], given: rrr.Model) -> None:
