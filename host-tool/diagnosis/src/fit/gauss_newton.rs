@@ -1,6 +1,7 @@
 //! Fits of a model to the train logs: Gauss-Newton steps with a prior.
 
-use super::linearisation::{Linearisation, objective, train_rows};
+use super::linearisation::Linearisation;
+use super::normal_equations::{objective, train_rows};
 use super::unknowns::{Expected, Unknown, expected, kept_physical, range};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::{Evidence, Rows};

@@ -10,6 +10,7 @@ pub mod gauss_newton;
 pub mod joint_slopes;
 pub mod linearisation;
 mod marginal_likelihood;
+mod normal_equations;
 pub mod preparation;
 pub mod residual_stats;
 pub mod slopes;
