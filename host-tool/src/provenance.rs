@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use chrono::DateTime;
 use files::dataset::LIST_NAME;
 use files::log::unix_ns;
 use files::mapping::Mapping;
@@ -14,7 +15,7 @@ pub fn provenance(model: &Path, dataset: &Path) -> Provenance {
     Provenance {
         model: format!("{} ({})", model.display(), short(&hash_of(&[model.to_owned()]))),
         dataset: format!("{} ({})", dataset.display(), short(&dataset_hash(dataset))),
-        date: date_of(unix_ns() / 1_000_000_000),
+        date: date_of((unix_ns() / 1_000_000_000) as i64),
         version: format!("rrr {}", env!("CARGO_PKG_VERSION")),
         command_line: command_line(),
     }
@@ -71,21 +72,10 @@ fn command_line() -> String {
     std::iter::once("rrr".to_owned()).chain(words).collect::<Vec<_>>().join(" ")
 }
 
-/// Date and time of a second since 1970, in UTC, in the proleptic Gregorian calendar.
-fn date_of(unix_s: u64) -> String {
-    let (days, second) = (unix_s / 86_400, unix_s % 86_400);
-    // Days since 0000-03-01, so that a leap day ends its year; 146,097 days in 400 years.
-    let days = days + 719_468;
-    let (era, day_of_era) = (days / 146_097, days % 146_097);
-    let year_of_era =
-        (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
-    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
-    let shifted = (5 * day_of_year + 2) / 153;
-    let day = day_of_year - (153 * shifted + 2) / 5 + 1;
-    let month = if shifted < 10 { shifted + 3 } else { shifted - 9 };
-    let year = year_of_era + era * 400 + u64::from(month <= 2);
-    let (hour, minute) = (second / 3600, second / 60 % 60);
-    format!("{year:04}-{month:02}-{day:02} {hour:02}:{minute:02} UTC")
+/// Date and time of a second since 1970, in UTC.
+fn date_of(unix_s: i64) -> String {
+    let date = DateTime::from_timestamp(unix_s, 0).unwrap_or_default();
+    date.format("%Y-%m-%d %H:%M UTC").to_string()
 }
 
 #[cfg(test)]

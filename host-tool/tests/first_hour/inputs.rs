@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use crate::rrr::{ARM, assert_tells, refused, rrr, with_model, write};
+use crate::rrr::{assert_tells, refused, rrr, with_model, write};
+use test_support::PIVOT;
 
 const STATES: &str = "q1_rad,q2_rad,q3_rad,qd1_rad_per_s,qd2_rad_per_s,qd3_rad_per_s,\
     qdd1_rad_per_s2,qdd2_rad_per_s2,qdd3_rad_per_s2\n0,0,0,0,0,0,0,0,0\n";
@@ -55,7 +56,7 @@ fn unknown_keys_of_an_arm_are_refused() {
         ("alpha0_V", "alpha_V"),
         ("format = 2", "format = 2\narm = 1"),
     ] {
-        write(directory.path(), "model.toml", &ARM.replacen(from, to, 1));
+        write(directory.path(), "model.toml", &PIVOT.replacen(from, to, 1));
         let line = "simulate --model model.toml --dataset gap --out logs";
         let text = refused(directory.path(), &words(line));
         assert_tells(&text, &["model.toml, line ", " is not known in ", "known are"]);
@@ -137,7 +138,7 @@ fn lengths_and_angles_of_an_arm_are_in_metres_and_radians() {
         ("origin_xyz_m = [0, 0, 415]", "origin_xyz_m in [[joint]] 1 is 415"),
         ("origin_rpy_rad = [90, 0, 0]", "angles are in radians"),
     ] {
-        write(directory.path(), "model.toml", &ARM.replacen("axis", &format!("{key}\naxis"), 1));
+        write(directory.path(), "model.toml", &PIVOT.replacen("axis", &format!("{key}\naxis"), 1));
         let line = "simulate --model model.toml --dataset gap --out logs";
         assert_tells(&refused(directory.path(), &words(line)), &["line ", words_of]);
     }
@@ -151,7 +152,7 @@ fn a_sample_period_of_zero_is_refused() {
         let text = of_model(directory.path(), "[robot]", &line);
         assert_tells(&text, &[&format!("sample_period_s is {value}, but must be above 0")]);
     }
-    write(directory.path(), "model.toml", &ARM.replace("= 0.002\n[[", "= 0\n[["));
+    write(directory.path(), "model.toml", &PIVOT.replace("= 0.002\n[[", "= 0\n[["));
     let line = "simulate --model model.toml --dataset gap --out logs";
     assert_tells(&refused(directory.path(), &words(line)), &["line 4: sample_period_s is 0"]);
 }

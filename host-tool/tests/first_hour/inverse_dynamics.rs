@@ -2,7 +2,8 @@
 
 use model::reference_robot::reference_robot;
 
-use crate::rrr::{ARM, said, with_model, write};
+use crate::rrr::{said, with_model, write};
+use test_support::PIVOT;
 
 fn column(text: &str, name: &str) -> f64 {
     let mut lines = text.lines();
@@ -34,7 +35,7 @@ fn the_voltages_that_a_motion_needs_include_friction() {
 #[test]
 fn an_arm_that_takes_torques_is_told_the_same_in_newton_metres() {
     let directory = tempfile::tempdir().unwrap();
-    write(directory.path(), "model.toml", ARM);
+    write(directory.path(), "model.toml", PIVOT);
     write(directory.path(), "states.csv", "q1_rad,qd1_rad_per_s,qdd1_rad_per_s2\n0,2,0\n");
     said(directory.path(), &LINE);
     let text = std::fs::read_to_string(directory.path().join("out.csv")).unwrap();

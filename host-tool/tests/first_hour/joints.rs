@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use crate::rrr::{ARM, assert_tells, refused, said, with_model, write};
+use crate::rrr::{assert_tells, refused, said, with_model, write};
+use test_support::PIVOT;
 
 /// A log of so many joints in the columns of a log.
 fn log(joints: usize) -> String {
@@ -68,7 +69,7 @@ fn import_says_that_the_model_has_fewer_joints_than_the_logs() {
 #[test]
 fn an_arm_of_one_joint_refuses_logs_of_two() {
     let directory = tempfile::tempdir().unwrap();
-    write(directory.path(), "model.toml", ARM);
+    write(directory.path(), "model.toml", PIVOT);
     with_log(directory.path(), 2, "");
     let log = directory.path().join("logs/run.csv");
     let text = std::fs::read_to_string(&log).unwrap().replace("_V", "_Nm");

@@ -24,7 +24,7 @@ fn simulate_into_a_folder_with_logs_of_the_rig_leaves_them_and_their_list() {
 fn simulate_of_an_arm_leaves_them_too() {
     let directory = tempfile::tempdir().unwrap();
     let at = directory.path();
-    write(at, "model.toml", crate::rrr::ARM);
+    write(at, "model.toml", test_support::PIVOT);
     write(at, "rig/dataset.toml", LIST);
     let arguments = SIMULATE.map(|word| if word == "task" { "gap" } else { word });
     assert_tells(&refused(at, &arguments), &["which was not simulated"]);

@@ -5,7 +5,7 @@ use std::process::Command;
 
 use assert_cmd::cargo::cargo_bin;
 use serde_json::Value;
-use test_support::Python;
+use test_support::{PIVOT, Python};
 
 /// The libraries that others write their logs with.
 const WITH_LOG_WRITERS: Python = Python {
@@ -14,27 +14,6 @@ const WITH_LOG_WRITERS: Python = Python {
     packages: &["mcap-ros2-support==0.6.0", "numpy", "pyarrow"],
     imports: "mcap_ros2, numpy, pyarrow",
 };
-
-const PENDULUM: &str = r#"format = 2
-[robot]
-gravity_m_s2 = [0.0, 0.0, -9.81]
-sample_period_s = 0.002
-[[joint]]
-name = "pivot"
-kind = "revolute"
-axis = [0, 1, 0]
-mass_kg = 0.6
-com_m = [0.2, 0, 0]
-inertia_kg_m2 = [1e-3, 0, 0, 4e-3, 0, 4e-3]
-armature_kg_m2 = 0.002
-limits_rad = [-3, 3]
-[joint.drive]
-kind = "torque"
-limit_Nm = 4
-[joint.friction]
-alpha0_V = 0.05
-alpha2_V_s_per_rad = 0.02
-"#;
 
 /// Runs `rrr` and returns what it printed.
 fn rrr(arguments: &[&str]) -> String {
@@ -50,7 +29,7 @@ fn text(path: &Path) -> &str {
 
 /// The logs of a pendulum whose cogging the model does not have, and the model.
 fn simulated(at: &Path) -> Vec<String> {
-    std::fs::write(at.join("model.toml"), PENDULUM).unwrap();
+    std::fs::write(at.join("model.toml"), PIVOT).unwrap();
     let effect = "cogging:1:amplitude_V=0.15,harmonic=7,phase_rad=0.4";
     let (model, csv) = (at.join("model.toml"), at.join("csv"));
     let out = ["--dataset", "gap", "--out", text(&csv), "--effect", effect];

@@ -3,6 +3,7 @@
 //! A test that misses something says `skipped: TEST, because PATH is absent` and returns.
 //! With [`REQUIRE_VARIABLE`] set to 1, as in continuous integration, it fails instead.
 
+mod arm;
 mod python;
 
 use std::env;
@@ -11,6 +12,7 @@ use std::io::Write;
 use std::panic::Location;
 use std::path::{Path, PathBuf};
 
+pub use arm::PIVOT;
 pub use python::Python;
 
 /// Set to 1 where nothing may be missing.

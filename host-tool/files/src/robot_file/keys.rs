@@ -1,6 +1,7 @@
 //! The keys of a robot or model file of format 1.
 
 use model::base;
+use model::friction_parameters::NAMES;
 
 use crate::known_keys::TableKeys;
 
@@ -22,15 +23,7 @@ const ROBOT: &[&str] = &[
     "motor_time_constant_s",
 ];
 
-const FRICTION: &[&str] = &[
-    "joint",
-    "alpha0_V",
-    "alpha1_V",
-    "stribeck_velocity_rad_per_s",
-    "alpha2_V_s_per_rad",
-    "sigma0_V_per_rad",
-    "sigma1_V_s_per_rad",
-];
+const FRICTION: &[&str] = &["joint", NAMES[0], NAMES[1], NAMES[2], NAMES[3], NAMES[4], NAMES[5]];
 
 /// What a table of an effect may have, in files of both formats.
 pub(crate) const EFFECT: &[&str] = &["effect", "joint", "parameters", "probability", "confidence"];
