@@ -43,6 +43,7 @@ pub use model_file::ModelFile;
 pub use posterior::Posterior;
 pub use report::sentence::sentence;
 pub use result::*;
+pub use verdict::told::told_shares;
 
 use fit::{doubt, preparation};
 use logs::stretch::Stretch;

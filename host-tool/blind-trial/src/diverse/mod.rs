@@ -13,6 +13,7 @@ mod run;
 mod score;
 mod settings;
 mod sizes;
+mod told;
 mod world;
 
 pub use draw::{DiverseCase, draw_diverse};

@@ -38,6 +38,8 @@ pub struct DiverseOutcome {
     pub truth: Vec<TrueCause>,
     /// What could be known of each.
     pub known: Vec<Known>,
+    /// The share of each by the report's own measure, told with its values.
+    pub told_shares: Vec<Option<f64>>,
     /// The rest of the robot, with its small effects.
     pub reality: Reality,
     /// What else is true of the robot against its model, and has a name.

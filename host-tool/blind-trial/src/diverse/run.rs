@@ -1,6 +1,6 @@
 //! Has diverse cases diagnosed.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::path::Path;
 use std::time::Duration;
 
@@ -9,6 +9,7 @@ use nix::time::{ClockId, clock_gettime};
 use super::beside::beside;
 use super::draw::DiverseCase;
 use super::outcome::{Claim, DiverseOutcome};
+use super::told::told;
 use crate::error::TrialError;
 use crate::logs;
 use crate::outcome::{Answer, Diagnose, RunSettings, answer_to};
@@ -40,10 +41,12 @@ pub(crate) fn diagnose_written(
     diagnose: Diagnose,
 ) -> Result<DiverseOutcome, TrialError> {
     let processor_s = Cell::new(0.0);
+    let told_shares = RefCell::new(Vec::new());
     let (answer, seconds) = answer_to(directory, keep_logs, &|campaign| {
         let began = thread_time();
         let answer = diagnose(campaign);
         processor_s.set(thread_time().saturating_sub(began).as_secs_f64());
+        told_shares.replace(told(case, campaign));
         answer
     })?;
     let Some(reality) = case.reality.clone() else {
@@ -54,6 +57,7 @@ pub(crate) fn diagnose_written(
         kind: case.kind,
         truth: case.causes.clone(),
         known: known.clone(),
+        told_shares: told_shares.into_inner(),
         reality,
         beside: beside(case),
         verdict: verdict(&answer),

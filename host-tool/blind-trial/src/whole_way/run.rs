@@ -115,6 +115,7 @@ impl WholeWayOutcome {
                 case: robot.number,
                 kind: robot.kind,
                 truth: Vec::new(),
+                told_shares: Vec::new(),
                 known: Vec::new(),
                 reality: robot.reality.clone().unwrap_or_else(Reality::plain),
                 beside: Vec::new(),

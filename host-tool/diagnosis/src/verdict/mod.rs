@@ -7,3 +7,4 @@ pub mod detectable;
 pub mod elimination;
 pub mod judgement;
 pub mod misfit;
+pub mod told;

@@ -24,11 +24,11 @@ impl Intervals {
     pub(super) fn of(outcomes: &[DiverseOutcome]) -> Self {
         let mut intervals = Self::default();
         for outcome in outcomes {
-            for (truth, known) in outcome.truth.iter().zip(&outcome.known) {
+            for (truth, share) in outcome.truth.iter().zip(&outcome.told_shares) {
                 let Some(claim) = outcome.claims.iter().find(|c| names(c, truth)) else { continue };
                 let [from, to] = claim.share_interval;
-                if let Some(share) = known.share {
-                    intervals.shares = intervals.shares.with((from..=to).contains(&share));
+                if let Some(share) = share {
+                    intervals.shares = intervals.shares.with((from..=to).contains(share));
                 }
                 if claim.effect == truth.effect {
                     let held = parameters(claim, truth);

@@ -40,6 +40,7 @@ fn outcome(truth: Vec<TrueCause>, known: &[(f64, f64)], claims: Vec<Claim>) -> D
         case: 1,
         kind,
         truth,
+        told_shares: known.clone().map(|known| known.share).collect(),
         known: known.collect(),
         reality: Reality::plain(),
         beside: Vec::new(),
