@@ -1,4 +1,4 @@
-//! How far from the last link's centre a load may sit: masses of loads that are found by two choices.
+//! How far from the last link's centre a load may sit: masses of loads that are found by several choices.
 //!
 //!     cargo run --release -p servo --example place_doubt -- FROM TO [DOUBT DOUBT ...]
 //!

@@ -70,10 +70,15 @@ pub struct Settings {
     pub gap_by_noise: f64,
     /// Nor up to this [rad]: friction that sticks makes a sixth of a degree a matter of chance.
     pub small_gap_rad: f64,
-    /// How far from the last link's own centre a load may sit, in parts of that centre's distance: rows
-    /// hold fewer independent deviations than are counted, so that a wider doubt lets them place it
-    /// anywhere. Tried on seeds of its own, `docs/servo-arms.md`.
+    /// How far from the last link's own centre a load sits that was put in its place, in parts of that
+    /// centre's distance: where a joint is alone only the product of mass and distance shows, and a
+    /// wider doubt lets rows place it anywhere.
     pub place_doubt: f64,
+    /// The same of a load that sits elsewhere.
+    pub elsewhere_doubt: f64,
+    /// Part of what is left that a place elsewhere must take for that. Pendulums take up to 0.001, six
+    /// axes with a load 10 mm beyond the centre 0.06 and more: `docs/servo-arms.md`.
+    pub least_elsewhere_gain: f64,
     /// Length of logs in which effects of the whole arm are searched for [s].
     pub whole_arm_s: f64,
 }
@@ -111,6 +116,8 @@ impl Default for Settings {
             gap_by_noise: 5.0,
             small_gap_rad: 3e-3,
             place_doubt: 0.01,
+            elsewhere_doubt: 0.3,
+            least_elsewhere_gain: 0.02,
             whole_arm_s: 200.0,
         }
     }

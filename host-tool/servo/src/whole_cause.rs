@@ -9,6 +9,7 @@ use crate::prepared::Prepared;
 use crate::settings::Settings;
 use crate::spread::spread;
 use crate::whole_arm::{Whole, WholeFit, fit_whole};
+use model::chain::SerialChain;
 
 /// An effect of the whole arm that was tried.
 #[derive(Clone, Debug)]
@@ -37,7 +38,7 @@ pub fn find(prepared: &Prepared, bases: &[Base], settings: &Settings) -> Vec<Who
         .into_iter()
         .filter(|effect| *effect != Whole::BaseTilt || is_upright(prepared))
         .map(|effect| {
-            let fit = fit_whole(&frame, links, bases, Some(effect));
+            let fit = fitted(&frame, links, bases, effect);
             judge(prepared, &plain, &scaled, fit, settings)
         })
         .collect();
@@ -45,6 +46,28 @@ pub fn find(prepared: &Prepared, bases: &[Base], settings: &Settings) -> Vec<Who
     found.sort_by(|a, b| rank(b).total_cmp(&rank(a)));
     prefer_weight(&mut found, prepared, settings);
     found
+}
+
+/// An effect fitted to the frame's logs: a payload at the last link's centre, where a mass that was
+/// exchanged is, or elsewhere, where that takes so much more that the logs tell the place.
+fn fitted(frame: &Frame, links: &SerialChain<f64>, bases: &[Base], effect: Whole) -> WholeFit {
+    let fit = fit_whole(frame, links, bases, Some(effect));
+    if effect != Whole::Payload {
+        return fit;
+    }
+    let settings = frame.settings;
+    let wide = Settings { place_doubt: settings.elsewhere_doubt, ..settings.clone() };
+    let elsewhere =
+        fit_whole(&Frame { settings: &wide, ..*frame }, links, bases, Some(Whole::Payload));
+    let gain = Gain::of(&left_out(&elsewhere.left), &left_out(&fit.left));
+    let is_told =
+        gain.part >= settings.least_elsewhere_gain && gain.certainty >= settings.least_certainty;
+    if is_told { elsewhere } else { fit }
+}
+
+/// What a fit leaves of its logs, as a gain is taken from.
+fn left_out(robust: &[f64]) -> LeftOut {
+    LeftOut { robust: robust.to_vec(), squares: Vec::new(), rows: Vec::new() }
 }
 
 /// A base that leans is told by gravity along -z.
@@ -75,9 +98,7 @@ fn judge(
     fit: WholeFit,
     settings: &Settings,
 ) -> WholeCause {
-    let left =
-        |robust: &[f64]| LeftOut { robust: robust.to_vec(), squares: Vec::new(), rows: Vec::new() };
-    let gain = Gain::of(&left(&fit.left), &left(&plain.left));
+    let gain = Gain::of(&left_out(&fit.left), &left_out(&plain.left));
     let sum = |left: &[f64]| left.iter().sum::<f64>();
     let (bare, free, with) = (sum(&plain.left), sum(scaled), sum(&fit.left));
     // A scale of gravity for each joint, which no arm has, must not do better.
