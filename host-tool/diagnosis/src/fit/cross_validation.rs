@@ -8,6 +8,8 @@ use crate::rows::evidence::{Evidence, Rows};
 
 /// 97.5 % quantile of Student's t at four degrees of freedom, for five folds.
 const STUDENT_T: f64 = 2.776;
+/// The same of the normal distribution.
+pub const NORMAL: f64 = 1.96;
 
 impl Linearisation {
     /// Weighted train rows, each as it is left where everything open is fitted to the pieces of logs
@@ -19,7 +21,8 @@ impl Linearisation {
     pub fn left_out(&self, evidence: &Evidence) -> Rows {
         let mut rows = self.residual.clone();
         let of_joints = self.folds(evidence);
-        for (fold, change) in self.changes_without(evidence).into_iter().enumerate() {
+        let folds = evidence.criteria.selection.folds;
+        for (fold, change) in self.changes_without(&of_joints, folds).into_iter().enumerate() {
             let Some(change) = change else { continue };
             for (slopes, fold_of) in self.joints.iter().zip(&of_joints) {
                 let own = own(slopes, &change);
@@ -33,32 +36,40 @@ impl Linearisation {
     }
 
     /// Half the 95 % interval of each parameter that is open: by the curvature of the fit, or by what
-    /// leaving out one fold after the other changes, whichever is more. What a model leaves of a machine
-    /// differs from one stretch of motion to the next, and only that shows it.
+    /// leaving out one fold after the other or one log after the other changes, whichever is most. What a
+    /// model leaves of a machine differs from one stretch of motion and from one kind of motion to the
+    /// next, and only that shows it. Logs are few, and one may hold most of what is known of a parameter,
+    /// so that their deviation counts as one that is known.
     pub fn half_intervals(&self, evidence: &Evidence) -> Vec<f64> {
-        let by_folds = self.jackknife_deviations(evidence) * STUDENT_T;
-        let wider = |place: usize| by_folds[place].max(1.96 * self.deviation(place));
+        let folds = evidence.criteria.selection.folds;
+        let by_folds = self.jackknife_deviations(&self.folds(evidence), folds) * STUDENT_T;
+        let logs: Vec<Vec<usize>> =
+            self.joints.iter().map(|slopes| evidence.logs_of_rows(slopes.joint)).collect();
+        let by_logs = self.jackknife_deviations(&logs, evidence.train_logs());
+        let wider = |place: usize| {
+            let deviation = self.deviation(place).max(by_logs[place]);
+            by_folds[place].max(NORMAL * deviation)
+        };
         (0..self.expected.len()).map(wider).collect()
     }
 
     /// Standard deviations of what is open: sqrt((F - 1)/F sum(change^2)), the delete-a-group jackknife
     /// (Kott, 2001).
-    fn jackknife_deviations(&self, evidence: &Evidence) -> DVector<f64> {
+    fn jackknife_deviations(&self, group_of: &[Vec<usize>], groups: usize) -> DVector<f64> {
         let changes: Vec<DVector<f64>> =
-            self.changes_without(evidence).into_iter().flatten().collect();
+            self.changes_without(group_of, groups).into_iter().flatten().collect();
         let part = 1.0 - 1.0 / changes.len().max(1) as f64;
         let zero = DVector::zeros(self.expected.len());
         let squares = changes.iter().fold(zero, |sum, change| sum + change.component_mul(change));
         squares.map(|square| (part * square).sqrt())
     }
 
-    /// By how much the fit to all train rows but those of a fold differs from the one to all, fold by
-    /// fold.
-    fn changes_without(&self, evidence: &Evidence) -> Vec<Option<DVector<f64>>> {
+    /// By how much the fit to all train rows but those of a group differs from the one to all, group by
+    /// group; rows of each joint have their groups in `group_of`.
+    fn changes_without(&self, group_of: &[Vec<usize>], groups: usize) -> Vec<Option<DVector<f64>>> {
         let (whole, to_all) = (self.normal(), self.step_to_all());
-        let of_joints = self.folds(evidence);
-        let change = |fold| Some(self.step_without(&whole, &of_joints, fold)? - &to_all);
-        (0..evidence.criteria.selection.folds).map(change).collect()
+        let change = |group| Some(self.step_without(&whole, group_of, group)? - &to_all);
+        (0..groups).map(change).collect()
     }
 
     /// The fold of every row, joint by joint.

@@ -4,11 +4,13 @@ use std::collections::BTreeMap;
 
 use super::amended::parameters;
 use super::sentence::effect_words;
+use crate::fit::cross_validation::NORMAL;
 use crate::logs::subject::Subject;
 use crate::result::{Alternative, Cause, Interval, Rival};
 use crate::search::selection;
 use crate::trial::hypothesis::EffectInstance;
 use crate::verdict::judgement::{Judgement, Named};
+use rig::effects::{Kind, Parameter};
 
 /// The causes that are named, largest share first, and what could stand in their place.
 pub fn causes(subject: &Subject, judgement: &Judgement) -> (Vec<Cause>, Vec<Alternative>) {
@@ -37,7 +39,7 @@ fn cause(subject: &Subject, judgement: &Judgement, named: &Named, index: usize) 
         effect: effect.definition.name.into(),
         joint: subject.outer_joint(effect.joint),
         parameters: parameters(effect),
-        parameter_intervals: intervals(judgement, effect, index),
+        parameter_intervals: intervals(subject, judgement, effect, index),
         probability: named.probability,
         confidence: named.probability,
         share: named.worth.share,
@@ -48,9 +50,21 @@ fn cause(subject: &Subject, judgement: &Judgement, named: &Named, index: usize) 
     }
 }
 
+/// Half the 95 % interval, in parts of itself, of what is measured through torque constants and lengths:
+/// a mass is known no better than these.
+fn half_of_scale(subject: &Subject, parameter: &Parameter) -> f64 {
+    let is_mechanical = match parameter.kind {
+        Kind::Mass | Kind::FirstMoment | Kind::Inertia | Kind::Force => true,
+        Kind::Stiffness | Kind::Damping => parameter.name.contains("_Nm"),
+        _ => false,
+    };
+    if is_mechanical { NORMAL * subject.criteria.prior.relative } else { 0.0 }
+}
+
 /// 95 % intervals of an effect's parameters, from the curvature of the fit and from what leaving out
 /// parts of the logs changes, whichever is wider.
 fn intervals(
+    subject: &Subject,
     judgement: &Judgement,
     effect: &EffectInstance,
     index: usize,
@@ -64,7 +78,8 @@ fn intervals(
         let Some(place) = linear.expected.iter().position(|e| e.unknown == unknown) else {
             continue;
         };
-        let (middle, half) = (effect.values[value], halves[place]);
+        let middle = effect.values[value];
+        let half = halves[place].hypot(half_of_scale(subject, parameter) * middle);
         let own = [(middle - half).max(parameter.lowest), (middle + half).min(parameter.highest)];
         let entry = match all.remove(parameter.name) {
             None => Interval::Number(own),

@@ -231,6 +231,25 @@ impl Evidence {
         (0..self.train).flat_map(of_stretch).collect()
     }
 
+    /// The train log, counted from 0, of each of a joint's train rows.
+    pub fn logs_of_rows(&self, joint: usize) -> Vec<usize> {
+        let (mut log, mut before) = (0, None);
+        let of_stretch = |s: usize| {
+            let is_next = before.is_some_and(|before| before != self.stretches[s].log);
+            log += usize::from(is_next);
+            before = Some(self.stretches[s].log);
+            std::iter::repeat_n(log, self.row_count(joint, s))
+        };
+        (0..self.train).flat_map(of_stretch).collect()
+    }
+
+    /// How many logs are train logs.
+    pub fn train_logs(&self) -> usize {
+        let mut logs: Vec<usize> = self.stretches[..self.train].iter().map(|s| s.log).collect();
+        logs.dedup();
+        logs.len()
+    }
+
     /// Rows of a joint that belong to train logs; they come first.
     pub fn train_rows(&self, joint: usize) -> usize {
         (0..self.train).map(|s| self.row_count(joint, s)).sum()

@@ -66,7 +66,22 @@ impl<'a> Judgement<'a> {
         }
         let Elimination { refitted, last, added, refused, unconfirmed, .. } = model;
         let named = added.into_iter().zip(judged).map(Named::of).collect();
-        Self { refitted, last, named, unconfirmed, refused, confirmation }
+        let mut judgement = Self { refitted, last, named, unconfirmed, refused, confirmation };
+        judgement.widen_shares(subject.known_effects.len());
+        judgement
+    }
+
+    /// Shares of several causes depend on the order in which they are added; `known` effects are the
+    /// model's own.
+    fn widen_shares(&mut self, known: usize) {
+        if self.named.len() < 2 {
+            return;
+        }
+        let effects = &self.last.linear.hypothesis.effects[known..];
+        for (named, effect) in self.named.iter_mut().zip(effects) {
+            let first = self.confirmation.worth_added_first(&self.refitted, &self.last, effect);
+            named.worth = named.worth.in_any_order(first.as_ref());
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! What the search amounts to.
 
+pub mod alone;
 pub mod blocks;
 pub mod confirmed;
 pub mod decision;

@@ -1,0 +1,62 @@
+//! What a cause is worth if no other is named: causes that overlap share what they take by the order in
+//! which they are added.
+
+use super::confirmed::{Confirmation, Held, Worth};
+use crate::fit::fitted_model::FittedModel;
+use crate::trial::hypothesis::EffectInstance;
+
+impl Worth {
+    /// The same with an interval that holds the share of the cause whether it is added first or last:
+    /// the hull of both, between nothing and all.
+    pub fn in_any_order(self, first: Option<&Self>) -> Self {
+        let [from, to] = self.share_interval;
+        let [first_from, first_to] =
+            first.map_or(self.share_interval, |first| first.share_interval);
+        let hull = [from.min(first_from), to.max(first_to)];
+        Self { share_interval: hull.map(|side| side.clamp(0.0, 1.0)), ..self }
+    }
+}
+
+impl Confirmation<'_> {
+    /// The worth of an effect of the model `last` that is added to the refitted one before all others.
+    /// `None` where that cannot be fitted.
+    pub fn worth_added_first(
+        &self,
+        refitted: &FittedModel,
+        last: &FittedModel,
+        effect: &EffectInstance,
+    ) -> Option<Worth> {
+        let FittedModel { linear, evidence, .. } = refitted;
+        let steps = self.subject.criteria.selection.accepted_steps;
+        let start = linear.hypothesis.with(effect.clone());
+        let model = FittedModel::fitted_near(linear, evidence, self.subject, start, steps)?;
+        let with = Held::of(self.subject, &model);
+        Some(self.worth_of(last, effect, &self.refitted.residual_v, &with.residual_v))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn worth(share: f64, share_interval: [f64; 2]) -> Worth {
+        Worth {
+            share,
+            share_interval,
+            part_of_left: share,
+            part_interval: share_interval,
+            shrinkage: 0.1,
+            shrinkage_interval: [0.05, 0.2],
+        }
+    }
+
+    #[test]
+    fn an_interval_holds_the_share_of_either_order() {
+        let (last, first) = (worth(0.3, [0.2, 0.4]), worth(0.6, [0.5, 0.7]));
+        let both = last.in_any_order(Some(&first));
+        assert_eq!((both.share, both.share_interval), (0.3, [0.2, 0.7]));
+        assert_eq!(last.in_any_order(None).share_interval, [0.2, 0.4]);
+        let harmful = last.in_any_order(Some(&worth(-1.0, [-2.0, 0.1])));
+        assert_eq!(harmful.share_interval, [0.0, 0.4]);
+    }
+}
