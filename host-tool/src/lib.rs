@@ -3,6 +3,7 @@
 
 pub mod commands;
 pub mod failure;
+pub mod live;
 pub mod options;
 pub mod output_files;
 pub mod provenance;

@@ -29,7 +29,15 @@ pub struct Recorder {
     dropped: Dropped,
     /// The board may run from now on.
     run_expected: bool,
+    /// Every record is a row, whatever the board's state; the first one's number.
+    watched: Option<Watched>,
     unwrapped: Option<Unwrapped>,
+}
+
+/// The first record of a board that is watched.
+#[derive(Debug, Default)]
+struct Watched {
+    first: Option<u32>,
 }
 
 /// What is carried on from record to record.
@@ -70,7 +78,29 @@ impl Recorder {
             tick_range: TickRange::default(),
             dropped: Dropped::default(),
             run_expected: false,
+            watched: None,
             unwrapped: None,
+        }
+    }
+
+    /// For a board that is watched: every record is a row, whatever the board's state.
+    pub fn watching(block: &ParameterBlock) -> Self {
+        Self { watched: Some(Watched::default()), ..Self::new(block, u32::MAX) }
+    }
+
+    /// Forgets all rows but the last, of a board that is watched for long.
+    pub fn forget_all_but_last(&mut self) {
+        let forgotten = self.log.len().saturating_sub(1);
+        self.log.time_s.drain(..forgotten);
+        self.board.drain(..forgotten.min(self.board.len()));
+        for joint in &mut self.log.joints {
+            joint.command_v.drain(..forgotten);
+            if let Position::Count(counts) = &mut joint.position {
+                counts.drain(..forgotten);
+            }
+            if let Some(column) = &mut joint.reference_rad {
+                column.drain(..forgotten);
+            }
         }
     }
 
@@ -103,6 +133,9 @@ impl Recorder {
 
     /// Takes a record; those from before the run only mark its beginning.
     pub fn add_record(&mut self, record: &Telemetry) {
+        if self.watched.is_some() {
+            return self.add_watched(record);
+        }
         if self.tick_range.is_past(record.sequence) {
             return;
         }
@@ -151,6 +184,15 @@ impl Recorder {
     pub fn dropped(&self) -> u32 {
         let before = self.dropped.before.unwrap_or(self.dropped.newest);
         self.dropped.newest.wrapping_sub(before).min(self.missed())
+    }
+
+    fn add_watched(&mut self, record: &Telemetry) {
+        let Some(watched) = &mut self.watched else { return };
+        let since = record.sequence.wrapping_sub(*watched.first.get_or_insert(record.sequence));
+        let mut unwrapped = self.unwrapped.take().unwrap_or_else(|| self.begin(record));
+        unwrapped.follow(record);
+        self.add_row(since, record, &mut unwrapped);
+        self.unwrapped = Some(unwrapped);
     }
 
     fn add_running(&mut self, record: &Telemetry) {

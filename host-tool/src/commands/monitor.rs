@@ -9,7 +9,9 @@ use firmware::link::{Command, Source};
 
 use super::board_table::{PERIOD, as_json, redrawn, table};
 use crate::failure::Failure;
+use crate::live::{Server, Watched};
 use crate::options::board::BoardOptions;
+use crate::options::foxglove::FoxgloveOptions;
 use crate::terminal::answer::answer;
 use crate::terminal::interrupt::interrupt;
 use crate::terminal::json_mode::is_json;
@@ -23,10 +25,16 @@ pub struct Arguments {
     /// Print one table and end.
     #[arg(long)]
     pub once: bool,
+    /// Whether samples are served to Foxglove.
+    #[command(flatten)]
+    pub foxglove: FoxgloveOptions,
     /// Which board.
     #[command(flatten)]
     pub board: BoardOptions,
 }
+
+/// Who hears of every record.
+type Listener = Option<(Server, Watched)>;
 
 /// Runs the command: until Ctrl-C, or until nobody reads the tables any more, which is no
 /// failure either.
@@ -38,7 +46,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let block = transfer::download_block(&mut client, Source::InUse)?;
     let counts_per_turn = f64::from(block.encoder_counts_per_turn);
     let interrupted = interrupt();
-    let shown = arguments.show(&mut client, counts_per_turn, interrupted);
+    let server = arguments.foxglove.start(counts_per_turn)?;
+    let mut listener = server.map(|server| (server, Watched::of(&block)));
+    let shown = arguments.show(&mut client, counts_per_turn, &mut listener, interrupted);
     // A board that streams to nobody would go on for ever.
     let ended = client.execute(Command::Stream { on: false });
     shown?;
@@ -51,6 +61,7 @@ impl Arguments {
         &self,
         client: &mut Client,
         counts_per_turn: f64,
+        listener: &mut Listener,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         client.execute(Command::Stream { on: true })?;
@@ -71,18 +82,25 @@ impl Arguments {
             if self.once {
                 break;
             }
-            pause(client, interrupted)?;
+            pause(client, listener, interrupted)?;
         }
         Ok(())
     }
 }
 
 /// Listens until the next table is due.
-fn pause(client: &mut Client, interrupted: &AtomicBool) -> Result<(), LinkError> {
+fn pause(
+    client: &mut Client,
+    listener: &mut Listener,
+    interrupted: &AtomicBool,
+) -> Result<(), LinkError> {
     let drawn = Instant::now();
     while drawn.elapsed() < PERIOD && !interrupted.load(Ordering::Relaxed) {
         client.receive()?;
-        client.take_records();
+        let records = client.take_records();
+        if let Some((server, watched)) = listener {
+            watched.send(&records, server);
+        }
     }
     Ok(())
 }

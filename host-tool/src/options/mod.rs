@@ -4,6 +4,7 @@ pub mod block;
 pub mod board;
 pub mod compensation;
 pub mod effects;
+pub mod foxglove;
 pub mod key_file;
 pub mod mode;
 pub mod number;

@@ -6,6 +6,7 @@ use std::time::Instant;
 use firmware::link::Report;
 
 use super::super::board_table::{PERIOD, redrawn, table};
+use crate::live::Server;
 use crate::terminal::json_mode::is_json;
 use crate::terminal::output;
 use crate::terminal::progress::Progress;
@@ -15,7 +16,7 @@ use link::run::RunWatcher;
 
 /// Sees a phase of a run: a table where the standard output is a terminal, else a bar, if the
 /// standard error is one.
-pub struct Live {
+pub struct Live<'a> {
     phase: &'static str,
     counts_per_turn: f64,
     bar: Option<Progress>,
@@ -24,9 +25,12 @@ pub struct Live {
     report: Option<Report>,
     drawn: Option<Instant>,
     lines: usize,
+    foxglove: Option<&'a mut Server>,
+    /// Rows that were served.
+    served: usize,
 }
 
-impl Live {
+impl<'a> Live<'a> {
     /// For a phase of so many ticks, whose log grows in this file.
     pub fn new(phase: &'static str, ticks: u32, counts: u32, growing: GrowingCsv) -> Self {
         let is_terminal = std::io::stdout().is_terminal() && !is_json();
@@ -38,7 +42,18 @@ impl Live {
             report: None,
             drawn: None,
             lines: 0,
+            foxglove: None,
+            served: 0,
         }
+    }
+
+    /// The same with a server that gets every row.
+    pub fn served_by(mut self, mut server: Option<&'a mut Server>) -> Self {
+        if let Some(server) = &mut server {
+            server.begin();
+        }
+        self.foxglove = server;
+        self
     }
 
     /// Takes table or bar away; the file that grew, where it holds every row.
@@ -70,12 +85,16 @@ fn seconds(ticks: u32) -> f64 {
     f64::from(ticks) / 1e3
 }
 
-impl RunWatcher for Live {
+impl RunWatcher for Live<'_> {
     fn see(&mut self, recorder: &Recorder) {
         let refused = self.growing.as_mut().is_some_and(|file| file.follow(&recorder.log).is_err());
         if refused {
             // The whole log is tried again in the end, and that tells why.
             self.growing = None;
+        }
+        if let Some(server) = &mut self.foxglove {
+            server.send(&recorder.log, &recorder.board, self.served..recorder.log.len());
+            self.served = recorder.log.len();
         }
         match &self.bar {
             Some(bar) => bar.at(u64::from(recorder.ticks_seen())),

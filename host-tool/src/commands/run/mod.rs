@@ -1,5 +1,6 @@
 //! `rrr run`: an experiment with the real arm, recorded.
 
+use std::cell::RefCell;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
@@ -12,8 +13,10 @@ use self::live::Live;
 use self::log_folder::LogFolder;
 use self::summary::Phase;
 use crate::failure::Failure;
+use crate::live::Server;
 use crate::options::block::refuse_leaving;
 use crate::options::board::{BoardOptions, access};
+use crate::options::foxglove::FoxgloveOptions;
 use crate::terminal::interrupt::interrupt;
 use crate::terminal::output::try_print_line;
 use files::{GrowingCsv, Role};
@@ -50,6 +53,9 @@ pub struct Arguments {
     #[arg(long, value_name = "MS", default_value_t = 1000)]
     #[arg(value_parser = clap::value_parser!(u16).range(300..=10_000))]
     pub host_timeout_ms: u16,
+    /// Whether samples are served to Foxglove.
+    #[command(flatten)]
+    pub foxglove: FoxgloveOptions,
     /// Which board.
     #[command(flatten)]
     pub board: BoardOptions,
@@ -106,6 +112,7 @@ struct Session<'a> {
     name: &'a str,
     folder: &'a LogFolder,
     interrupted: &'a AtomicBool,
+    foxglove: RefCell<Option<Server>>,
 }
 
 impl Arguments {
@@ -120,7 +127,8 @@ impl Arguments {
         let counts_per_rev = f64::from(block.encoder_counts_per_turn);
         let plan = Plan { role: self.role.unwrap_or(plan.role), ..plan };
         folder.prepare(&plan, counts_per_rev)?;
-        let session = Session { name: &plan.name, folder, interrupted };
+        let foxglove = RefCell::new(self.foxglove.start(counts_per_rev)?);
+        let session = Session { name: &plan.name, folder, interrupted, foxglove };
         let Played { phase, recorder, outcome, growing } =
             self.play_all(client, &block, &session)?;
         let is_fault = summary::is_fault(&outcome);
@@ -212,7 +220,9 @@ impl Arguments {
         let ticks = (block.reference.duration_s / block.sample_period_s).round() as u32;
         let mut recorder = Recorder::new(block, ticks);
         let growing = session.folder.grow(&phase.log_name(session.name), &recorder)?;
-        let mut live = Live::new(phase.name(), ticks, block.encoder_counts_per_turn, growing);
+        let mut foxglove = session.foxglove.borrow_mut();
+        let mut live = Live::new(phase.name(), ticks, block.encoder_counts_per_turn, growing)
+            .served_by(foxglove.as_mut());
         let (timeout_ms, interrupted) = (self.host_timeout_ms, session.interrupted);
         let outcome = link::run::run(client, timeout_ms, &mut recorder, interrupted, &mut live);
         let growing = live.finish();
