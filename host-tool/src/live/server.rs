@@ -49,9 +49,9 @@ impl Server {
         self.handle.as_ref().map_or(0, WebSocketServerHandle::port)
     }
 
-    /// How many clients are connected.
-    pub fn clients(&self) -> usize {
-        self.handle.as_ref().map_or(0, WebSocketServerHandle::client_count)
+    /// Whether somebody has subscribed to every channel of the joints.
+    pub fn is_heard(&self) -> bool {
+        !self.joints.is_empty() && self.joints.iter().all(|channel| channel.has_sinks())
     }
 
     /// A log begins now.
