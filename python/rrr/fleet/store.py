@@ -1,0 +1,137 @@
+"""OUTPUT: a folder or URL of Parquet, one small file a row, packed once a night is over."""
+
+from __future__ import annotations
+
+import datetime
+import uuid
+from collections.abc import Iterable
+from functools import lru_cache
+from typing import Any
+
+from rrr._rrr import Error
+from rrr.fleet.needs import needed
+from rrr.fleet.row import SCHEMA, Row
+
+OBJECT_STORES = {"s3", "s3a", "gs", "gcs", "abfs", "abfss", "az", "adl", "memory"}
+"""Where a file appears whole or not at all by itself."""
+
+
+class Store:
+    """The rows of a fleet: `rows/KEY.parquet` of open nights, `nights/NIGHT.parquet` of packed ones."""
+
+    def __init__(self, place: str) -> None:
+        self.place = place.rstrip("/")
+        self.fs, root = needed("fsspec").core.url_to_fs(self.place)
+        self.root: str = root.rstrip("/")
+
+    def has(self, key: str) -> bool:
+        """Whether a row with this key is there."""
+        return self.fs.exists(self._row(key)) or key in _packed_keys(self.place)
+
+    def put(self, row: Row) -> None:
+        """Stores a row, whole or not at all."""
+        self.write(f"rows/{row['key']}.parquet", parquet([row], SCHEMA))
+
+    def remove(self, key: str) -> None:
+        """Takes a row away, if it is there."""
+        if self.fs.exists(self._row(key)):
+            self.fs.rm_file(self._row(key))
+
+    def table(self) -> Any:
+        """All rows as a table of pyarrow, each key once."""
+        tables = [_read(self.fs, path) for path in self._files("rows") + self._files("nights")]
+        pa = needed("pyarrow")
+        if not tables:
+            return SCHEMA.empty_table()
+        return _each_key_once(pa.concat_tables(tables))
+
+    def rows(self) -> list[Row]:
+        """All rows."""
+        rows: list[Row] = self.table().to_pylist()
+        return rows
+
+    def pack(self, before: datetime.date) -> int:
+        """Puts the rows of each night before this one into one file, and takes their own away.
+
+        How many. Stopped in between it leaves rows twice, which the next time puts right, and `table`
+        reads once.
+        """
+        loose = {path: _read(self.fs, path) for path in self._files("rows")}
+        nights = {path: table["night"][0].as_py() for path, table in loose.items()}
+        for night in sorted({night for night in nights.values() if night < before}):
+            self._pack_night(night, {p: loose[p] for p, of in nights.items() if of == night})
+        return sum(night < before for night in nights.values())
+
+    def write(self, name: str, content: bytes) -> None:
+        """Writes a file below OUTPUT, whole or not at all.
+
+        Raises `rrr.Error` where that is not possible.
+        """
+        path = f"{self.root}/{name}"
+        try:
+            self.fs.makedirs(path.rsplit("/", 1)[0], exist_ok=True)
+            self._write(path, content)
+        except OSError as error:
+            raise Error(
+                f"{self.place}/{name} cannot be written: {error}\nhint: OUTPUT is a folder or a URL of fsspec"
+            ) from error
+
+    def _write(self, path: str, content: bytes) -> None:
+        protocols = self.fs.protocol
+        if OBJECT_STORES & ({protocols} if isinstance(protocols, str) else set(protocols)):
+            self.fs.pipe_file(path, content)
+            return
+        folder, name = path.rsplit("/", 1)
+        temporary = f"{folder}/.{name}.{uuid.uuid4().hex}.tmp"
+        self.fs.pipe_file(temporary, content)
+        self.fs.mv(temporary, path)
+
+    def _pack_night(self, night: datetime.date, loose: dict[str, Any]) -> None:
+        name = f"nights/{night}.parquet"
+        earlier = [f"{self.root}/{name}"] if self.fs.exists(f"{self.root}/{name}") else []
+        tables = [*(_read(self.fs, path) for path in earlier), *loose.values()]
+        whole = _each_key_once(needed("pyarrow").concat_tables(tables))
+        self.write(name, parquet(whole.to_pylist(), SCHEMA))
+        _packed_keys.cache_clear()
+        self.fs.rm(list(loose))
+
+    def _row(self, key: str) -> str:
+        return f"{self.root}/rows/{key}.parquet"
+
+    def _files(self, folder: str) -> list[str]:
+        self.fs.invalidate_cache()
+        found: list[str] = self.fs.glob(f"{self.root}/{folder}/*.parquet")
+        return [path for path in found if not path.rsplit("/", 1)[-1].startswith(".")]
+
+
+def parquet(rows: Iterable[Row], schema: Any) -> bytes:
+    """Rows as the bytes of a Parquet file."""
+    pa, pq = needed("pyarrow"), needed("pyarrow.parquet")
+    table = pa.Table.from_pylist(list(rows), schema=schema)
+    buffer = pa.BufferOutputStream()
+    pq.write_table(table, buffer, compression="zstd")
+    content: bytes = buffer.getvalue().to_pybytes()
+    return content
+
+
+def _read(fs: Any, path: str, columns: list[str] | None = None) -> Any:
+    with fs.open(path, "rb") as file:
+        return needed("pyarrow.parquet").read_table(file, columns=columns)
+
+
+def _each_key_once(table: Any) -> Any:
+    seen: set[str] = set()
+    first = []
+    for index, key in enumerate(table["key"].to_pylist()):
+        if key not in seen:
+            first.append(index)
+            seen.add(key)
+    return table.take(first)
+
+
+@lru_cache
+def _packed_keys(place: str) -> frozenset[str]:
+    """Keys of packed rows, read once by each process."""
+    store = Store(place)
+    keys = [_read(store.fs, path, ["key"])["key"].to_pylist() for path in store._files("nights")]
+    return frozenset(key for of_night in keys for key in of_night)
