@@ -112,13 +112,13 @@ def model(kind: str) -> dict[str, Any]:
     return {"format": 2, "robot": head, "joint": copy.deepcopy(KINDS[kind])}
 
 
-def robot(kind: str, rng: np.random.Generator) -> dict[str, Any]:
+def robot(kind: str, rng: np.random.Generator, error: float = ERROR) -> dict[str, Any]:
     """A robot of a kind, off its model."""
 
     def off(value: Any) -> Any:
         if isinstance(value, list):
             return [off(x) for x in value]
-        return value * float(1 + ERROR * rng.standard_normal())
+        return value * float(1 + error * rng.standard_normal())
 
     content = model(kind)
     for number, joint in enumerate(content["joint"]):

@@ -10,13 +10,12 @@ OUTPUT are folders or URLs of fsspec. docs/fleet.md tells the rest. Needs `pip i
 from rrr.fleet.decision import Alarm, Night, decide
 from rrr.fleet.inventory import Robot, robots_of
 from rrr.fleet.ray_engine import on_ray
-from rrr.fleet.row import SCHEMA
+from rrr.fleet.row import schema
 from rrr.fleet.settings import Options, Prior
 from rrr.fleet.store import Store
 from rrr.fleet.unit import Done, diagnose_robot
 
 __all__ = [
-    "SCHEMA",
     "Alarm",
     "Done",
     "Night",
@@ -28,4 +27,5 @@ __all__ = [
     "diagnose_robot",
     "on_ray",
     "robots_of",
+    "schema",
 ]

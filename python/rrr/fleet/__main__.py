@@ -32,7 +32,7 @@ USAGE = """
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command; 0 where all was done, 2 where something cannot be used."""
-    options = _parser().parse_args(arguments)
+    options = _parser().parse_intermixed_args(arguments)
     try:
         _run(options)
     except Error as error:
@@ -48,6 +48,7 @@ def _run(options: argparse.Namespace) -> None:
     _check_places(options)
     output: str = options.places[-1]
     night = _night(options)
+    Store(output)
     if options.pack:
         print(f"{Store(output).pack(before=night)} rows packed")
     elif options.page:

@@ -11,7 +11,7 @@ from typing import Any
 
 from rrr._rrr import Error
 from rrr.fleet.inventory import Robot
-from rrr.fleet.needs import needed
+from rrr.fleet.places import filesystem, is_local
 from rrr.fleet.settings import Options
 
 MODEL = "model.toml"
@@ -78,20 +78,20 @@ def unread_key(name: str, night: object) -> str:
 
 
 def _folder(place: str, copy: Path) -> Path:
-    fs, path = needed("fsspec").core.url_to_fs(place)
+    fs, path = filesystem(place)
     if not fs.isdir(path):
         raise Error(f"{place} is no folder\nhint: each robot is a folder with dataset.toml and its logs")
-    if _is_local(fs):
+    if is_local(fs):
         return Path(path)
-    fs.get(path.rstrip("/") + "/", f"{copy}/", recursive=True)
+    fs.get(path + "/", f"{copy}/", recursive=True)
     return copy
 
 
 def _model(place: str, scratch: Path) -> Path:
-    fs, path = needed("fsspec").core.url_to_fs(place)
+    fs, path = filesystem(place)
     if not fs.isfile(path):
         raise Error(f"{place} is not there\nhint: put {MODEL} into the robot's folder, or beside the folders")
-    if _is_local(fs):
+    if is_local(fs):
         return Path(path)
     copy = scratch / "model" / posixpath.basename(path)
     copy.parent.mkdir()
@@ -118,10 +118,6 @@ def _robot_table(model: Path) -> dict[str, Any]:
     except (tomllib.TOMLDecodeError, UnicodeDecodeError):
         return {}
     return table if isinstance(table, dict) else {}
-
-
-def _is_local(fs: Any) -> bool:
-    return isinstance(fs, needed("fsspec.implementations.local").LocalFileSystem)
 
 
 def _is_hidden(name: str) -> bool:

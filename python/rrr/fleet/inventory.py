@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from rrr._rrr import Error
-from rrr.fleet.needs import needed
+from rrr.fleet.places import filesystem, used
 
 TABLE = "fleet.csv"
 """The list of robots in INPUT; without it each folder with a dataset.toml is a robot."""
@@ -36,14 +36,13 @@ def robots_of(place: str) -> list[Robot]:
 
     Raises `rrr.Error` where there are none, or where its fleet.csv cannot be used.
     """
-    fs, root = needed("fsspec").core.url_to_fs(place)
-    root = root.rstrip("/")
-    table = f"{root}/{TABLE}"
-    place = fs.unstrip_protocol(root)
-    if fs.exists(table):
-        robots = _listed(fs.cat_file(table), place)
-    else:
-        robots = [Robot(_last(path), fs.unstrip_protocol(path)) for path in _folders(fs, root)]
+    fs, root = filesystem(place)
+    table, whole = f"{root}/{TABLE}", fs.unstrip_protocol(root)
+    with used(place, "INPUT is a folder or a URL of fsspec"):
+        if fs.exists(table):
+            robots = _listed(fs.cat_file(table), whole)
+        else:
+            robots = [Robot(_last(path), fs.unstrip_protocol(path)) for path in _folders(fs, root)]
     if not robots:
         raise Error(
             f"{place}: no robots\nhint: each robot is a folder with dataset.toml and its logs,"
@@ -82,7 +81,7 @@ def _listed(content: bytes, place: str) -> list[Robot]:
 def _check_columns(table: str, names: list[str]) -> None:
     unknown = [name for name in names if name not in COLUMNS]
     if "robot" not in names or unknown:
-        wrong = f"has the column {unknown[0]!r}" if unknown else "lacks the column 'robot'"
+        wrong = f"has the column {unknown[0]!r}" if "robot" in names else "lacks the column 'robot'"
         raise Error(f"{table} {wrong}\nhint: columns are {', '.join(COLUMNS)}; all but robot may lack")
 
 

@@ -2,8 +2,8 @@
 
 Evidence x is the logarithm of a name's deviations. False names follow a Laplace distribution about
 the middle that the prior tells, true ones a normal one. Rates of both, and where false names lie, are
-fitted to the names of the night by expectation and maximisation; false names are never taken for
-rarer or weaker than the prior has them. Where robots of a kind have gaps without a name, their model does not
+fitted to the names of the night by expectation and maximisation, beside what the prior tells; false
+names are never taken for weaker than the prior has them. Where robots of a kind have gaps without a name, their model does not
 fit, and misfit gives names, too. Source: Efron, "Large-scale inference", ch. 5.
 """
 
@@ -77,7 +77,6 @@ def _step(found: Mixture, x: Array, misfit_rate: Array, robots: int, prior: Prio
     count = chance.sum() + prior.weight
     middle = max(least, float((chance @ x + prior.weight * least) / count))
     spread = float((chance @ np.abs(x - middle) + prior.weight * prior.false_spread) / count)
-    # As if one robot more had been seen, with the names that the prior expects of it.
-    true_rate = ((1 - false).sum() + prior.true_names) / (robots + 1)
-    false_rate = max(prior.false_names, float(chance.sum()) / max(robots, 1))
+    true_rate = ((1 - false).sum() + prior.true_robots * prior.true_names) / (robots + prior.true_robots)
+    false_rate = float(chance.sum() + prior.robots * prior.false_names) / (robots + prior.robots)
     return Mixture(float(true_rate), false_rate, middle, max(spread, prior.false_spread))

@@ -61,7 +61,7 @@ def _alarms(night: Night) -> str:
         [
             subject_words(alarm),
             place_words((alarm.effect, alarm.joint)),
-            str(alarm.since),
+            _day(alarm.since),
             str(max(name.nights for name in alarm.names)),
             "new" if alarm.is_new else "",
             f"{100 * (1 - alarm.error):.0f}",
@@ -84,7 +84,7 @@ def _shared(night: Night) -> str:
 
 def _names(heading: str, alarms: list[Alarm]) -> str:
     rows = [
-        [subject_words(a), place_words((a.effect, a.joint)), str(a.since), f"{100 * (1 - a.error):.0f}"]
+        [subject_words(a), place_words((a.effect, a.joint)), _day(a.since), f"{100 * (1 - a.error):.0f}"]
         for a in alarms
     ]
     return _section(heading, _table(["whose", "cause", "since", "true [%]"], rows)) if rows else ""
@@ -127,6 +127,11 @@ def _table(head: list[str], rows: list[list[str]]) -> str:
     body = "".join(cells("td", row) for row in rows[:MOST])
     more = f"<p>and {counted(len(rows) - MOST, 'more row')}</p>" if len(rows) > MOST else ""
     return f"<table>{cells('th', head) if head else ''}{body}</table>{more}"
+
+
+def _day(day: datetime.date) -> str:
+    """A date that is not broken."""
+    return str(day).replace("-", "\N{NON-BREAKING HYPHEN}")
 
 
 def _listed(robots: set[str]) -> str:

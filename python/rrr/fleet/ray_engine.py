@@ -7,6 +7,7 @@ import os
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from rrr._rrr import Error
 from rrr.fleet.inventory import Robot
 from rrr.fleet.needs import needed
 from rrr.fleet.settings import Options
@@ -79,6 +80,11 @@ def _result(ray: Any, reference: Any, robot: Robot, night: tuple[str, datetime.d
         found: Done = ray.get(reference)
         return found
     except (ray.exceptions.WorkerCrashedError, ray.exceptions.OutOfMemoryError) as error:
-        output, date, _ = night
         why = f"its worker was lost {RETRIES + 1} times ({type(error).__name__}): too little memory?"
-        return lost(robot, output, date, why)
+    except (ray.exceptions.LocalRayletDiedError, ray.exceptions.RaySystemError) as error:
+        words = "rows that are stored stay, and the same command goes on from there"
+        raise Error(f"Ray ended in the middle of the night ({type(error).__name__})\nhint: {words}") from error
+    except ray.exceptions.RayError as error:
+        why = f"Ray could not do it: {str(error).strip().splitlines()[-1]}"
+    output, date, _ = night
+    return lost(robot, output, date, why)

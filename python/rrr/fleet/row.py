@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime
+from functools import lru_cache
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
@@ -12,55 +13,44 @@ from rrr.fleet.settings import Options
 from rrr.report import Cause, Report
 
 Row = dict[str, Any]
-"""Values by the names of `SCHEMA`."""
+"""Values by the names of `schema()`."""
 
 FAILED = "failed"
 """The verdict on a robot whose files could not be used; `error` says why."""
 
-_pa = needed("pyarrow")
-_text, _number = _pa.string(), _pa.float64()
-_curve = _pa.list_(_number)
 
-CAUSE = _pa.struct(
-    [
-        ("effect", _text),
-        ("joint", _pa.int32()),
-        ("parameters", _pa.map_(_text, _curve)),
-        ("probability", _number),
-        ("share", _number),
-        ("share_interval", _curve),
-        ("shrinkage", _number),
-        ("shrinkage_interval", _curve),
-        ("deviations", _number),
-    ]
-)
-PLACE = _pa.struct([("effect", _text), ("joint", _pa.int32()), ("probability", _number)])
-
-SCHEMA = _pa.schema(
-    [
-        _pa.field("robot", _text, False),
-        ("batch", _text),
-        ("kind", _text),
-        _pa.field("night", _pa.date32(), False),
-        _pa.field("key", _text, False),
-        _pa.field("verdict", _text, False),
-        ("causes", _pa.list_(CAUSE)),
-        ("alternatives", _pa.list_(PLACE)),
-        ("model_fault", _text),
-        ("as_given", _curve),
-        ("refitted", _curve),
-        ("with_effects", _curve),
-        ("noise_floor", _curve),
-        ("remarks", _pa.list_(_text)),
-        ("error", _text),
-        ("cpu_s", _number),
-        ("wall_s", _number),
-        ("rrr_version", _text),
-        ("worker", _text),
-        ("done_at", _pa.timestamp("s", tz="UTC")),
-    ]
-)
-"""Columns of a row; docs/fleet.md tells what they mean."""
+@lru_cache
+def schema() -> Any:
+    """Columns of a row, as pyarrow's schema; docs/fleet.md tells what they mean."""
+    pa = needed("pyarrow")
+    text, number = pa.string(), pa.float64()
+    curve, place = pa.list_(number), [("effect", text), ("joint", pa.int32()), ("probability", number)]
+    cause = [("parameters", pa.map_(text, curve)), ("share", number), ("share_interval", curve)]
+    cause += [("shrinkage", number), ("shrinkage_interval", curve), ("deviations", number)]
+    return pa.schema(
+        [
+            pa.field("robot", text, False),
+            ("kind", text),
+            ("batch", text),
+            pa.field("night", pa.date32(), False),
+            pa.field("key", text, False),
+            pa.field("verdict", text, False),
+            ("causes", pa.list_(pa.struct(place + cause))),
+            ("alternatives", pa.list_(pa.struct(place))),
+            ("model_fault", text),
+            ("as_given", curve),
+            ("refitted", curve),
+            ("with_effects", curve),
+            ("noise_floor", curve),
+            ("remarks", pa.list_(text)),
+            ("error", text),
+            ("cpu_s", number),
+            ("wall_s", number),
+            ("rrr_version", text),
+            ("worker", text),
+            ("done_at", pa.timestamp("s", tz="UTC")),
+        ]
+    )
 
 
 def rrr_version() -> str:
@@ -77,7 +67,7 @@ def empty_row(robot: Robot, night: datetime.date, key: str) -> Row:
     known |= {"night": night, "key": key}
     known |= {"rrr_version": rrr_version(), "done_at": datetime.datetime.now(datetime.UTC)}
     lists: Row = {"causes": [], "alternatives": [], "remarks": []}
-    return {name: None for name in SCHEMA.names} | lists | known
+    return {name: None for name in schema().names} | lists | known
 
 
 def report_columns(report: Report) -> Row:

@@ -26,8 +26,9 @@ class Prior:
     """
 
     false_names: float = 0.02
-    """False names that a healthy robot gets in a night, at least: 98 % silence. Where a fleet shows
-    more, more is taken."""
+    """False names that a healthy robot gets in a night: 98 % silence,"""
+    robots: float = 1000.0
+    """as if so many healthy robots had been seen. A large fleet shows its own rate."""
     false_deviations: float = 8.0
     """Deviations of a false name, in the middle,"""
     false_spread: float = 0.6
@@ -43,7 +44,9 @@ class Prior:
     weight: float = 20.0
     """So many names of a night weigh as much as what is said here of false ones."""
     true_names: float = 0.005
-    """True names a robot has, at least, before a night is seen."""
+    """True names that a robot gets in a night,"""
+    true_robots: float = 200.0
+    """as if so many robots had been seen."""
     elevated: float = 0.01
     """Probability that a place (an effect on a joint) is named more often in a group than elsewhere."""
     neighbours: float = 50.0

@@ -8,9 +8,9 @@ from collections.abc import Iterable
 from functools import lru_cache
 from typing import Any
 
-from rrr._rrr import Error
 from rrr.fleet.needs import needed
-from rrr.fleet.row import SCHEMA, Row
+from rrr.fleet.places import filesystem, used
+from rrr.fleet.row import Row, schema
 
 OBJECT_STORES = {"s3", "s3a", "gs", "gcs", "abfs", "abfss", "az", "adl", "memory"}
 """Where a file appears whole or not at all by itself."""
@@ -21,8 +21,7 @@ class Store:
 
     def __init__(self, place: str) -> None:
         self.place = place.rstrip("/")
-        self.fs, root = needed("fsspec").core.url_to_fs(self.place)
-        self.root: str = root.rstrip("/")
+        self.fs, self.root = filesystem(place)
 
     def has(self, key: str) -> bool:
         """Whether a row with this key is there."""
@@ -30,7 +29,7 @@ class Store:
 
     def put(self, row: Row) -> None:
         """Stores a row, whole or not at all."""
-        self.write(f"rows/{row['key']}.parquet", parquet([row], SCHEMA))
+        self.write(f"rows/{row['key']}.parquet", parquet([row], schema()))
 
     def remove(self, key: str) -> None:
         """Takes a row away, if it is there."""
@@ -42,7 +41,7 @@ class Store:
         tables = [_read(self.fs, path) for path in self._files("rows") + self._files("nights")]
         pa = needed("pyarrow")
         if not tables:
-            return SCHEMA.empty_table()
+            return schema().empty_table()
         return _each_key_once(pa.concat_tables(tables))
 
     def rows(self) -> list[Row]:
@@ -68,13 +67,9 @@ class Store:
         Raises `rrr.Error` where that is not possible.
         """
         path = f"{self.root}/{name}"
-        try:
+        with used(f"{self.place}/{name}", "OUTPUT is a folder or a URL of fsspec that can be written to"):
             self.fs.makedirs(path.rsplit("/", 1)[0], exist_ok=True)
             self._write(path, content)
-        except OSError as error:
-            raise Error(
-                f"{self.place}/{name} cannot be written: {error}\nhint: OUTPUT is a folder or a URL of fsspec"
-            ) from error
 
     def _write(self, path: str, content: bytes) -> None:
         protocols = self.fs.protocol
@@ -91,7 +86,7 @@ class Store:
         earlier = [f"{self.root}/{name}"] if self.fs.exists(f"{self.root}/{name}") else []
         tables = [*(_read(self.fs, path) for path in earlier), *loose.values()]
         whole = _each_key_once(needed("pyarrow").concat_tables(tables))
-        self.write(name, parquet(whole.to_pylist(), SCHEMA))
+        self.write(name, parquet(whole.to_pylist(), schema()))
         _packed_keys.cache_clear()
         self.fs.rm(list(loose))
 
@@ -104,10 +99,10 @@ class Store:
         return [path for path in found if not path.rsplit("/", 1)[-1].startswith(".")]
 
 
-def parquet(rows: Iterable[Row], schema: Any) -> bytes:
+def parquet(rows: Iterable[Row], columns: Any) -> bytes:
     """Rows as the bytes of a Parquet file."""
     pa, pq = needed("pyarrow"), needed("pyarrow.parquet")
-    table = pa.Table.from_pylist(list(rows), schema=schema)
+    table = pa.Table.from_pylist(list(rows), schema=columns)
     buffer = pa.BufferOutputStream()
     pq.write_table(table, buffer, compression="zstd")
     content: bytes = buffer.getvalue().to_pybytes()
@@ -115,8 +110,10 @@ def parquet(rows: Iterable[Row], schema: Any) -> bytes:
 
 
 def _read(fs: Any, path: str, columns: list[str] | None = None) -> Any:
-    with fs.open(path, "rb") as file:
-        return needed("pyarrow.parquet").read_table(file, columns=columns)
+    with used(path, "below OUTPUT, rows/ and nights/ hold no files but those of the fleet"):
+        with fs.open(path, "rb") as file:
+            table = needed("pyarrow.parquet").read_table(file, columns=columns)
+        return table if columns else table.select(schema().names).cast(schema())
 
 
 def _each_key_once(table: Any) -> Any:

@@ -41,8 +41,9 @@ def diagnose_robot(robot: Robot, output: str, night: datetime.date, options: Opt
         try:
             content = fetched(robot, Path(scratch))
             key = content.key(robot, options_in_force(options))
-        except (Error, OSError, ValueError) as error:
-            return lost(robot, output, night, str(error))
+        except Exception as error:
+            # Stores of objects raise errors of their own kinds.
+            return lost(robot, output, night, str(error) or type(error).__name__)
         if store.has(key):
             return Done(robot.name, key, "there")
         row = _row(robot, content, key, night, options, Path(scratch))
