@@ -27,9 +27,9 @@ class Prior:
 
     false_names: float = 0.02
     """False names that a healthy robot gets in a night: 98 % silence,"""
-    robots: float = 1000.0
+    robots: float = 500.0
     """as if so many healthy robots had been seen. A large fleet shows its own rate."""
-    false_deviations: float = 8.0
+    false_deviations: float = 6.0
     """Deviations of a false name, in the middle,"""
     false_spread: float = 0.6
     """and how their logarithm spreads about it: the scale of a Laplace distribution, whose tail is long."""
@@ -46,10 +46,10 @@ class Prior:
     true_names: float = 0.005
     """True names that a robot gets in a night,"""
     true_robots: float = 200.0
-    """as if so many robots had been seen."""
+    """as if so many robots had been seen, too."""
     elevated: float = 0.01
     """Probability that a place (an effect on a joint) is named more often in a group than elsewhere."""
-    neighbours: float = 50.0
+    neighbours: float = 20.0
     """So many robots of the whole fleet tell as much of a kind as its own robots."""
     again: float = 0.9
     """Part of the true names that stand again on the next night's logs,"""
