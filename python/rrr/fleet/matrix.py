@@ -11,7 +11,7 @@ MOST = 60
 """Lines that are drawn; the rest is in the table of alarms."""
 Subject = tuple[str, str]
 """Level of an alarm and whose it is."""
-LABEL, CELL, LINE, HEAD = 300, 62, 22, 130
+LABEL, LINE, HEAD, WIDTH = 280, 22, 130, 960
 
 
 def matrix(night: Night) -> str:
@@ -23,20 +23,21 @@ def matrix(night: Night) -> str:
     places = sorted({(a.effect, a.joint) for a, _ in entries})
     if not entries:
         return picture(400, 20, [text(0, 14, "No cause is named at any robot.", ink=GREY)])
-    parts = _frame(subjects, places, entries)
+    cell = min(62.0, (WIDTH - LABEL) / len(places))
+    parts = _frame(subjects, places, entries, cell)
     for alarm, is_alarm in entries:
         row, column = subjects.index((alarm.level, alarm.subject)), places.index((alarm.effect, alarm.joint))
-        parts += _cell(alarm, is_alarm, LABEL + CELL * column, HEAD + LINE * row)
-    width = LABEL + CELL * len(places) + 150
+        parts += _cell(alarm, is_alarm, LABEL + cell * column, HEAD + LINE * row, cell)
+    width = LABEL + cell * len(places) + 120
     return picture(width, HEAD + LINE * len(subjects) + 6, parts)
 
 
 def _frame(
-    subjects: list[Subject], places: list[Place], entries: list[tuple[Alarm, bool]]
+    subjects: list[Subject], places: list[Place], entries: list[tuple[Alarm, bool]], cell: float
 ) -> list[str]:
     labels: dict[Subject, str] = {(a.level, a.subject): subject_words(a) for a, _ in entries}
-    right = LABEL + CELL * len(places)
-    parts = [slanted(LABEL + CELL * (i + 0.5), HEAD - 8, place_words(p)) for i, p in enumerate(places)]
+    right = LABEL + cell * len(places)
+    parts = [slanted(LABEL + cell * (i + 0.5), HEAD - 8, place_words(p)) for i, p in enumerate(places)]
     for row, subject in enumerate(subjects):
         y = HEAD + LINE * row
         parts += [line(0, y, right, y), text(0, y + 15, labels[subject])]
@@ -44,13 +45,13 @@ def _frame(
     return [*parts, line(0, bottom, right, bottom, GRID)]
 
 
-def _cell(alarm: Alarm, is_alarm: bool, x: float, y: float) -> list[str]:
+def _cell(alarm: Alarm, is_alarm: bool, x: float, y: float, width: float) -> list[str]:
     colour = (ALONE if alarm.level == "robot" else SHARED) if is_alarm else WATCHED
     title = f"{subject_words(alarm)}: {place_words((alarm.effect, alarm.joint))}, since {alarm.since}"
-    mark = " new" if is_alarm and alarm.is_new else ""
-    percent = f"{100 * (1 - alarm.error):.0f}{mark}"
+    is_new = is_alarm and alarm.is_new
+    percent = f"{100 * (1 - alarm.error):.0f}"
     ink = "#ffffff" if is_alarm else "#282c34"
     return [
-        rectangle(x + 1, y + 1, CELL - 2, LINE - 2, colour, title),
-        text(x + CELL / 2, y + 15, percent, anchor="middle", ink=ink),
+        rectangle(x + 2, y + 2, width - 4, LINE - 4, colour, title, framed=is_new),
+        text(x + width / 2, y + 15, percent, anchor="middle", ink=ink),
     ]

@@ -49,7 +49,8 @@ def page(night: Night, rows: Sequence[Row], rate: float, output: str) -> str:
 
 def _how(rate: float) -> str:
     return (
-        f"The number is the probability [%] that the alarm is true, given the whole fleet. At most {100 * rate:.0f} % "
+        f"The number is the probability [%] that the alarm is true, given the whole fleet; what is framed is "
+        f"new since the night before. At most {100 * rate:.0f} % "
         "of the alarms of a night are false in the mean. What more than half of a batch or kind has is told "
         "once, of all of it."
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime
+import io
 import uuid
 from collections.abc import Iterable
 from functools import lru_cache
@@ -14,6 +15,8 @@ from rrr.fleet.row import Row, schema
 
 OBJECT_STORES = {"s3", "s3a", "gs", "gcs", "abfs", "abfss", "az", "adl", "memory"}
 """Where a file appears whole or not at all by itself."""
+AT_A_TIME = 1000
+"""Files that are asked for together."""
 
 
 class Store:
@@ -38,7 +41,7 @@ class Store:
 
     def table(self) -> Any:
         """All rows as a table of pyarrow, each key once."""
-        tables = [_read(self.fs, path) for path in self._files("rows") + self._files("nights")]
+        tables = list(self._tables(self._files("rows") + self._files("nights")).values())
         pa = needed("pyarrow")
         if not tables:
             return schema().empty_table()
@@ -55,7 +58,7 @@ class Store:
         How many. Stopped in between it leaves rows twice, which the next time puts right, and `table`
         reads once.
         """
-        loose = {path: _read(self.fs, path) for path in self._files("rows")}
+        loose = self._tables(self._files("rows"))
         nights = {path: table["night"][0].as_py() for path, table in loose.items()}
         for night in sorted({night for night in nights.values() if night < before}):
             self._pack_night(night, {p: loose[p] for p, of in nights.items() if of == night})
@@ -84,11 +87,20 @@ class Store:
     def _pack_night(self, night: datetime.date, loose: dict[str, Any]) -> None:
         name = f"nights/{night}.parquet"
         earlier = [f"{self.root}/{name}"] if self.fs.exists(f"{self.root}/{name}") else []
-        tables = [*(_read(self.fs, path) for path in earlier), *loose.values()]
+        tables = [*self._tables(earlier).values(), *loose.values()]
         whole = _each_key_once(needed("pyarrow").concat_tables(tables))
         self.write(name, parquet(whole.to_pylist(), schema()))
         _packed_keys.cache_clear()
         self.fs.rm(list(loose))
+
+    def _tables(self, paths: list[str]) -> dict[str, Any]:
+        """The tables of files, of which a store of objects sends many at a time."""
+        tables: dict[str, Any] = {}
+        for first in range(0, len(paths), AT_A_TIME):
+            with used(f"{self.place}", "rows are there, and can be read"):
+                contents = self.fs.cat(paths[first : first + AT_A_TIME])
+            tables |= {path: _table(path, content) for path, content in contents.items()}
+        return tables
 
     def _row(self, key: str) -> str:
         return f"{self.root}/rows/{key}.parquet"
@@ -109,11 +121,16 @@ def parquet(rows: Iterable[Row], columns: Any) -> bytes:
     return content
 
 
-def _read(fs: Any, path: str, columns: list[str] | None = None) -> Any:
+def _table(path: str, content: bytes) -> Any:
     with used(path, "below OUTPUT, rows/ and nights/ hold no files but those of the fleet"):
-        with fs.open(path, "rb") as file:
-            table = needed("pyarrow.parquet").read_table(file, columns=columns)
-        return table if columns else table.select(schema().names).cast(schema())
+        table = needed("pyarrow.parquet").read_table(io.BytesIO(content))
+        return table.select(schema().names).cast(schema())
+
+
+def _keys(fs: Any, path: str) -> list[str]:
+    with used(path, "below OUTPUT, nights/ holds no files but those of the fleet"), fs.open(path, "rb") as file:
+        keys: list[str] = needed("pyarrow.parquet").read_table(file, columns=["key"])["key"].to_pylist()
+    return keys
 
 
 def _each_key_once(table: Any) -> Any:
@@ -130,5 +147,5 @@ def _each_key_once(table: Any) -> Any:
 def _packed_keys(place: str) -> frozenset[str]:
     """Keys of packed rows, read once by each process."""
     store = Store(place)
-    keys = [_read(store.fs, path, ["key"])["key"].to_pylist() for path in store._files("nights")]
+    keys = [_keys(store.fs, path) for path in store._files("nights")]
     return frozenset(key for of_night in keys for key in of_night)

@@ -21,9 +21,12 @@ def slanted(x: float, y: float, words: str) -> str:
     return f'<text {turn} font-size="12" fill="{INK}" font-family="sans-serif">{escape(words)}</text>'
 
 
-def rectangle(x: float, y: float, width: float, height: float, fill: str, title: str = "") -> str:
-    """A filled rectangle, with words for who points at it."""
+def rectangle(
+    x: float, y: float, width: float, height: float, fill: str, title: str = "", *, framed: bool = False
+) -> str:
+    """A filled rectangle, perhaps in a frame, with words for who points at it."""
     place = f'x="{x:.1f}" y="{y:.1f}" width="{width:.1f}" height="{height:.1f}" fill="{fill}"'
+    place += f' stroke="{INK}" stroke-width="2"' if framed else ""
     return f"<rect {place}><title>{escape(title)}</title></rect>" if title else f"<rect {place}/>"
 
 

@@ -70,6 +70,9 @@ def _row(
     row |= {"kind": robot.kind or content.kind, "worker": f"{socket.gethostname()}:{os.getpid()}"}
     cpu_s, wall_s = time.process_time(), time.monotonic()
     row |= _found(content, options, scratch)
+    if row["error"]:
+        # Where the robot's files come from, and not where they were copied to.
+        row["error"] = row["error"].replace(str(content.folder), robot.folder.rstrip("/"))
     return row | {"cpu_s": time.process_time() - cpu_s, "wall_s": time.monotonic() - wall_s}
 
 

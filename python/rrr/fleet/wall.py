@@ -13,7 +13,7 @@ MEANING = [
     (SHARED, "what its batch or kind has in common"),
     (WATCHED, "a name that is watched, no alarm"),
     (QUIET, "silent"),
-    (FAILED, "could not be read"),
+    (FAILED, "could not be read; framed: new"),
 ]
 
 
@@ -21,6 +21,7 @@ def wall(night: Night) -> str:
     """Every robot as a square in the colour of what was found, a line for each batch."""
     colours, words = _colours(night)
     groups = _groups(night)
+    new = {robot for alarm in night.alarms if alarm.is_new for robot in alarm.robots}
     cell = 15 if sum(map(len, groups.values())) <= 2000 else 8
     across = (WIDTH - LABEL) // cell
     parts, y = legend(14, MEANING), 34
@@ -30,7 +31,8 @@ def wall(night: Night) -> str:
             x = LABEL + cell * (index % across)
             top = y + cell * (index // across)
             title = f"{robot}: {words.get(robot, 'silent')}"
-            parts.append(rectangle(x, top, cell - 2, cell - 2, colours.get(robot, QUIET), title))
+            square = (x, top, cell - 2.0, cell - 2.0, colours.get(robot, QUIET), title)
+            parts.append(rectangle(*square, framed=robot in new and cell > 10))
         y += cell * (1 + (len(robots) - 1) // across) + 7
     if not groups:
         parts.append(text(0, y + 12, "no robot", ink=GREY))
