@@ -8,7 +8,6 @@ of the night (Efron; Storey), each of them below `LOCAL`. What is common to a gr
 from __future__ import annotations
 
 import datetime
-from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
@@ -141,33 +140,15 @@ def _of_robots(
     rates = misfit_rates(fleet, prior)
     misfit = np.array([rates[name.kind] for name in names], dtype=np.float64)
     x = _evidence(names)
-    alone = np.full_like(x, mixture.true_rate)
     # A name that stood on earlier nights, too.
     again = np.array([(prior.again / prior.false_again) ** (name.nights - 1) for name in names])
-    first = mixture.odds(x, alone, misfit, prior) * again
-    shared = _rates_by_group(fleet, names, first / (1 + first), mixture, prior)
-    odds = mixture.odds(x, shared, misfit, prior) * again
+    odds = mixture.odds(x, misfit, prior) * again
     return [_of_robot(name, o / (1 + o)) for name, o in zip(names, odds, strict=True)]
 
 
 def _of_robot(name: Name, true: float) -> Alarm:
     error = float(1 - true * name.probability)
     return Alarm("robot", name.robot, *name.place, error, [name.robot], 1, [name])
-
-
-def _rates_by_group(
-    fleet: Fleet, names: list[Name], true: Array, mixture: Mixture, prior: Prior
-) -> Array:
-    """Rates of true names before their own evidence: the fleet's, and what other robots of the same
-    kind show at the same place; a robot does not vouch for itself."""
-    sums: dict[tuple[str, Place], float] = defaultdict(float)
-    for name, part in zip(names, true, strict=True):
-        sums[name.kind, name.place] += float(part)
-    others = np.array([sums[name.kind, name.place] for name in names]) - true
-    robots = np.array([len(fleet.kinds[name.kind]) for name in names])
-    # Of the fleet's rate of all places, as the mixture has it; what others add comes to it.
-    rates: Array = mixture.true_rate + others / (robots + prior.neighbours)
-    return rates
 
 
 def _evidence(names: Sequence[Name]) -> Array:

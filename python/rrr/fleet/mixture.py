@@ -29,11 +29,11 @@ class Mixture:
     false_middle: float
     false_spread: float
 
-    def odds(self, x: Array, true_rate: Array, misfit_rate: Array, prior: Prior) -> Array:
-        """Odds of true names: each place has its rates of true names and of names by misfit, whose
-        evidence is like that of true ones."""
+    def odds(self, x: Array, misfit_rate: Array, prior: Prior) -> Array:
+        """Odds of true names against false ones: those by chance, and those by misfit at this rate a
+        robot, whose evidence is like that of true ones."""
         false = self.false_rate / self.likelihood_ratio(x, prior) + misfit_rate
-        odds: Array = true_rate / false
+        odds: Array = self.true_rate / false
         return odds
 
     def likelihood_ratio(self, x: Array, prior: Prior) -> Array:
@@ -68,7 +68,7 @@ def fitted(x: Array, misfit_rate: Array, robots: int, prior: Prior) -> Mixture:
 
 
 def _step(found: Mixture, x: Array, misfit_rate: Array, robots: int, prior: Prior) -> Mixture:
-    odds = found.odds(x, np.full_like(x, found.true_rate), misfit_rate, prior)
+    odds = found.odds(x, misfit_rate, prior)
     false = 1 / (1 + odds)
     chance = false * found.false_rate / (
         found.false_rate + misfit_rate * found.likelihood_ratio(x, prior)
