@@ -59,5 +59,6 @@ def test_a_list_tells_folders_models_kinds_and_batches(tmp_path: Path) -> None:
     (tmp_path / "fleet.csv").write_text(table)
     first, second = robots_of(str(tmp_path))
     assert (first.name, first.folder, first.model, first.batch) == ("r1", "s3://lake/r1", None, None)
-    assert second.folder == f"file://{tmp_path}/deep/r2" and second.model == f"file://{tmp_path}/models/a.toml"
+    place = f"file://{tmp_path}"
+    assert (second.folder, second.model) == (f"{place}/deep/r2", f"{place}/models/a.toml")
     assert (second.kind, second.batch) == ("arm", "A")

@@ -3,7 +3,6 @@
 import datetime
 from dataclasses import replace
 
-import fleet_rows
 import numpy as np
 import pytest
 from fleet_rows import TONIGHT, cause, fleet, row
@@ -14,11 +13,13 @@ from rrr.fleet.decision import LOCAL, RATE, accepted
 from rrr.fleet.row import Row
 
 
-def counted(seeds: range, robots: int, ill: int, false_names: float) -> tuple[int, int, int]:
+def counted(
+    seeds: range, robots: int, ill: int, false_names: float, prior: Prior | None = None
+) -> tuple[int, int, int]:
     """Alarms, false ones, and names before the decision, of several nights."""
     alarms = false = names = 0
     for seed in seeds:
-        rows, sick = fleet(np.random.default_rng(seed), robots, ill, false_names)
+        rows, sick = fleet(np.random.default_rng(seed), robots, ill, false_names, prior=prior)
         found = decide(rows, TONIGHT)
         names += len(found.fleet.names)
         alarms += len(found.alarms)
@@ -37,12 +38,9 @@ def test_the_part_that_is_false_is_bounded() -> None:
 
 
 @pytest.mark.parametrize("middle", [12.0, 24.0])
-def test_it_is_bounded_where_false_names_are_stronger_than_told(
-    middle: float, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_it_is_bounded_where_false_names_are_stronger_than_told(middle: float) -> None:
     stronger = replace(Prior(), false_deviations=middle)
-    monkeypatch.setattr(fleet_rows, "Prior", lambda: stronger)
-    alarms, false, _ = counted(range(2), 10_000, 250, 0.02)
+    alarms, false, _ = counted(range(2), 10_000, 250, 0.02, stronger)
     assert alarms > 250 and false <= RATE * alarms
 
 
@@ -55,7 +53,8 @@ def test_a_cause_of_a_batch_is_told_once() -> None:
     rows = [row(f"a{i}", [cause("dead_zone", 2, 50)], batch="A") for i in range(19)]
     rows += [row("a19", batch="A"), *(row(f"b{i}", batch="B") for i in range(60))]
     found = decide(rows, TONIGHT)
-    assert [(a.level, a.subject, len(a.robots), a.group_size) for a in found.alarms] == [("batch", "A", 19, 20)]
+    alarms = [(a.level, a.subject, len(a.robots), a.group_size) for a in found.alarms]
+    assert alarms == [("batch", "A", 19, 20)]
 
 
 def test_a_cause_of_all_batches_is_the_kinds() -> None:

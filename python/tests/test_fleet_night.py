@@ -34,7 +34,8 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def night(place: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Killer]:
     """OUTPUT of a night on two workers, one of them killed with a robot in hand."""
-    output, killer = str(tmp_path_factory.mktemp("output")), Killer([f"r{i}" for i in range(COUNT)], share=0.25)
+    output = str(tmp_path_factory.mktemp("output"))
+    killer = Killer([f"r{i}" for i in range(COUNT)], share=0.25)
     start(workers=2, address=None)
     done = on_ray(robots_of(str(place)), output, NIGHT, Options(), progress=killer)
     ray.shutdown()

@@ -39,7 +39,7 @@ class Content:
         return name if isinstance(name, str) else hashlib.sha256(self.model.read_bytes()).hexdigest()[:12]
 
     def key(self, robot: Robot, in_force: str) -> str:
-        """SHA-256 over names and bytes of all files, the robot's name, kind and batch, version and options."""
+        """SHA-256 over names and bytes of all files, the robot's name, kind, batch, version and options."""
         found = hashlib.sha256()
         for text in (robot.name, robot.kind or "", robot.batch or "", in_force):
             _add(found, text.encode())
@@ -60,7 +60,8 @@ def fetched(robot: Robot, scratch: Path) -> Content:
         return Content(folder, _model(robot.model, scratch))
     if (folder / MODEL).exists():
         return Content(folder, folder / MODEL)
-    return Content(folder, _model(posixpath.join(posixpath.dirname(robot.folder.rstrip("/")), MODEL), scratch))
+    beside = posixpath.join(posixpath.dirname(robot.folder.rstrip("/")), MODEL)
+    return Content(folder, _model(beside, scratch))
 
 
 def criteria_file(options: Options, scratch: Path) -> Path | None:

@@ -3,8 +3,9 @@
 Evidence x is the logarithm of a name's deviations. False names follow a Laplace distribution about
 the middle that the prior tells, true ones a normal one. Rates of both, and where false names lie, are
 fitted to the names of the night by expectation and maximisation, beside what the prior tells; false
-names are never taken for weaker than the prior has them. Where robots of a kind have gaps without a name, their model does not
-fit, and misfit gives names, too. Source: Efron, "Large-scale inference", ch. 5.
+names are never taken for weaker than the prior has them. Where robots of a kind have gaps without a
+name, their model does not fit, and misfit gives names, too. Source: Efron, "Large-scale inference",
+ch. 5.
 """
 
 from __future__ import annotations

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import datetime
 import os
+import time
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from html import escape
@@ -44,7 +45,8 @@ def page(night: Night, rows: Sequence[Row], rate: float, output: str) -> str:
         _provenance(night, output),
     ]
     head = f'<meta charset="utf-8"><title>Fleet, {night.fleet.night}</title><style>{STYLE}</style>'
-    return f'<!doctype html>\n<html lang="en"><head>{head}</head>\n<body>\n' + "\n".join(parts) + "</body></html>\n"
+    body = "\n".join(parts)
+    return f'<!doctype html>\n<html lang="en"><head>{head}</head>\n<body>\n{body}</body></html>\n'
 
 
 def _how(rate: float) -> str:
@@ -104,14 +106,15 @@ def _failed(night: Night) -> str:
 
 
 def _provenance(night: Night, output: str) -> str:
-    date = os.environ.get("SOURCE_DATE_EPOCH")
-    made = datetime.datetime.fromtimestamp(float(date), datetime.UTC) if date else datetime.datetime.now(datetime.UTC)
+    seconds = float(os.environ.get("SOURCE_DATE_EPOCH", time.time()))
+    made = datetime.datetime.fromtimestamp(seconds, datetime.UTC)
     found = night.mixture
+    rates = f"true {found.true_rate:.4f}, false {found.false_rate:.4f}, as taken for this night"
     rows = [
         ["Rows", output],
         ["Date", f"{made:%Y-%m-%d %H:%M} UTC"],
         ["Version", rrr_version()],
-        ["Names a robot", f"true {found.true_rate:.4f}, false {found.false_rate:.4f}, as taken for this night"],
+        ["Names a robot", rates],
     ]
     return _table([], rows).replace("<table", "<table class=provenance", 1)
 

@@ -82,8 +82,9 @@ def _result(ray: Any, reference: Any, robot: Robot, night: tuple[str, datetime.d
     except (ray.exceptions.WorkerCrashedError, ray.exceptions.OutOfMemoryError) as error:
         why = f"its worker was lost {RETRIES + 1} times ({type(error).__name__}): too little memory?"
     except (ray.exceptions.LocalRayletDiedError, ray.exceptions.RaySystemError) as error:
-        words = "rows that are stored stay, and the same command goes on from there"
-        raise Error(f"Ray ended in the middle of the night ({type(error).__name__})\nhint: {words}") from error
+        hint = "rows that are stored stay, and the same command goes on from there"
+        words = f"Ray ended in the middle of the night ({type(error).__name__})"
+        raise Error(f"{words}\nhint: {hint}") from error
     except ray.exceptions.RayError as error:
         why = f"Ray could not do it: {str(error).strip().splitlines()[-1]}"
     output, date, _ = night

@@ -128,8 +128,10 @@ def _table(path: str, content: bytes) -> Any:
 
 
 def _keys(fs: Any, path: str) -> list[str]:
-    with used(path, "below OUTPUT, nights/ holds no files but those of the fleet"), fs.open(path, "rb") as file:
-        keys: list[str] = needed("pyarrow.parquet").read_table(file, columns=["key"])["key"].to_pylist()
+    read = needed("pyarrow.parquet").read_table
+    with used(path, "below OUTPUT, nights/ holds no files but those of the fleet"):
+        with fs.open(path, "rb") as file:
+            keys: list[str] = read(file, columns=["key"])["key"].to_pylist()
     return keys
 
 

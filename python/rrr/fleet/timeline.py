@@ -30,7 +30,8 @@ def _bar(alarm: Alarm, nights: list[datetime.date], step: float, y: float) -> li
     first = next((i for i, night in enumerate(nights) if night >= alarm.since), len(nights) - 1)
     colour = ALONE if alarm.level == "robot" else SHARED
     words = f"{subject_words(alarm)}: {place_words((alarm.effect, alarm.joint))}"
-    bar = rectangle(LABEL + step * first + 2, y + 3, step * (len(nights) - first) - 4, LINE - 6, colour, words)
+    x, width = LABEL + step * first + 2, step * (len(nights) - first) - 4
+    bar = rectangle(x, y + 3, width, LINE - 6, colour, words)
     return [text(0, y + 14, words), bar]
 
 

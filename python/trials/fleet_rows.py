@@ -58,10 +58,19 @@ def _place(rng: np.random.Generator) -> tuple[str, int]:
 
 
 def fleet(
-    rng: np.random.Generator, robots: int, ill: int = 0, false_names: float = 0.02, kinds: int = 5
+    rng: np.random.Generator,
+    robots: int,
+    ill: int = 0,
+    false_names: float = 0.02,
+    *,
+    kinds: int = 5,
+    prior: Prior | None = None,
 ) -> tuple[list[Row], set[str]]:
-    """Rows of a night, and the robots that are ill; of the others this part has a false name."""
-    prior, sick = Prior(), {f"r{i:05}" for i in range(ill)}
+    """Rows of a night, and the robots that are ill; this part of all has a false name, too.
+
+    Names have the evidence that `prior` tells.
+    """
+    prior, sick = prior or Prior(), {f"r{i:05}" for i in range(ill)}
     rows = []
     for i in range(robots):
         name = f"r{i:05}"
