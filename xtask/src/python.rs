@@ -18,8 +18,22 @@ pub const PACKAGE: &str = "python-module";
 const WANTED: Python = Python {
     variable: "RRR_PYTHON",
     folder: "python-tests",
-    packages: &["maturin", "numpy", "mujoco", "pytest", "mypy", "nbclient", "ipykernel", "tqdm"],
-    imports: "maturin, numpy, mujoco, pytest, mypy, nbclient, ipykernel, tqdm",
+    packages: &[
+        "maturin",
+        "numpy",
+        "mujoco",
+        "pytest",
+        "mypy",
+        "nbclient",
+        "ipykernel",
+        "tqdm",
+        "ray",
+        "pyarrow",
+        "fsspec",
+        "duckdb",
+    ],
+    imports: "maturin, numpy, mujoco, pytest, mypy, nbclient, ipykernel, tqdm, ray, pyarrow, \
+              fsspec, duckdb",
 };
 
 /// Builds the wheel, installs it into a fresh environment and into that of the tests, and runs
