@@ -15,7 +15,8 @@ use crate::model_faults::FoundFault;
 use crate::model_file::ModelFile;
 use crate::posterior::Posterior;
 use crate::result::{
-    DataParts, Diagnosis, Gap, GapShare, Level, LogResiduals, ModelFaultFound, Report, Verdict,
+    DataParts, Detectable, Diagnosis, Gap, GapShare, Level, LogResiduals, ModelFaultFound, Report,
+    Untestable, Verdict,
 };
 use crate::rows::evidence::{Evidence, Rows};
 use crate::trial::residual_rows::residual_rows;
@@ -50,11 +51,9 @@ impl Assembly<'_> {
     pub fn diagnosis(&self, file: &ModelFile, mut remarks: Vec<String>) -> Diagnosis {
         let (subject, judgement) = (self.subject, self.judgement);
         let criteria = &subject.criteria;
-        let refitted = &judgement.refitted;
         let given_v = self.evidence.volts(&residual_rows(self.evidence, &as_given(subject)));
         let logs = self.log_residuals(&given_v);
-        let (detectable, untestable) =
-            detectable::detectable(&refitted.linear, &refitted.evidence, subject);
+        let (detectable, untestable) = self.detectable();
         let (causes, alternatives) = causes(subject, judgement);
         let verdict = self.verdict(causes.len());
         remarks.extend(self.remark(verdict));
@@ -108,6 +107,14 @@ impl Assembly<'_> {
             Some(fault) => Some(format!("the logs do not fit this model: {}", fault.what)),
             None => misfit::remark(self.subject, &self.judgement.refitted, verdict),
         }
+    }
+
+    /// What the logs would have shown beside the causes that are named, whose own gap does not hide it.
+    fn detectable(&self) -> (Vec<Detectable>, Vec<Untestable>) {
+        let Judgement { refitted, last, .. } = self.judgement;
+        let weighted = refitted.linear.reweighted(&refitted.evidence, &last.evidence);
+        let linear = weighted.as_ref().unwrap_or(&refitted.linear);
+        detectable::detectable(linear, &last.evidence, self.subject)
     }
 
     /// The verdict in one word; no cause is sought in a model that is at fault itself.
