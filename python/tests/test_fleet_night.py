@@ -1,5 +1,6 @@
 """A small fleet on Ray: nothing lost, nothing twice, and what it says."""
 
+import contextlib
 import datetime
 import shutil
 from pathlib import Path
@@ -36,9 +37,11 @@ def night(place: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[str, K
     """OUTPUT of a night on two workers, one of them killed with a robot in hand."""
     output = str(tmp_path_factory.mktemp("output"))
     killer = Killer([f"r{i}" for i in range(COUNT)], share=0.25)
-    start(workers=2, address=None)
-    done = on_ray(robots_of(str(place)), output, NIGHT, Options(), progress=killer)
-    ray.shutdown()
+    # Workers look for modules in the folder where Ray is started: not in the sources.
+    with contextlib.chdir(place):
+        start(workers=2, address=None)
+        done = on_ray(robots_of(str(place)), output, NIGHT, Options(), progress=killer)
+        ray.shutdown()
     assert [one.robot for one in done] == [f"r{i}" for i in range(COUNT)]
     return output, killer
 
