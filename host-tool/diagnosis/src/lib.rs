@@ -43,7 +43,6 @@ pub use model_file::ModelFile;
 pub use posterior::Posterior;
 pub use report::sentence::sentence;
 pub use result::*;
-pub use verdict::told::told_shares;
 
 use fit::{doubt, preparation};
 use logs::stretch::Stretch;
@@ -59,6 +58,7 @@ use search::selection::Selection;
 use tables::remaining::with_remaining_tables;
 use verdict::confirmed::Held;
 use verdict::judgement::Judgement;
+use verdict::told;
 
 /// Why there is no diagnosis.
 #[derive(Debug, thiserror::Error)]
@@ -102,7 +102,21 @@ pub fn diagnose(
     diagnosed(subject, &campaign.traces, &file, progress)
 }
 
-/// The same of an arm of any kind.
+/// The share of the gap that each effect in the campaign's model has, told with its values, by the
+/// measure of a report: what a search that errs nowhere would find. `None` where a refit fails.
+///
+/// # Errors
+/// Logs or a model that cannot be used.
+pub fn told_shares(
+    campaign: &Campaign,
+    catalogue: &Catalogue,
+    criteria: &Criteria,
+) -> Result<Vec<Option<f64>>, DiagnosisError> {
+    let told = Subject::of(campaign, catalogue, criteria)?;
+    Ok(told::shares(&told, &campaign.traces)?)
+}
+
+/// Diagnoses the logs of an arm of any kind, as [`diagnose`] does.
 ///
 /// # Errors
 /// Logs or a model that cannot be used; drives that are position servos.

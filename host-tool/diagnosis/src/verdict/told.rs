@@ -6,33 +6,26 @@ use crate::fit::preparation;
 use crate::logs::subject::Subject;
 use crate::logs::usable::Usable;
 use crate::rows::evidence::Evidence;
-use crate::{Criteria, DiagnosisError};
-use recordings::Campaign;
-use rig::effects::Catalogue;
+use recordings::{StepError, Trace};
 
-/// The share of the gap that each effect in the campaign's model has, told with its values.
+/// The share of the gap that each effect has which the subject's model holds.
 ///
 /// The model with all of them, the model without each and the model without any are refitted and
-/// compared on the confirming logs as [`diagnose`](crate::diagnose) compares what it finds. `None`
-/// where a refit fails.
+/// compared on the confirming logs as a diagnosis compares what it finds. `None` where a refit
+/// fails.
 ///
 /// # Errors
-/// Logs or a model that cannot be used.
-pub fn told_shares(
-    campaign: &Campaign,
-    catalogue: &Catalogue,
-    criteria: &Criteria,
-) -> Result<Vec<Option<f64>>, DiagnosisError> {
-    let told = Subject::of(campaign, catalogue, criteria)?;
-    let Usable { stretches, .. } = Usable::of(&campaign.traces, &told)?;
-    let (evidence, full) = preparation::prepared(&told, stretches, None)?;
-    let Some(none) = refitted(&with_effects(&told, |_| false), &evidence, &full) else {
+/// Logs that cannot be used.
+pub fn shares(told: &Subject, traces: &[Trace]) -> Result<Vec<Option<f64>>, StepError> {
+    let Usable { stretches, .. } = Usable::of(traces, told)?;
+    let (evidence, full) = preparation::prepared(told, stretches, None)?;
+    let Some(none) = refitted(&with_effects(told, |_| false), &evidence, &full) else {
         return Ok(vec![None; told.known_effects.len()]);
     };
-    let noise_v = preparation::noise_left_v(&told, &evidence, &full);
-    let confirmation = Confirmation::of(&told, none, &full, &[], noise_v);
+    let noise_v = preparation::noise_left_v(told, &evidence, &full);
+    let confirmation = Confirmation::of(told, none, &full, &[], noise_v);
     let share_of = |index: usize| {
-        let without = refitted(&with_effects(&told, |other| other != index), &evidence, &full)?;
+        let without = refitted(&with_effects(told, |other| other != index), &evidence, &full)?;
         let effect = &full.linear.hypothesis.effects[index];
         let with_v = &confirmation.full.residual_v;
         Some(confirmation.worth_of(&full, effect, &without.residual_v, with_v).share)
