@@ -19,7 +19,12 @@ pub(super) const DEFINITION: Definition = Definition {
     parameters: &[COMPONENT, COMPONENT, COMPONENT],
     couples_joints: true,
     touches: Touches::DRIVE,
-    search: Search::From(|_| vec![vec![1.0, 1.0, 1.0]]),
+    search: Search::From(|_| {
+        // One direction alone promises nothing of forces across it.
+        [[1.0, 1.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+            .map(|force_n| force_n.to_vec())
+            .to_vec()
+    }),
     size: Size::grows(|_| 50.0),
     draw: |_, random| {
         // In any direction.
