@@ -19,9 +19,10 @@ pub fn causes(subject: &Subject, judgement: &Judgement) -> (Vec<Cause>, Vec<Alte
     let share = |index: &usize| judgement.named[*index].worth.share;
     order.sort_by(|a, b| share(b).total_cmp(&share(a)));
     let (mut causes, mut alternatives) = (Vec::new(), Vec::new());
+    let halves = judgement.last.linear.half_intervals(&judgement.last.evidence);
     for (place, index) in order.into_iter().enumerate() {
         let named = &judgement.named[index];
-        causes.push(cause(subject, judgement, named, known + index));
+        causes.push(cause(subject, judgement, named, known + index, &halves));
         alternatives.extend(of_rivals(subject, judgement, named, known + index, place));
     }
     alternatives.extend(unconfirmed(subject, judgement));
@@ -33,13 +34,20 @@ pub fn causes(subject: &Subject, judgement: &Judgement) -> (Vec<Cause>, Vec<Alte
     (causes, alternatives)
 }
 
-fn cause(subject: &Subject, judgement: &Judgement, named: &Named, index: usize) -> Cause {
+/// A cause; `halves` are half the intervals of all that is open in the model.
+fn cause(
+    subject: &Subject,
+    judgement: &Judgement,
+    named: &Named,
+    index: usize,
+    halves: &[f64],
+) -> Cause {
     let effect = &judgement.last.linear.hypothesis.effects[index];
     Cause {
         effect: effect.definition.name.into(),
         joint: subject.outer_joint(effect.joint),
         parameters: parameters(effect),
-        parameter_intervals: intervals(subject, judgement, effect, index),
+        parameter_intervals: intervals(subject, judgement, effect, index, halves),
         probability: named.probability,
         confidence: named.probability,
         share: named.worth.share,
@@ -68,10 +76,10 @@ fn intervals(
     judgement: &Judgement,
     effect: &EffectInstance,
     index: usize,
+    halves: &[f64],
 ) -> BTreeMap<String, Interval> {
     use crate::fit::unknowns::Unknown;
     let linear = &judgement.last.linear;
-    let halves = linear.half_intervals(&judgement.last.evidence);
     let mut all = BTreeMap::<String, Interval>::new();
     for (value, parameter) in effect.definition.parameters.iter().enumerate() {
         let unknown = Unknown::Effect { index, value };
