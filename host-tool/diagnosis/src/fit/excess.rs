@@ -3,7 +3,8 @@
 use crate::rows::evidence::{Evidence, Rows};
 use files::Role;
 
-/// Squares above those of noise of each joint of the rig in the logs of a role [V^2].
+/// Squares above those of noise of each joint of the rig in the logs of a role [V^2]. A log that leaves
+/// less than its noise, which is then told too large, makes up for none that leaves more.
 pub fn excess_v2(evidence: &Evidence, residual_v: &Rows, role: Role) -> Vec<f64> {
     let of_joint = |&joint: &usize| -> f64 {
         let ranges = evidence.ranges(joint).into_iter().enumerate();
@@ -11,7 +12,9 @@ pub fn excess_v2(evidence: &Evidence, residual_v: &Rows, role: Role) -> Vec<f64>
         of_role
             .map(|(s, range)| {
                 let square_v2: f64 = residual_v[joint][range].iter().map(|row| row * row).sum();
-                square_v2 - evidence.used_rows(joint, s) as f64 * evidence.floor_v(joint, s).powi(2)
+                let noise_v2 =
+                    evidence.used_rows(joint, s) as f64 * evidence.floor_v(joint, s).powi(2);
+                (square_v2 - noise_v2).max(0.0)
             })
             .sum()
     };

@@ -7,6 +7,7 @@ use super::sentence::effect_words;
 use crate::fit::cross_validation::NORMAL;
 use crate::logs::subject::Subject;
 use crate::result::{Alternative, Cause, Interval, Rival};
+use crate::search::objection::Objection;
 use crate::search::selection;
 use crate::trial::hypothesis::EffectInstance;
 use crate::verdict::judgement::{Judgement, Named};
@@ -150,15 +151,10 @@ fn unconfirmed(subject: &Subject, judgement: &Judgement) -> Vec<Alternative> {
     judgement.unconfirmed.iter().map(alternative).collect()
 }
 
-/// Why an effect that gains so much log-likelihood was not added.
-fn why_refused(gain: f64, least: f64) -> String {
-    match gain > least {
-        true => format!(
-            "gains a log-likelihood of {gain:.0}, but with parameters that are no robot's, or by too small \
-             a part of what is left"
-        ),
-        false => format!("gains a log-likelihood of {gain:.0}, which is not enough"),
-    }
+/// Why an effect was not added.
+fn why_refused(refused: &selection::Rival) -> String {
+    let why = refused.objection.unwrap_or(Objection::Chance).words();
+    format!("gains a log-likelihood of {:.0}, {why}", refused.gain)
 }
 
 /// What was tried and lost, the best first.
@@ -185,10 +181,12 @@ pub fn rivals(subject: &Subject, judgement: &Judgement) -> Vec<Rival> {
             rival(&other.effect, explained(other), why)
         }));
     }
-    all.extend(judgement.refused.iter().map(|other| {
-        let least = subject.criteria.selection.least_log_likelihood;
-        rival(&other.effect, explained(other), why_refused(other.gain, least))
-    }));
+    all.extend(
+        judgement
+            .refused
+            .iter()
+            .map(|other| rival(&other.effect, explained(other), why_refused(other))),
+    );
     all.extend(judgement.unconfirmed.iter().map(|(effect, worth, _)| {
         rival(effect, worth.share, "the confirming logs do not confirm it".into())
     }));

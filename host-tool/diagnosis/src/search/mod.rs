@@ -4,6 +4,7 @@ pub mod candidate;
 pub mod candidates;
 pub mod finalists;
 pub mod harmonics;
+pub mod objection;
 pub mod policy;
 pub mod restart;
 pub mod selection;

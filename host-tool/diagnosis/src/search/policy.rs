@@ -1,5 +1,5 @@
-//! When an effect is added to the model, and when the search ends: conditions on what models
-//! leave, and nothing that is computed.
+//! When the search ends, which effects are physical, and which say more than others: conditions on what
+//! models leave, and nothing that is computed.
 
 use crate::criteria::{Criteria, SelectionCriteria};
 use crate::fit::excess::excess_v2;
@@ -24,51 +24,19 @@ pub fn is_done(gap: &ResidualStats, left: &ResidualStats, criteria: &Criteria) -
     left.is_clean(fit) || nearly || no_gap
 }
 
-/// Whether a model with an effect more is accepted: it explains what was left out better, and
-/// neither by implausible parameters nor by taking noise for motion. A spring rings, and that shows
-/// in the rows; where those are noise alone, it could only smooth what a coarse encoder reads.
-pub fn is_accepted(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
-    let (from, to) = (&before.stats, &after.stats);
-    (from.excess > 0.0 || !after.ends_with_spring())
-        && (is_exchange(before, after) || may_be_spring(before, after, criteria))
-        && !makes_implausible(from, to, criteria)
-        && !takes_noise_for_motion(from, to, criteria)
-        && (is_exchange(before, after)
-            || reduces_excess(before, after, criteria)
-            || restores_prior(from, to, criteria))
-        && gain(before, after) > criteria.selection.least_log_likelihood
-}
-
-/// Whether an effect that is a spring between motor and link takes most of what is left on its joint:
-/// one that takes less only smooths something else, and hides it.
-fn may_be_spring(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
-    let Some(effect) = after.linear.hypothesis.effects.last().filter(|e| e.is_spring()) else {
-        return true;
-    };
-    let (from, to) = (left_on_v2(before, effect.joint), left_on_v2(after, effect.joint));
-    to < (1.0 - criteria.verdict.least_by_backlash) * from
-}
-
-/// Squares above the noise that a model leaves of a joint (0: of all) where it was not fitted [V^2].
-fn left_on_v2(model: &FittedModel, joint: u8) -> f64 {
-    let of_joints = excess_v2(&model.evidence, &model.left_out_v, Role::Train);
-    let counts = |index: usize| joint == 0 || index + 1 == usize::from(joint);
-    let both = model.evidence.joints.iter().zip(of_joints);
-    both.filter(|(index, _)| counts(**index)).map(|(_, v2)| v2).sum()
-}
-
-/// Whether one effect took the place of another, as a better spring does: then to explain better is
-/// enough.
-fn is_exchange(before: &FittedModel, after: &FittedModel) -> bool {
-    let count = |model: &FittedModel| model.linear.hypothesis.effects.len();
-    count(before) == count(after)
-}
-
 /// Whether an effect is another of the same joint and something more: a cable that rests far away is an
 /// offset. It gains at least as much, and says no more unless it gains what an effect must.
 pub fn is_more_than(more: &EffectInstance, simple: &EffectInstance) -> bool {
     (more.definition.name, simple.definition.name) == ("cable_spring", "dac_offset")
         && more.joint == simple.joint
+}
+
+/// Squares above the noise that a model leaves of a joint (0: of all) where it was not fitted [V^2].
+pub fn left_on_v2(model: &FittedModel, joint: u8) -> f64 {
+    let of_joints = excess_v2(&model.evidence, &model.left_out_v, Role::Train);
+    let counts = |index: usize| joint == 0 || index + 1 == usize::from(joint);
+    let both = model.evidence.joints.iter().zip(of_joints);
+    both.filter(|(index, _)| counts(**index)).map(|(_, v2)| v2).sum()
 }
 
 /// Whether a rival's model takes a good part of what an effect on a joint (0: of the whole robot) takes
@@ -88,40 +56,6 @@ pub fn explains_as(
 /// Log-likelihood that a model gains over another.
 pub fn gain(over: &FittedModel, model: &FittedModel) -> f64 {
     model.gain_over(over)
-}
-
-/// An effect that takes away every command, a wide dead zone say, "explains" any motion once the
-/// refit takes away all masses.
-fn makes_implausible(before: &ResidualStats, after: &ResidualStats, criteria: &Criteria) -> bool {
-    let growth = criteria.selection.most_prior_penalty_growth;
-    after.is_implausible(&criteria.fit) && after.prior_penalty > growth * before.prior_penalty
-}
-
-/// A soft spring smooths what encoder steps add.
-fn takes_noise_for_motion(
-    before: &ResidualStats,
-    after: &ResidualStats,
-    criteria: &Criteria,
-) -> bool {
-    let policy = &criteria.selection;
-    after.over_encoder_noise < policy.least_of_encoder_noise
-        && before.over_encoder_noise < policy.near_encoder_noise
-}
-
-/// Whether a good part of what is left goes, on some joint.
-fn reduces_excess(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
-    let least = criteria.selection.least_of_excess;
-    let of_joints =
-        |model: &FittedModel| excess_v2(&model.evidence, &model.left_out_v, Role::Train);
-    let (from, to) = (of_joints(before), of_joints(after));
-    from.iter().zip(&to).any(|(from, to)| *from > 0.0 && *to < (1.0 - least) * from)
-}
-
-/// Whether the effect brings parameters back to what is known of them.
-fn restores_prior(before: &ResidualStats, after: &ResidualStats, criteria: &Criteria) -> bool {
-    let least = (criteria.selection.least_of_prior_penalty * before.prior_penalty)
-        .max(criteria.fit.unexplained_prior_penalty);
-    before.prior_penalty - after.prior_penalty > least
 }
 
 /// Whether an effect is not at its bound and rests near the motion, whether a spring rings and leaves

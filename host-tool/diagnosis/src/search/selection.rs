@@ -4,7 +4,8 @@
 use rayon::prelude::*;
 
 use super::finalists::{Contest, Finalist};
-use super::policy::{explains_as, gain, is_accepted, is_done, is_more_than, is_physical};
+use super::objection::{Objection, objection};
+use super::policy::{explains_as, gain, is_done, is_more_than, is_physical};
 use super::restart::{restarted, with_play};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
@@ -46,6 +47,8 @@ pub struct Rival {
     pub gain: f64,
     /// The model with it.
     pub model: FittedModel,
+    /// What speaks against it; nothing where another did better.
+    pub objection: Option<Objection>,
 }
 
 /// Adds effects to a refitted model; `progress` hears what is tried.
@@ -65,10 +68,12 @@ pub fn select(subject: &Subject, refitted: FittedModel, progress: &dyn Fn(&str))
             }
         }
     }
+    let before = search.last.clone();
     progress("comparing each cause with its rivals");
     search.prune();
     let added = search.compared();
-    let refused = refused.into_iter().map(Rival::of).collect();
+    let refused =
+        refused.into_iter().map(|finalist| Rival::refused(finalist, &before, subject)).collect();
     Selection { refitted, last: search.last, added, refused }
 }
 
@@ -134,7 +139,8 @@ impl Search<'_> {
     /// A finalist whose fit is carried on to its end, if it is accepted before and after that, and
     /// is still physical: the further fit may yet leave that.
     fn finished_and_accepted(&self, finalist: &Finalist) -> Option<FittedModel> {
-        let accepted = |model: &FittedModel| is_accepted(&self.last, model, &self.subject.criteria);
+        let accepted =
+            |model: &FittedModel| objection(&self.last, model, &self.subject.criteria).is_none();
         let finished =
             accepted(&finalist.model).then(|| finished(self.subject, finalist.model.clone()))?;
         let effects = &finished.linear.hypothesis.effects;
@@ -150,7 +156,9 @@ impl Search<'_> {
         let mut index = 0;
         while self.rivals.len() > 1 && index < self.rivals.len() {
             match self.without(known + index) {
-                Some(without) if !is_accepted(&without, &self.last, &self.subject.criteria) => {
+                Some(without)
+                    if objection(&without, &self.last, &self.subject.criteria).is_some() =>
+                {
                     self.last = without;
                     self.rivals.remove(index);
                 }
@@ -184,7 +192,7 @@ impl Search<'_> {
                 let better = rivals[0].model.clone();
                 let loser = self.last.linear.hypothesis.effects[known + index].clone();
                 let model = std::mem::replace(&mut self.last, better);
-                rivals[0] = Rival { effect: loser, gain: 0.0, model };
+                rivals[0] = Rival { effect: loser, gain: 0.0, model, objection: None };
                 let last = &self.last;
                 rivals.iter_mut().for_each(|rival| rival.gain = gain(last, &rival.model));
             }
@@ -208,6 +216,7 @@ impl Search<'_> {
                 effect,
                 gain,
                 model,
+                objection: None,
             })
         };
         let tried: Vec<&Finalist> = tried.collect();
@@ -234,8 +243,11 @@ pub fn update_gains(subject: &Subject, last: &FittedModel, added: &mut [Added]) 
 }
 
 impl Rival {
-    fn of(finalist: Finalist) -> Self {
-        Self { effect: finalist.effect, gain: finalist.gain, model: finalist.model }
+    /// A finalist that was refused beside the effects of the model `before`.
+    fn refused(finalist: Finalist, before: &FittedModel, subject: &Subject) -> Self {
+        let Finalist { effect, gain, model } = finalist;
+        let objection = objection(before, &model, &subject.criteria);
+        Self { effect, gain, model, objection: objection.or(Some(Objection::Unsettled)) }
     }
 }
 

@@ -1,0 +1,122 @@
+//! What speaks against an effect that would be added to the model.
+
+use super::policy::{gain, left_on_v2};
+use crate::criteria::Criteria;
+use crate::fit::excess::excess_v2;
+use crate::fit::fitted_model::FittedModel;
+use crate::fit::residual_stats::ResidualStats;
+use files::Role;
+
+/// Why a model with an effect more is refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Objection {
+    /// It does not explain what was left out better, by what chance alone may gain.
+    Chance,
+    /// A spring between motor and link that takes a small part of what is left on its joint: it smooths
+    /// something else, and hides it.
+    Smoothing,
+    /// It needs parameters far from what is known of the arm.
+    Implausible,
+    /// It takes noise for motion: a spring rings, and that shows in the rows; where those are noise
+    /// alone, it could only smooth what a coarse encoder reads.
+    Noise,
+    /// It takes a small part of what is left, which may be the method's own.
+    SmallPart,
+    /// It is none of these, but not once its fit is carried on to the end.
+    Unsettled,
+}
+
+impl Objection {
+    /// In words, after "gains a log-likelihood of so much".
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Chance => "which is not enough",
+            Self::Smoothing => {
+                "but takes a small part of what is left on its joint, as a spring that smooths"
+            }
+            Self::Implausible => "but with parameters far from what is known of the arm",
+            Self::Noise => "but takes noise of the encoder for motion",
+            Self::SmallPart => "but takes too small a part of what is left",
+            Self::Unsettled => "but does not hold once it is refitted to the end",
+        }
+    }
+}
+
+/// What speaks against a model with an effect more, `None` where it is accepted: it explains what was
+/// left out better, and neither by implausible parameters nor by taking noise for motion.
+pub fn objection(
+    before: &FittedModel,
+    after: &FittedModel,
+    criteria: &Criteria,
+) -> Option<Objection> {
+    let (from, to) = (&before.stats, &after.stats);
+    let is_new = !is_exchange(before, after);
+    if from.excess <= 0.0 && after.ends_with_spring() || takes_noise_for_motion(from, to, criteria)
+    {
+        Some(Objection::Noise)
+    } else if is_new && !may_be_spring(before, after, criteria) {
+        Some(Objection::Smoothing)
+    } else if makes_implausible(from, to, criteria) {
+        Some(Objection::Implausible)
+    } else if gain(before, after) <= criteria.selection.least_log_likelihood {
+        Some(Objection::Chance)
+    } else if is_new
+        && !reduces_excess(before, after, criteria)
+        && !restores_prior(from, to, criteria)
+    {
+        Some(Objection::SmallPart)
+    } else {
+        None
+    }
+}
+
+/// Whether an effect that is a spring between motor and link takes most of what is left on its joint:
+/// one that takes less only smooths something else, and hides it.
+fn may_be_spring(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
+    let Some(effect) = after.linear.hypothesis.effects.last().filter(|e| e.is_spring()) else {
+        return true;
+    };
+    let (from, to) = (left_on_v2(before, effect.joint), left_on_v2(after, effect.joint));
+    to < (1.0 - criteria.verdict.least_by_backlash) * from
+}
+
+/// Whether one effect took the place of another, as a better spring does: then to explain better is
+/// enough.
+fn is_exchange(before: &FittedModel, after: &FittedModel) -> bool {
+    let count = |model: &FittedModel| model.linear.hypothesis.effects.len();
+    count(before) == count(after)
+}
+
+/// An effect that takes away every command, a wide dead zone say, "explains" any motion once the
+/// refit takes away all masses.
+fn makes_implausible(before: &ResidualStats, after: &ResidualStats, criteria: &Criteria) -> bool {
+    let growth = criteria.selection.most_prior_penalty_growth;
+    after.is_implausible(&criteria.fit) && after.prior_penalty > growth * before.prior_penalty
+}
+
+/// A soft spring smooths what encoder steps add.
+fn takes_noise_for_motion(
+    before: &ResidualStats,
+    after: &ResidualStats,
+    criteria: &Criteria,
+) -> bool {
+    let policy = &criteria.selection;
+    after.over_encoder_noise < policy.least_of_encoder_noise
+        && before.over_encoder_noise < policy.near_encoder_noise
+}
+
+/// Whether a good part of what is left goes, on some joint.
+fn reduces_excess(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
+    let least = criteria.selection.least_of_excess;
+    let of_joints =
+        |model: &FittedModel| excess_v2(&model.evidence, &model.left_out_v, Role::Train);
+    let (from, to) = (of_joints(before), of_joints(after));
+    from.iter().zip(&to).any(|(from, to)| *from > 0.0 && *to < (1.0 - least) * from)
+}
+
+/// Whether the effect brings parameters back to what is known of them.
+fn restores_prior(before: &ResidualStats, after: &ResidualStats, criteria: &Criteria) -> bool {
+    let least = (criteria.selection.least_of_prior_penalty * before.prior_penalty)
+        .max(criteria.fit.unexplained_prior_penalty);
+    before.prior_penalty - after.prior_penalty > least
+}
