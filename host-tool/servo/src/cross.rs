@@ -63,7 +63,9 @@ pub fn cross_validate(problem: &Problem, fitted: &Fitted, folds: usize) -> LeftO
 pub struct Gain {
     /// Part of what the other leaves.
     pub part: f64,
-    /// By how many deviations, from log to log, it is above zero.
+    /// By how many deviations, from log to log, it is above zero: of the squares, or of each log's part
+    /// of its own, whichever is more. The first lets a log that leaves little say little, the second does
+    /// not let one that leaves much outvote the others.
     pub certainty: f64,
     /// 1 - rms / rms of the other, in each half of the logs (robust).
     pub halves: [f64; 2],
@@ -76,15 +78,23 @@ impl Gain {
             other.robust.iter().zip(&model.robust).map(|(o, m)| o - m).collect();
         let total: f64 = other.robust.iter().sum();
         let sum: f64 = differences.iter().sum();
-        let spread = differences.iter().map(|d| d * d).sum::<f64>().sqrt();
+        let parts =
+            differences.iter().zip(&other.robust).map(|(d, o)| d / o.max(f64::MIN_POSITIVE));
         let half = |side: usize| {
             let of = |left: &[f64]| left.iter().skip(side).step_by(2).sum::<f64>();
             1.0 - (of(&model.robust) / of(&other.robust).max(f64::MIN_POSITIVE)).sqrt()
         };
         Self {
             part: sum / total.max(f64::MIN_POSITIVE),
-            certainty: sum / spread.max(f64::MIN_POSITIVE),
+            certainty: deviations(differences.iter().copied()).max(deviations(parts)),
             halves: [half(0), half(1)],
         }
     }
+}
+
+/// By how many deviations the sum of differences is above zero, each of them as uncertain as it is large.
+fn deviations(differences: impl Iterator<Item = f64>) -> f64 {
+    let (sum, squares) =
+        differences.fold((0.0, 0.0), |(sum, squares), d| (sum + d, squares + d * d));
+    sum / squares.sqrt().max(f64::MIN_POSITIVE)
 }

@@ -160,7 +160,7 @@ impl Place<'_> {
         let Some((best, gain)) = confirmed(frame, joint, base.scale, &found.model, &over) else {
             return false;
         };
-        let rivals = rivals(&all, all[best].effect, frame.settings.rival_part * gain.part);
+        let rivals = rivals(&over, best, frame.settings.rival_part * gain.part, frame.settings);
         if !rivals.is_empty() {
             found.undecided = [all[best].clone()].into_iter().chain(rivals).collect();
             return false;
@@ -191,10 +191,19 @@ impl Place<'_> {
     }
 }
 
-/// Other effects that gain as much.
-fn rivals(all: &[Tried], effect: &str, near: f64) -> Vec<Tried> {
-    let is_rival = |other: &&Tried| other.effect != effect && other.gain.part >= near;
-    all.iter().filter(is_rival).cloned().collect()
+/// Other effects that gain as much as the best one, but for those that certainly leave more, and for those
+/// that take more parameters to leave no less: a spring that rests far away is an offset.
+fn rivals(over: &[Over], of: usize, near: f64, settings: &Settings) -> Vec<Tried> {
+    let (effect, best, _) = &over[of];
+    let leaves_more = |model: &Model| {
+        let apart = Gain::of(&best.left, &model.left);
+        apart.part >= settings.apart_part && apart.certainty >= settings.apart_certainty
+    };
+    let is_rival = |(other, model, gain): &&Over| {
+        let is_simple = other.unknowns.len() <= effect.unknowns.len();
+        other.effect != effect.effect && gain.part >= near && is_simple && !leaves_more(model)
+    };
+    over.iter().filter(is_rival).map(as_tried).collect()
 }
 
 /// The logs of which a model leaves most, up to a length in all.

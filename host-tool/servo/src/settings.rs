@@ -52,6 +52,10 @@ pub struct Settings {
     pub least_half_shrinkage: f64,
     /// A rival does the same where it takes this part of what the cause takes.
     pub rival_part: f64,
+    /// It does not where the cause leaves this part less of the squares than it does,
+    pub apart_part: f64,
+    /// by so many deviations from log to log.
+    pub apart_certainty: f64,
     /// Most effects of one joint.
     pub most_effects: usize,
     /// Length of logs, those that the model misses most, in which effects are screened [s]; a few
@@ -107,6 +111,8 @@ impl Default for Settings {
             least_shrinkage: 0.07,
             least_half_shrinkage: 0.03,
             rival_part: 0.9,
+            apart_part: 0.33,
+            apart_certainty: 2.0,
             most_effects: 3,
             screened_s: 700.0,
             screened: 6,

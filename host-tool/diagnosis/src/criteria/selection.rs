@@ -31,7 +31,7 @@ criteria! {
         /// away: less may be the method's own,
         least_of_excess: f64 = 0.08,
         /// unless it takes away this part of the prior penalty.
-        least_of_prior_penalty: f64 = 0.5,
+        least_of_prior_penalty: f64 = 0.2,
         /// An effect is refused if it makes parameters implausible and their prior penalty so many
         /// times larger.
         most_prior_penalty_growth: f64 = 1.2,

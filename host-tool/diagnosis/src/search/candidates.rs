@@ -23,8 +23,11 @@ pub fn candidates(
         .map(|&(definition, joint)| starts(linear, evidence, subject, definition, joint))
         .collect();
     let effort = &evidence.criteria.search;
+    // A spring lets the torque that was measured correct its link, and promises to take a good part of
+    // whatever is left.
     let least = |joint: u8| {
-        let of_joint = starts.iter().flatten().filter(|start| start.effect.joint == joint);
+        let is_of = |start: &&Start| start.effect.joint == joint && !start.effect.is_spring();
+        let of_joint = starts.iter().flatten().filter(is_of);
         let promised = of_joint.map(|start| start.gain).fold(0.0, f64::max);
         (effort.least_of_best_gain * promised).max(effort.least_promise)
     };

@@ -122,13 +122,24 @@ fn overlooked(
     found
 }
 
-/// Takes the best of those that are left, and those that promise nearly as much.
+/// Takes the best of those that are left and those that promise nearly as much, and the best of every
+/// other joint: what one hides of another's command may leave its rows little weight, and then they
+/// promise little, whatever is found.
 fn next_batch(promising: &mut Vec<Candidate>, without: f64, subject: &Subject) -> Vec<Candidate> {
     let policy = &subject.criteria.selection;
     let gain = |candidate: &Candidate| without - candidate.train;
     let least = policy.finalist_gain * promising.first().map_or(0.0, gain);
     let alike = promising.iter().take_while(|candidate| gain(candidate) > least).count();
-    promising.drain(..alike.clamp(1, policy.finalists).min(promising.len())).collect()
+    let alike = alike.clamp(1, policy.finalists).min(promising.len());
+    let mut batch: Vec<Candidate> = promising.drain(..alike).collect();
+    for joint in 0..=subject.plant.joints() as u8 {
+        let of_joint = |candidate: &Candidate| candidate.effect.joint == joint;
+        if !batch.iter().any(of_joint) {
+            let best = promising.iter().position(of_joint);
+            batch.extend(best.map(|at| promising.remove(at)));
+        }
+    }
+    batch
 }
 
 /// The candidates of a batch in the model before them, refitted.

@@ -114,9 +114,11 @@ fn reduces_excess(before: &FittedModel, after: &FittedModel, criteria: &Criteria
     from.iter().zip(&to).any(|(from, to)| *from > 0.0 && *to < (1.0 - least) * from)
 }
 
-/// Whether the effect brings parameters back to what is known of them.
+/// Whether the effect brings parameters back to what is known of them: by a good part of their penalty,
+/// of which other effects hold the rest, and by more than what any effect must gain.
 fn restores_prior(before: &ResidualStats, after: &ResidualStats, criteria: &Criteria) -> bool {
-    let least = (criteria.selection.least_of_prior_penalty * before.prior_penalty)
-        .max(criteria.fit.unexplained_prior_penalty);
+    let policy = &criteria.selection;
+    let least = (policy.least_of_prior_penalty * before.prior_penalty)
+        .max(2.0 * policy.least_log_likelihood);
     before.prior_penalty - after.prior_penalty > least
 }

@@ -143,10 +143,7 @@ impl Search<'_> {
             |model: &FittedModel| objection(&self.last, model, &self.subject.criteria).is_none();
         let finished =
             accepted(&finalist.model).then(|| finished(self.subject, finalist.model.clone()))?;
-        let effects = &finished.linear.hypothesis.effects;
-        let physical =
-            effects.iter().all(|effect| is_physical(effect, self.subject, &finished.evidence));
-        (physical && accepted(&finished)).then_some(finished)
+        (is_all_physical(self.subject, &finished) && accepted(&finished)).then_some(finished)
     }
 
     /// Takes out effects that others, added later, make needless: an offset goes once the spring
@@ -259,7 +256,9 @@ fn finished(subject: &Subject, model: FittedModel) -> FittedModel {
     let hypothesis = model.linear.hypothesis.clone();
     let further = FittedModel::fitted(&model.evidence, subject, hypothesis, steps);
     let mut best = further.filter(|further| further.gain_over(&model) > 0.0).unwrap_or(model);
-    best = with_play(subject, &best).unwrap_or(best);
+    // Play so narrow that it is none would only fit better what the spring explains.
+    let play = with_play(subject, &best).filter(|play| is_all_physical(subject, play));
+    best = play.unwrap_or(best);
     best = best.settled(subject);
     for _ in 0..subject.criteria.search.restarts {
         match restarted(subject, &best) {
@@ -268,6 +267,12 @@ fn finished(subject: &Subject, model: FittedModel) -> FittedModel {
         }
     }
     best
+}
+
+/// Whether all effects of a model are physical.
+fn is_all_physical(subject: &Subject, model: &FittedModel) -> bool {
+    let mut effects = model.linear.hypothesis.effects.iter();
+    effects.all(|effect| is_physical(effect, subject, &model.evidence))
 }
 
 /// The effects of a refitted model in the model as given. Effects are searched for from there,
