@@ -189,10 +189,18 @@ impl Searched {
     ) -> Result<Self, StepError> {
         progress("refitting the model");
         let (evidence, refitted) = preparation::prepared(subject, stretches, near)?;
-        let selection = selection::select(subject, refitted, progress);
+        let selection = selection::select(subject, refitted, &[], progress);
         progress("trying whether the model itself is at fault");
         let fault = model_faults::find(subject, &evidence, &selection.refitted, &selection.last);
-        let selection = if fault.is_some() { selection.without_effects() } else { selection };
+        let Some(found) = fault else { return Ok(Self { evidence, selection, fault: None }) };
+        let effects = found.fault.as_effects(subject);
+        let with =
+            |effects| selection::select(subject, selection.refitted.clone(), effects, progress);
+        let said = (!effects.is_empty()).then(|| with(&effects[..]));
+        let (selection, fault) = match said.filter(|said| said.holds(&effects)) {
+            Some(said) => (said, None),
+            None => (selection.without_effects(), Some(found)),
+        };
         Ok(Self { evidence, selection, fault })
     }
 

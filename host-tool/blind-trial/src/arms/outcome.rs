@@ -33,7 +33,18 @@ pub struct ArmOutcome {
 impl ArmOutcome {
     /// Whether a claim names what is hidden.
     pub fn is_true(&self, claim: &Claim) -> bool {
-        self.truth.as_ref().is_some_and(|truth| names(claim, truth))
+        let is_it = |truth: &TrueCause| names(claim, truth) || self.is_same_lean(claim, truth);
+        self.truth.as_ref().is_some_and(is_it)
+    }
+
+    /// Whether both turn all of a planar pendulum against gravity: its base leans, or its first joint's
+    /// zero lies elsewhere.
+    fn is_same_lean(&self, claim: &Claim, truth: &TrueCause) -> bool {
+        const LEANS: [(&str, u8); 2] = [("base_tilt", 0), ("encoder_offset", 1)];
+        let leans = |name: &str, joint: u8| LEANS.contains(&(name, joint));
+        self.arm == ArmKind::TwoLinkPendulum
+            && leans(&claim.effect, claim.joint)
+            && leans(&truth.effect, truth.joint)
     }
 
     /// Whether a name was given for which there is nothing.

@@ -4,7 +4,9 @@ use std::sync::OnceLock;
 
 use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
+use crate::trial::hypothesis::EffectInstance;
 use model::mechanism::Rrr;
+use rig::effects::Definition;
 use rig::plant::Body;
 
 /// A fault of the model as given, or of what the data set says of its columns.
@@ -58,6 +60,19 @@ impl ModelFault {
             Self::Late(size) => size,
             _ => &[],
         }
+    }
+
+    /// Effects that say the same, where the catalogue has them: on an arm of any kind another home
+    /// position is one.
+    pub fn as_effects(&self, subject: &Subject) -> Vec<EffectInstance> {
+        let Self::Home(size) = self else { return Vec::new() };
+        let of_name = |effect: &&'static Definition| effect.name == "encoder_offset";
+        let definition = subject.catalogue.iter().find(of_name);
+        let of_joint = |joint: usize| {
+            let (joint, values) = (joint as u8 + 1, vec![size[joint]]);
+            definition.map(|definition| EffectInstance { definition, joint, values })
+        };
+        said_joints(size, subject).filter_map(of_joint).collect()
     }
 
     /// The same with another size.
@@ -173,18 +188,22 @@ fn negate(signal: &mut [f64]) {
     signal.iter_mut().for_each(|value| *value = -*value);
 }
 
-/// Zeros that lie elsewhere by a good part of the largest.
-fn home_words(size: &[f64], subject: &Subject) -> String {
+/// Joints (from 0) whose zeros lie elsewhere by a good part of the largest.
+fn said_joints(size: &[f64], subject: &Subject) -> impl Iterator<Item = usize> {
     let largest = size.iter().fold(0.0, |largest, q: &f64| f64::max(largest, q.abs()));
-    let is_said = |joint: &&usize| size[**joint].abs() > SAID_PART * largest;
-    let words = |&joint: &usize| {
+    let is_said = move |joint: &usize| size[*joint].abs() > SAID_PART * largest;
+    subject.joints.iter().copied().filter(is_said)
+}
+
+fn home_words(size: &[f64], subject: &Subject) -> String {
+    let words = |joint: usize| {
         let number = subject.outer_joint(joint as u8 + 1);
         match subject.units[joint].slides {
             true => format!("joint {number} by {:.4} m", -size[joint]),
             false => format!("joint {number} by {:.1} degrees", -size[joint].to_degrees()),
         }
     };
-    let said: Vec<String> = subject.joints.iter().filter(is_said).map(words).collect();
+    let said: Vec<String> = said_joints(size, subject).map(words).collect();
     format!("the home position is not the model's: {}; home the arm anew", said.join(", "))
 }
 

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use super::candidate::Candidate;
 use super::candidates::{Start, candidates, places_open, starts};
 use super::policy::{gain, is_more_than, is_physical};
+use super::restart::without_play;
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
@@ -180,7 +181,8 @@ fn better(
     if gain(&second) > gain(&first) { second } else { first }
 }
 
-/// A model whose last effect is new, refitted; none where that is not physical.
+/// A model whose last effect is new, refitted; none where that is not physical. Backlash whose play is
+/// none is the spring that is left of it.
 fn finalist(
     subject: &Subject,
     before: &FittedModel,
@@ -188,8 +190,18 @@ fn finalist(
     start: Hypothesis,
 ) -> Option<Finalist> {
     let steps = subject.criteria.selection.finalist_steps;
-    let model = FittedModel::fitted_near(now, &before.evidence, subject, start, steps)?;
-    let effect = model.linear.hypothesis.effects.last()?.clone();
-    let gain = gain(before, &model);
-    is_physical(&effect, subject, &model.evidence).then_some(Finalist { effect, model, gain })
+    let of = |start: Hypothesis| {
+        let model = FittedModel::fitted_near(now, &before.evidence, subject, start, steps)?;
+        let effect = model.linear.hypothesis.effects.last()?.clone();
+        let gain = gain(before, &model);
+        Some(Finalist { effect, model, gain })
+    };
+    let is_real = |found: &Finalist| is_physical(&found.effect, subject, &found.model.evidence);
+    let found = of(start)?;
+    if is_real(&found) {
+        return Some(found);
+    }
+    let mut spring = found.model.linear.hypothesis.clone();
+    *spring.effects.last_mut()? = without_play(subject, &found.effect)?;
+    of(spring).filter(is_real)
 }

@@ -51,8 +51,7 @@ pub fn objection(
 ) -> Option<Objection> {
     let (from, to) = (&before.stats, &after.stats);
     let is_new = !is_exchange(before, after);
-    if from.excess <= 0.0 && after.ends_with_spring() || takes_noise_for_motion(from, to, criteria)
-    {
+    if after.ends_with_spring() && (from.excess <= 0.0 || takes_noise(from, to, criteria)) {
         Some(Objection::Noise)
     } else if is_new && !may_be_spring(before, after, criteria) {
         Some(Objection::Smoothing)
@@ -95,11 +94,7 @@ fn makes_implausible(before: &ResidualStats, after: &ResidualStats, criteria: &C
 }
 
 /// A soft spring smooths what encoder steps add.
-fn takes_noise_for_motion(
-    before: &ResidualStats,
-    after: &ResidualStats,
-    criteria: &Criteria,
-) -> bool {
+fn takes_noise(before: &ResidualStats, after: &ResidualStats, criteria: &Criteria) -> bool {
     let policy = &criteria.selection;
     after.over_encoder_noise < policy.least_of_encoder_noise
         && before.over_encoder_noise < policy.near_encoder_noise

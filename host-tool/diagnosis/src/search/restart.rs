@@ -12,7 +12,7 @@ use crate::fit::gauss_newton::open_in;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
 use crate::trial::hypothesis::EffectInstance;
-use rig::effects::{Definition, Kind};
+use rig::effects::{Definition, Kind, Parameter};
 
 /// Factors of gap, stiffness, damping and the motor's inertia to restart with.
 const RESTARTS: [[f64; 4]; 4] =
@@ -51,6 +51,16 @@ pub fn with_play(subject: &Subject, step: &FittedModel) -> Option<FittedModel> {
         EffectInstance { definition, joint: spring.joint, values }
     };
     better_from(subject, step, PLAY.iter().map(from).collect())
+}
+
+/// The spring alone of backlash: play that is narrow against the spring's deflection is none.
+pub fn without_play(subject: &Subject, play: &EffectInstance) -> Option<EffectInstance> {
+    let names = |parameters: &[Parameter]| parameters.iter().map(|p| p.name).collect::<Vec<_>>();
+    let of_spring = names(play.definition.parameters.get(1..)?);
+    let is_spring = |definition: &&'static Definition| names(definition.parameters) == of_spring;
+    let definition = subject.catalogue.iter().find(is_spring)?;
+    let values = play.values[1..].to_vec();
+    play.has_backlash().then(|| EffectInstance { definition, joint: play.joint, values })
 }
 
 /// A model whose last effect is the best that a search from these leads to, if it fits better.

@@ -51,9 +51,15 @@ pub struct Rival {
     pub objection: Option<Objection>,
 }
 
-/// Adds effects to a refitted model; `progress` hears what is tried.
-pub fn select(subject: &Subject, refitted: FittedModel, progress: &dyn Fn(&str)) -> Selection {
+/// Adds effects to a refitted model, those that are known already first; `progress` hears what is tried.
+pub fn select(
+    subject: &Subject,
+    refitted: FittedModel,
+    known: &[EffectInstance],
+    progress: &dyn Fn(&str),
+) -> Selection {
     let mut search = Search { subject, last: refitted.clone(), rivals: Vec::new() };
+    known.iter().for_each(|effect| search.add_known(effect));
     let mut refused = Vec::new();
     for round in 0..subject.criteria.selection.most_effects {
         progress(&format!("trying every effect on every joint, round {}", round + 1));
@@ -78,6 +84,15 @@ pub fn select(subject: &Subject, refitted: FittedModel, progress: &dyn Fn(&str))
 }
 
 impl Selection {
+    /// Whether all of these effects are in the last model.
+    pub fn holds(&self, effects: &[EffectInstance]) -> bool {
+        let same = |a: &EffectInstance, b: &EffectInstance| {
+            (a.definition.name, a.joint) == (b.definition.name, b.joint)
+        };
+        let last = &self.last.linear.hypothesis.effects;
+        effects.iter().all(|effect| last.iter().any(|other| same(effect, other)))
+    }
+
     /// The refitted model alone; what was added counts as refused.
     pub fn without_effects(self) -> Self {
         let last = self.refitted.clone();
@@ -123,6 +138,17 @@ impl Search<'_> {
             lost = contest.finalists.iter().map(|finalist| finalist.effect.clone()).collect();
         }
         Round::Refused(contest.finalists)
+    }
+
+    /// Adds an effect with the values that it is known by, if it is accepted.
+    fn add_known(&mut self, effect: &EffectInstance) {
+        let hypothesis = self.last.linear.hypothesis.clone().with(effect.clone());
+        let with = self.fitted(hypothesis).map(|with| with.settled(self.subject));
+        let accepted =
+            |with: &FittedModel| objection(&self.last, with, &self.subject.criteria).is_none();
+        if let Some(with) = with.filter(accepted) {
+            self.add(effect, with, Vec::new());
+        }
     }
 
     /// Adds an effect that won over its rivals.
