@@ -4,24 +4,12 @@ use rayon::prelude::*;
 
 use super::candidate::Candidate;
 use super::candidates::{Start, candidates, places_open, starts};
-use super::policy::{gain, is_more_than, is_physical};
-use super::restart::without_play;
+use super::policy::is_more_than;
+use super::refit::{Finalist, refitted};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
-use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use rig::effects::Definition;
-
-/// A candidate that is refitted with everything else.
-#[derive(Clone)]
-pub struct Finalist {
-    /// The effect with its values after that.
-    pub effect: EffectInstance,
-    /// The model with it.
-    pub model: FittedModel,
-    /// Log-likelihood that the model gains by it.
-    pub gain: f64,
-}
 
 /// Candidates for a place in a model, refitted batch by batch: those that promise most, then those that
 /// promise less, then those that were never searched because others promised more.
@@ -141,67 +129,4 @@ fn next_batch(promising: &mut Vec<Candidate>, without: f64, subject: &Subject) -
         }
     }
     batch
-}
-
-/// The candidates of a batch in the model before them, refitted.
-fn refitted(
-    subject: &Subject,
-    before: &FittedModel,
-    now: &Linearisation,
-    batch: Vec<Candidate>,
-) -> Vec<Finalist> {
-    let known = subject.known_effects.len();
-    let refit = |candidate: Candidate| {
-        let from = |linear: &Linearisation| {
-            let mut start = linear.hypothesis.clone();
-            if let Some(place) = start.spring_replaced_by(&candidate.effect, known) {
-                start.effects.remove(place);
-            }
-            finalist(subject, before, linear, start.with(candidate.effect.clone()))
-        };
-        better(from(now), || from(&before.linear), subject)
-    };
-    batch.into_par_iter().filter_map(refit).collect()
-}
-
-/// A finalist refitted from the parameters as given, and where it does not gain enough so, the better of
-/// that and the one refitted from the model before it: few steps from afar may lose on other joints
-/// what an effect gains on its own.
-fn better(
-    first: Option<Finalist>,
-    second: impl FnOnce() -> Option<Finalist>,
-    subject: &Subject,
-) -> Option<Finalist> {
-    let gain =
-        |finalist: &Option<Finalist>| finalist.as_ref().map_or(f64::NEG_INFINITY, |f| f.gain);
-    if gain(&first) > subject.criteria.selection.least_log_likelihood {
-        return first;
-    }
-    let second = second();
-    if gain(&second) > gain(&first) { second } else { first }
-}
-
-/// A model whose last effect is new, refitted; none where that is not physical. Backlash whose play is
-/// none is the spring that is left of it.
-fn finalist(
-    subject: &Subject,
-    before: &FittedModel,
-    now: &Linearisation,
-    start: Hypothesis,
-) -> Option<Finalist> {
-    let steps = subject.criteria.selection.finalist_steps;
-    let of = |start: Hypothesis| {
-        let model = FittedModel::fitted_near(now, &before.evidence, subject, start, steps)?;
-        let effect = model.linear.hypothesis.effects.last()?.clone();
-        let gain = gain(before, &model);
-        Some(Finalist { effect, model, gain })
-    };
-    let is_real = |found: &Finalist| is_physical(&found.effect, subject, &found.model.evidence);
-    let found = of(start)?;
-    if is_real(&found) {
-        return Some(found);
-    }
-    let mut spring = found.model.linear.hypothesis.clone();
-    *spring.effects.last_mut()? = without_play(subject, &found.effect)?;
-    of(spring).filter(is_real)
 }

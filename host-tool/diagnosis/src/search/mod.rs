@@ -6,5 +6,6 @@ pub mod finalists;
 pub mod harmonics;
 pub mod objection;
 pub mod policy;
+pub mod refit;
 pub mod restart;
 pub mod selection;

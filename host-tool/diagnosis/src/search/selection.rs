@@ -3,9 +3,10 @@
 
 use rayon::prelude::*;
 
-use super::finalists::{Contest, Finalist};
+use super::finalists::Contest;
 use super::objection::{Objection, objection};
 use super::policy::{explains_as, gain, is_done, is_more_than, is_physical};
+use super::refit::Finalist;
 use super::restart::{restarted, with_play};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
