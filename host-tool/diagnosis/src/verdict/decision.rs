@@ -26,12 +26,19 @@ fn confirmed(worth: &Worth, criteria: &VerdictCriteria) -> f64 {
     (deviations / criteria.sure_deviations).clamp(0.0, 1.0)
 }
 
-/// Whether a cause is named. One that is not sure takes half of what is left without it: where most
-/// stays, something else on that joint may be the cause of all of it.
-pub fn is_named(probability: f64, worth: &Worth, criteria: &VerdictCriteria) -> bool {
+/// Whether a cause is named; `explained` is the part of the arm's gap that all causes take together. One
+/// that is not sure takes half of what is left without it, and causes half of the gap: where most stays,
+/// something else may be the cause of all of it, on that joint or, as a belt between two, on the arm.
+pub fn is_named(
+    probability: f64,
+    worth: &Worth,
+    explained: f64,
+    criteria: &VerdictCriteria,
+) -> bool {
     let sure = probability >= criteria.sure_probability;
+    let most = worth.part_of_left.min(explained) >= criteria.most_of_left;
     probability >= criteria.least_probability
-        && (sure || worth.part_of_left >= criteria.most_of_left)
+        && (sure || most)
         && is_large(worth, criteria)
         && worth.share_interval[0] > 0.0
 }

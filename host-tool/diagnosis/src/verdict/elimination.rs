@@ -90,11 +90,12 @@ impl<'a> Elimination<'a> {
     /// could explain.
     pub fn not_named(&self, confirmation: &Confirmation, judged: &[Judged]) -> Vec<usize> {
         let criteria = &self.subject.criteria.verdict;
+        let explained = confirmation.explained(&self.last);
         let fails = |index: &usize| {
             let (worth, probability) = &judged[*index];
             let without = &self.added[*index].without;
             !self.can_be(confirmation, *index, worth)
-                || !is_named(*probability, worth, criteria)
+                || !is_named(*probability, worth, explained, criteria)
                 || !reaches_ceiling(self.subject, without, &self.last, self.place(*index))
         };
         (0..self.added.len()).filter(fails).collect()
