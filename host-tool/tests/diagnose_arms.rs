@@ -5,7 +5,7 @@ mod arms;
 
 use arms::recorded;
 use diagnosis::{Criteria, Diagnosis, Report, Verdict};
-use files::example_arms::{linear_axis, six_axes, two_link_pendulum};
+use files::example_arms::{linear_axis, rotary_joint, six_axes, two_link_pendulum};
 use files::{ArmFile, RobotFile};
 use model::links::{Link, base_parameters};
 use model::reference_robot::reference_robot;
@@ -83,10 +83,26 @@ fn single_causes_of_a_pendulum_are_named_with_joint_and_size() {
             ("coefficient_V_per_Nm", 0.05),
             0.1,
         ),
+        (
+            "joint_elasticity:1:stiffness_Nm_per_rad=800,damping_Nm_s_per_rad=1.3,motor_inertia_kg_m2=0.018",
+            "joint_elasticity",
+            1,
+            ("stiffness_Nm_per_rad", 800.0),
+            0.15,
+        ),
+        ("encoder_offset:1:offset_rad=0.03", "encoder_offset", 1, ("offset_rad", 0.03), 0.1),
     ];
     for &(hidden, effect, joint, size, within) in cases {
         names(&of_pendulum(&[hidden]), effect, joint, size, within);
     }
+}
+
+/// The log under driven noise is told three times too noisy, and must not make up for the others.
+#[test]
+fn drag_that_leaves_less_than_two_millivolts_is_named() {
+    let hidden = ["quadratic_drag:1:coefficient_V_s2_per_rad2=0.0028"];
+    let report = diagnosed(&recorded(&rotary_joint(), 500.0, 15.0, &hidden)).report;
+    names(&report, "quadratic_drag", 1, ("coefficient_V_s2_per_rad2", 0.0028), 0.1);
 }
 
 #[test]
@@ -134,6 +150,7 @@ fn single_causes_of_a_geared_arm_are_named_with_joint_and_size() {
             ("relative_error", 0.12),
             0.2,
         ),
+        ("delay:5:delay_s=0.0018", "delay", 5, ("delay_s", 0.0018), 0.15),
     ];
     for &(hidden, effect, joint, size, within) in cases {
         names(&of_six_joints(&[hidden]), effect, joint, size, within);

@@ -70,3 +70,26 @@ fn the_amended_model_moves_as_the_arm_does() {
     let (before, after) = (report.gap.refitted_rad[2], joint.as_given_rad);
     assert!(after < 0.7 * before, "{before} {after}");
 }
+
+/// Causes of an arm of six servos, of which the first joint is another than in the model.
+fn causes_of(first: impl Fn(ServoJoint) -> ServoJoint) -> Vec<(String, u8)> {
+    let file = six_axes(41);
+    let mut servos = prepared::joints(&file).unwrap();
+    servos[0] = first(servos[0]);
+    let (_, report) = diagnosed(&record(&file, &Truth::of(links_of(&file), servos), &short(), 41));
+    report.causes.iter().map(|cause| (cause.effect.clone(), cause.joint)).collect()
+}
+
+#[test]
+fn asymmetry_of_viscous_friction_is_told_from_that_of_all_friction() {
+    let named = causes_of(|joint| ServoJoint { viscous_asymmetry: 0.3, ..joint });
+    assert_eq!(named, [("viscous_asymmetry".into(), 1)]);
+    let named = causes_of(|joint| ServoJoint { asymmetry: 0.3, ..joint });
+    assert_eq!(named, [("asymmetric_friction".into(), 1)]);
+}
+
+#[test]
+fn an_offset_is_told_from_the_spring_that_rests_far_away() {
+    let named = causes_of(|joint| ServoJoint { offset: 0.2, ..joint });
+    assert_eq!(named, [("dac_offset".into(), 1)]);
+}

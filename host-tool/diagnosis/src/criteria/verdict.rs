@@ -49,10 +49,12 @@ criteria! {
         most_of_left: f64 = 0.5,
         /// and this share at least: less is what large causes together leave.
         least_small_share: f64 = 0.01,
-        /// A spring leaves this part of the noise of the confirming logs at least, for it can follow
-        /// noise: where something structured comes in half of the pieces noise is read off, its power
-        /// is found 2.6 times too large.
-        least_of_noise: f64 = 0.6,
+        /// A spring, which can follow noise, leaves this part of the noise of the confirming logs at least
+        /// where there is no gap without causes,
+        least_of_noise: f64 = 0.9,
+        /// and this elsewhere: where something structured comes in half of the pieces that noise is read
+        /// off, its power is found 2.6 times too large.
+        least_noise: f64 = 0.6,
         /// Least probability of an alternative that is listed.
         least_alternative: f64 = 0.02,
         /// A gap without a name of so many times the noise is said to be another robot's, perhaps.

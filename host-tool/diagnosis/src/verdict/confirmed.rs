@@ -127,13 +127,18 @@ impl<'a> Confirmation<'a> {
         blocks.figure(1, explained).0 >= self.subject.criteria.verdict.explained
     }
 
-    /// Whether an effect leaves less than noise on the confirming logs: it takes noise for motion.
+    /// Whether an effect takes noise of the confirming logs for motion: it leaves less than that where
+    /// there was little more without any, or less than the noise can be.
     pub fn takes_noise(&self, last: &FittedModel, effect: &EffectInstance) -> bool {
-        let least = self.subject.criteria.verdict.least_of_noise;
+        let criteria = &self.subject.criteria.verdict;
         let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
-        let models = [&self.full.residual_v];
+        let models = [&self.refitted.residual_v, &self.full.residual_v];
         let blocks = Blocks::of(&last.evidence, &self.joints_of(effect), &models, noise_v);
-        blocks.figure(1, |sums| (sums[0] / sums[1].max(1e-300)).sqrt()).0 < least
+        let over =
+            |model: usize| blocks.figure(1, |sums| (sums[model] / sums[2].max(1e-300)).sqrt()).0;
+        let (without, with) = (over(0), over(1));
+        let no_gap = without < criteria.no_gap_ratio;
+        with < if no_gap { criteria.least_of_noise } else { criteria.least_noise }
     }
 
     /// What the refitted model leaves, its parameters within their doubt, in units of noise.
