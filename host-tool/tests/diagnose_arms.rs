@@ -83,11 +83,25 @@ fn single_causes_of_a_pendulum_are_named_with_joint_and_size() {
             ("coefficient_V_per_Nm", 0.05),
             0.1,
         ),
-        ("encoder_offset:1:offset_rad=0.03", "encoder_offset", 1, ("offset_rad", 0.03), 0.1),
     ];
     for &(hidden, effect, joint, size, within) in cases {
         names(&of_pendulum(&[hidden]), effect, joint, size, within);
     }
+}
+
+/// All of a planar pendulum turns against gravity, by its first joint's zero or by its base: one thing
+/// under two names.
+#[test]
+fn another_home_position_of_a_pendulum_is_named_as_a_lean() {
+    let report = of_pendulum(&["encoder_offset:1:offset_rad=0.03"]);
+    let [cause] = &report.causes[..] else { panic!("{:?}", report.causes) };
+    let size = match (cause.effect.as_str(), cause.joint) {
+        ("encoder_offset", 1) => "offset_rad",
+        ("base_tilt", 0) => "tilt_y_rad",
+        other => panic!("{other:?}"),
+    };
+    let diagnosis::Value::Number(found) = cause.parameters[size] else { panic!("a number") };
+    assert!((found.abs() / 0.03 - 1.0).abs() < 0.1, "{found}");
 }
 
 /// The log under driven noise is told three times too noisy, and must not make up for the others.
