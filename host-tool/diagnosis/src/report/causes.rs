@@ -7,8 +7,8 @@ use super::sentence::effect_words;
 use crate::fit::cross_validation::NORMAL;
 use crate::logs::subject::Subject;
 use crate::result::{Alternative, Cause, Interval, Rival};
+use crate::search::found;
 use crate::search::objection::Objection;
-use crate::search::selection;
 use crate::trial::hypothesis::EffectInstance;
 use crate::verdict::judgement::{Judgement, Named};
 use rig::effects::{Kind, Parameter};
@@ -114,7 +114,7 @@ fn of_rivals(
 ) -> Vec<Alternative> {
     let criteria = &subject.criteria.verdict;
     let (confirmation, last) = (&judgement.confirmation, &judgement.last);
-    let alternative = |rival: &selection::Rival| {
+    let alternative = |rival: &found::Rival| {
         let odds = (criteria.log_likelihood_weight * rival.gain).exp();
         let probability = (named.probability * odds).min(1.0 - named.probability);
         let without_v = &confirmation.without[index - subject.known_effects.len()].residual_v;
@@ -152,7 +152,7 @@ fn unconfirmed(subject: &Subject, judgement: &Judgement) -> Vec<Alternative> {
 }
 
 /// Why an effect was not added.
-fn why_refused(refused: &selection::Rival) -> String {
+fn why_refused(refused: &found::Rival) -> String {
     let why = refused.objection.unwrap_or(Objection::Chance).words();
     format!("gains a log-likelihood of {:.0}, {why}", refused.gain)
 }
@@ -160,7 +160,7 @@ fn why_refused(refused: &selection::Rival) -> String {
 /// What was tried and lost, the best first.
 pub fn rivals(subject: &Subject, judgement: &Judgement) -> Vec<Rival> {
     let confirmation = &judgement.confirmation;
-    let explained = |rival: &selection::Rival| {
+    let explained = |rival: &found::Rival| {
         let (refitted_v, model_v) =
             (&confirmation.refitted.residual_v, &rival.model.all_residual_v());
         confirmation.worth_of(&judgement.last, &rival.effect, refitted_v, model_v).share

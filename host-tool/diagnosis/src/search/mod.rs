@@ -3,6 +3,7 @@
 pub mod candidate;
 pub mod candidates;
 pub mod finalists;
+pub mod found;
 pub mod harmonics;
 pub mod objection;
 pub mod policy;

@@ -4,7 +4,8 @@
 use rayon::prelude::*;
 
 use super::finalists::Contest;
-use super::objection::{Objection, objection};
+use super::found::{Added, Rival, Selection};
+use super::objection::objection;
 use super::policy::{explains_as, gain, is_done, is_more_than, is_physical};
 use super::refit::Finalist;
 use super::restart::{restarted, with_play};
@@ -14,43 +15,6 @@ use crate::fit::preparation::as_given;
 use crate::fit::unknowns::kept_physical;
 use crate::logs::subject::Subject;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
-
-/// What the search ends with.
-pub struct Selection {
-    /// The refitted model.
-    pub refitted: FittedModel,
-    /// The model with all effects that were added.
-    pub last: FittedModel,
-    /// The added effects, in the order of the last model's.
-    pub added: Vec<Added>,
-    /// Candidates that were not accepted at the end, the best first.
-    pub refused: Vec<Rival>,
-}
-
-/// An effect that was added.
-#[derive(Clone)]
-pub struct Added {
-    /// Log-likelihood that the last model loses without it.
-    pub gain: f64,
-    /// The last model without it.
-    pub without: FittedModel,
-    /// What else was tried in its place, the best first.
-    pub rivals: Vec<Rival>,
-}
-
-/// A candidate that was not added.
-#[derive(Clone)]
-pub struct Rival {
-    /// The effect, refitted with everything else.
-    pub effect: EffectInstance,
-    /// Log-likelihood by which the model with it is worse than the one with the effect in its
-    /// place, or better than the last one where it was refused.
-    pub gain: f64,
-    /// The model with it.
-    pub model: FittedModel,
-    /// What speaks against it; nothing where another did better.
-    pub objection: Option<Objection>,
-}
 
 /// Adds effects to a refitted model, those that are known already first; `progress` hears what is tried.
 pub fn select(
@@ -82,23 +46,6 @@ pub fn select(
     let refused =
         refused.into_iter().map(|finalist| Rival::refused(finalist, &before, subject)).collect();
     Selection { refitted, last: search.last, added, refused }
-}
-
-impl Selection {
-    /// Whether all of these effects are in the last model.
-    pub fn holds(&self, effects: &[EffectInstance]) -> bool {
-        let same = |a: &EffectInstance, b: &EffectInstance| {
-            (a.definition.name, a.joint) == (b.definition.name, b.joint)
-        };
-        let last = &self.last.linear.hypothesis.effects;
-        effects.iter().all(|effect| last.iter().any(|other| same(effect, other)))
-    }
-
-    /// The refitted model alone; what was added counts as refused.
-    pub fn without_effects(self) -> Self {
-        let last = self.refitted.clone();
-        Self { last, added: Vec::new(), ..self }
-    }
 }
 
 /// How a round ends.
@@ -263,15 +210,6 @@ pub fn update_gains(subject: &Subject, last: &FittedModel, added: &mut [Added]) 
             added.gain = gain(&without, last);
             added.without = without;
         }
-    }
-}
-
-impl Rival {
-    /// A finalist that was refused beside the effects of the model `before`.
-    fn refused(finalist: Finalist, before: &FittedModel, subject: &Subject) -> Self {
-        let Finalist { effect, gain, model } = finalist;
-        let objection = objection(before, &model, &subject.criteria);
-        Self { effect, gain, model, objection: objection.or(Some(Objection::Unsettled)) }
     }
 }
 

@@ -6,7 +6,7 @@ use crate::fit::gauss_newton::fit_held;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Rows;
-use crate::search::selection::Added;
+use crate::search::found::Added;
 use crate::trial::hypothesis::EffectInstance;
 use crate::trial::residual_rows::residual_rows;
 

@@ -5,7 +5,7 @@ use crate::criteria::VerdictCriteria;
 use crate::fit::fitted_model::FittedModel;
 use crate::result::Verdict;
 use crate::rows::evidence::Rows;
-use crate::search::selection::Added;
+use crate::search::found::Added;
 use crate::trial::hypothesis::EffectInstance;
 
 /// Probability that an added effect is a cause: against each of its rivals by the log-likelihood

@@ -5,7 +5,8 @@ use super::decision::{is_named, is_sound, probability};
 use super::misfit::joints_of_another;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
-use crate::search::selection::{Added, Rival, Selection, update_gains};
+use crate::search::found::{Added, Rival, Selection};
+use crate::search::selection::update_gains;
 use crate::tables::ceiling::reaches_ceiling;
 use crate::trial::hypothesis::EffectInstance;
 

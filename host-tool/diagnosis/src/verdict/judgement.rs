@@ -4,7 +4,7 @@ use super::confirmed::{Confirmation, Worth};
 use super::elimination::Elimination;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
-use crate::search::selection::{Added, Rival, Selection};
+use crate::search::found::{Added, Rival, Selection};
 use crate::trial::hypothesis::EffectInstance;
 
 /// What the search amounts to.

@@ -1,0 +1,70 @@
+//! What a search ends with.
+
+use super::objection::{Objection, objection};
+use super::refit::Finalist;
+use crate::fit::fitted_model::FittedModel;
+use crate::logs::subject::Subject;
+use crate::trial::hypothesis::EffectInstance;
+
+/// What the search ends with.
+pub struct Selection {
+    /// The refitted model.
+    pub refitted: FittedModel,
+    /// The model with all effects that were added.
+    pub last: FittedModel,
+    /// The added effects, in the order of the last model's.
+    pub added: Vec<Added>,
+    /// Candidates that were not accepted at the end, the best first.
+    pub refused: Vec<Rival>,
+}
+
+/// An effect that was added.
+#[derive(Clone)]
+pub struct Added {
+    /// Log-likelihood that the last model loses without it.
+    pub gain: f64,
+    /// The last model without it.
+    pub without: FittedModel,
+    /// What else was tried in its place, the best first.
+    pub rivals: Vec<Rival>,
+}
+
+/// A candidate that was not added.
+#[derive(Clone)]
+pub struct Rival {
+    /// The effect, refitted with everything else.
+    pub effect: EffectInstance,
+    /// Log-likelihood by which the model with it is worse than the one with the effect in its
+    /// place, or better than the last one where it was refused.
+    pub gain: f64,
+    /// The model with it.
+    pub model: FittedModel,
+    /// What speaks against it; nothing where another did better.
+    pub objection: Option<Objection>,
+}
+
+impl Selection {
+    /// Whether all of these effects are in the last model.
+    pub fn holds(&self, effects: &[EffectInstance]) -> bool {
+        let same = |a: &EffectInstance, b: &EffectInstance| {
+            (a.definition.name, a.joint) == (b.definition.name, b.joint)
+        };
+        let last = &self.last.linear.hypothesis.effects;
+        effects.iter().all(|effect| last.iter().any(|other| same(effect, other)))
+    }
+
+    /// The refitted model alone; what was added counts as refused.
+    pub fn without_effects(self) -> Self {
+        let last = self.refitted.clone();
+        Self { last, added: Vec::new(), ..self }
+    }
+}
+
+impl Rival {
+    /// A finalist that was refused beside the effects of the model `before`.
+    pub fn refused(finalist: Finalist, before: &FittedModel, subject: &Subject) -> Self {
+        let Finalist { effect, gain, model } = finalist;
+        let objection = objection(before, &model, &subject.criteria);
+        Self { effect, gain, model, objection: objection.or(Some(Objection::Unsettled)) }
+    }
+}
