@@ -60,7 +60,8 @@ pub fn without_play(subject: &Subject, play: &EffectInstance) -> Option<EffectIn
     let is_spring = |definition: &&'static Definition| names(definition.parameters) == of_spring;
     let definition = subject.catalogue.iter().find(is_spring)?;
     let values = play.values[1..].to_vec();
-    play.has_backlash().then(|| EffectInstance { definition, joint: play.joint, values })
+    let spring = EffectInstance { definition, joint: play.joint, values };
+    play.has_backlash().then_some(spring)
 }
 
 /// A model whose last effect is the best that a search from these leads to, if it fits better.
