@@ -66,7 +66,7 @@ impl Outcome {
         let whole = find(&prepared, &joints.as_bases(&prepared), settings);
         if let Some(cause) = whole.first().filter(|cause| cause.is_named) {
             take_up(&mut prepared, cause, settings);
-            joints = JointEffects::of(&prepared, &campaign.arm, settings, progress);
+            joints = JointEffects::of(&prepared, &campaign.arm, &settings.beside_whole(), progress);
         }
         let JointEffects { selected, causes, pooled, models } = joints;
         let servos = [

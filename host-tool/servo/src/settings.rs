@@ -48,6 +48,9 @@ pub struct Settings {
     pub least_certainty: f64,
     /// Part of what is left on the confirming logs, rms, that a named cause must take.
     pub least_shrinkage: f64,
+    /// The same beside an effect of the whole arm: a load that sits a little elsewhere than it was found
+    /// leaves what an effect of a joint takes a tenth of.
+    pub least_beside_whole: f64,
     /// The least of that in each half of the data.
     pub least_half_shrinkage: f64,
     /// A rival does the same where it takes this part of what the cause takes.
@@ -109,6 +112,7 @@ impl Default for Settings {
             least_gain: 0.04,
             least_certainty: 2.0,
             least_shrinkage: 0.07,
+            least_beside_whole: 0.2,
             least_half_shrinkage: 0.03,
             rival_part: 0.9,
             apart_part: 0.33,
@@ -126,5 +130,12 @@ impl Default for Settings {
             least_elsewhere_gain: 0.02,
             whole_arm_s: 200.0,
         }
+    }
+}
+
+impl Settings {
+    /// Those for effects of joints beside one of the whole arm.
+    pub fn beside_whole(&self) -> Self {
+        Self { least_shrinkage: self.least_beside_whole, ..self.clone() }
     }
 }
