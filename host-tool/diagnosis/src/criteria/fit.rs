@@ -95,5 +95,9 @@ criteria! {
         /// torque a model lacks: about 1 - 1/sqrt(1 + part^2) of it, up to a quarter behind a
         /// very stiff spring.
         unknown_link_torque: f64 = 0.5,
+        /// The same behind a spring without play, where no error grows by a bounce: what the encoder's
+        /// steps put through the spring, without which a link that is heavy and hardly damped swings
+        /// with them.
+        unknown_spring_torque: f64 = 0.03,
     }
 }

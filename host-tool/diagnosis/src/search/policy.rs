@@ -24,11 +24,15 @@ pub fn is_done(gap: &ResidualStats, left: &ResidualStats, criteria: &Criteria) -
     left.is_clean(fit) || nearly || no_gap
 }
 
+/// Effects that are another and something more, with that other.
+const CONTAINED: [(&str, &str); 2] =
+    [("cable_spring", "dac_offset"), ("backlash", "joint_elasticity")];
+
 /// Whether an effect is another of the same joint and something more: a cable that rests far away is an
 /// offset. It gains at least as much, and says no more unless it gains what an effect must.
 pub fn is_more_than(more: &EffectInstance, simple: &EffectInstance) -> bool {
-    (more.definition.name, simple.definition.name) == ("cable_spring", "dac_offset")
-        && more.joint == simple.joint
+    let both = (more.definition.name, simple.definition.name);
+    CONTAINED.contains(&both) && more.joint == simple.joint
 }
 
 /// Squares above the noise that a model leaves of a joint (0: of all) where it was not fitted [V^2].

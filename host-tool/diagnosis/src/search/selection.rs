@@ -167,6 +167,8 @@ impl Search<'_> {
                 let last = &self.last;
                 rivals.iter_mut().for_each(|rival| rival.gain = gain(last, &rival.model));
             }
+            let effect = &self.last.linear.hypothesis.effects[known + index];
+            rivals.retain(|rival| !rival.effect.is_same_cause(effect));
             added.push(Added { gain: gain(&without, &self.last), without, rivals });
         }
         added

@@ -255,14 +255,15 @@ impl<'a> Trial<'a> {
             Some(known) => Cow::Borrowed(known.dynamics(joint, &|| self.dynamics(joint))),
             None => Cow::Owned(self.dynamics(joint)),
         };
-        let push_nm = (spring.gap_rad > 0.0).then(|| match self.motor_side {
+        let push_nm = match self.motor_side {
             Some(known) => self.push_nm(joint, known.net_v(joint)),
             None => self.push_nm(joint, &self.net(joint)),
-        });
-        let measured = push_nm.as_deref().map(|push_nm| MeasuredTorque {
-            push_nm,
-            unknown_torque: self.criteria.unknown_link_torque,
-        });
+        };
+        let unknown_torque = match spring.gap_rad > 0.0 {
+            true => self.criteria.unknown_link_torque,
+            false => self.criteria.unknown_spring_torque,
+        };
+        let measured = MeasuredTorque { push_nm: &push_nm, unknown_torque };
         let period_s = self.stretch.period_s;
         link_motion::behind(spring, joint, self.motor(), &dynamics, measured, period_s)
     }

@@ -30,6 +30,14 @@ impl EffectInstance {
         self.definition.on_one_of(MAX_JOINTS as u8, self.joint, &self.bounded()).ok()
     }
 
+    /// Whether another is the same effect with other values: on the same joint, at the same harmonic.
+    pub fn is_same_cause(&self, other: &Self) -> bool {
+        let is_same = (self.definition.name, self.joint) == (other.definition.name, other.joint);
+        let parameters = self.definition.parameters.iter().enumerate();
+        let mut harmonics = parameters.filter(|(_, p)| p.kind == Kind::Harmonic).map(|(at, _)| at);
+        is_same && harmonics.all(|at| self.values[at] == other.values[at])
+    }
+
     /// Whether it leaves a gap between a motor and its link.
     pub fn has_backlash(&self) -> bool {
         self.definition.parameters.iter().any(|parameter| parameter.kind == Kind::Gap)

@@ -1,4 +1,4 @@
-//! How far a link behind a spring with backlash may be from where a model sees it.
+//! How far a link behind a spring may be from where a model sees it.
 
 use nalgebra::{Matrix2, RowVector2, Vector2};
 

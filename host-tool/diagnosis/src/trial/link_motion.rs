@@ -44,23 +44,23 @@ pub struct MeasuredTorque<'a> {
 
 /// The motion of one link, integrated: its motor drives it through the spring, the other joints
 /// move as measured. `dynamics` are those of the joint as if it were stiff. A link with backlash
-/// bounces, and small errors grow from contact to contact; the `measured` torque corrects such a
-/// link as an extended Kalman filter does.
+/// bounces, and small errors grow from contact to contact; one that is hardly damped swings with the
+/// encoder's steps. The `measured` torque corrects it as an extended Kalman filter does.
 pub fn behind(
     spring: &Transmission,
     joint: usize,
     motor: &Kinematics,
     dynamics: &[JointDynamics],
-    measured: Option<MeasuredTorque>,
+    measured: MeasuredTorque,
     period_s: f64,
 ) -> JointMotion {
     let dynamics: Vec<JointDynamics> =
         dynamics.iter().map(|stiff| stiff.without_motor(spring)).collect();
     let drive = Drive::of(motor, joint, period_s);
     let mut motion = JointMotion::default();
-    let steps = steps(spring, &dynamics, period_s);
+    let (steps, unknown_torque) = (steps(spring, &dynamics, period_s), measured.unknown_torque);
     let mut follower =
-        Follower::at_rest(spring, drive.angle(0, 0.0), dynamics[0].bias_nm, measured, steps);
+        Follower::at_rest(spring, drive.angle(0, 0.0), dynamics[0].bias_nm, unknown_torque, steps);
     for k in 0..dynamics.len() {
         motion.q_rad.push(follower.link.q_rad);
         motion.qd_rad_per_s.push(follower.link.qd_rad_per_s);
@@ -68,11 +68,9 @@ pub fn behind(
         let inside = |x: f64| (drive.angle(k, x), drive.speed(k, x), dynamics[k].towards(next, x));
         let mean = follower.cross(spring, inside, period_s);
         motion.qdd_rad_per_s2.push(mean.acceleration);
-        if let Some(MeasuredTorque { push_nm, .. }) = measured {
-            let own_nm = spring.motor_inertia_kg_m2 * motor.qdd_rad_per_s2[joint][k];
-            let passed_nm = 0.5 * (push_nm[k.saturating_sub(1)] + push_nm[k]) - own_nm;
-            follower.correct(passed_nm - mean.torque_nm, dynamics[k].inertia_kg_m2, period_s);
-        }
+        let push_nm = 0.5 * (measured.push_nm[k.saturating_sub(1)] + measured.push_nm[k]);
+        let passed_nm = push_nm - spring.motor_inertia_kg_m2 * motor.qdd_rad_per_s2[joint][k];
+        follower.correct(passed_nm - mean.torque_nm, dynamics[k].inertia_kg_m2, period_s);
     }
     motion
 }
@@ -106,8 +104,8 @@ impl Mean {
 /// A link on its way from sample to sample.
 struct Follower {
     link: Link,
-    /// Covariance of the link's state, where the measured torque corrects it.
-    covariance: Option<LinkCovariance>,
+    /// Covariance of the link's state.
+    covariance: LinkCovariance,
     /// What the interval before adds to the means at the sample after it.
     before: Mean,
     /// Integration steps per sample.
@@ -119,15 +117,13 @@ impl Follower {
         spring: &Transmission,
         theta_rad: f64,
         bias_nm: f64,
-        measured: Option<MeasuredTorque>,
+        unknown_torque: f64,
         steps: usize,
     ) -> Self {
         let q_rad = theta_rad - spring.hold(bias_nm);
         Self {
             link: Link { q_rad, qd_rad_per_s: 0.0 },
-            covariance: measured.map(|measured| {
-                LinkCovariance::initial(spring.stiffness_nm_per_rad, measured.unknown_torque)
-            }),
+            covariance: LinkCovariance::initial(spring.stiffness_nm_per_rad, unknown_torque),
             before: Mean { torque_nm: 0.5 * bias_nm, acceleration: 0.0 },
             steps,
         }
@@ -148,11 +144,8 @@ impl Follower {
             let x = (step as f64 + 0.5) * part;
             let (theta, speed, dynamics) = inside(x);
             let (torque_nm, dynamics) = self.link.advance(spring, theta, speed, &dynamics, step_s);
-            if let Some(covariance) = &mut self.covariance {
-                let slope = slope(spring, torque_nm) * part;
-                let kick = period_s / dynamics.inertia_kg_m2;
-                covariance.advance(slope, kick, step_s, x);
-            }
+            let kick = period_s / dynamics.inertia_kg_m2;
+            self.covariance.advance(slope(spring, torque_nm) * part, kick, step_s, x);
             let acceleration = dynamics.acceleration(torque_nm);
             early.add(torque_nm, acceleration, part * (1.0 - x));
             late.add(torque_nm, acceleration, part * x);
@@ -164,8 +157,7 @@ impl Follower {
     /// Corrects the link by the part of the measured torque about the last sample that the model
     /// lacks.
     fn correct(&mut self, innovation_nm: f64, inertia_kg_m2: f64, period_s: f64) {
-        let Some(covariance) = &mut self.covariance else { return };
-        let change = covariance.update(innovation_nm, period_s / inertia_kg_m2);
+        let change = self.covariance.update(innovation_nm, period_s / inertia_kg_m2);
         self.link.q_rad += change[0];
         self.link.qd_rad_per_s += change[1];
     }
