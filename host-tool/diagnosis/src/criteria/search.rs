@@ -26,6 +26,8 @@ criteria! {
         /// Backlash must leave less than this part of the squares: a link that the measured torque
         /// corrects hides up to two fifths of whatever the model lacks.
         left_by_backlash: f64 = 0.6,
+        /// How often a start for backlash is exchanged for one near it before it is searched from.
+        play_scans: usize = 6,
         /// Most effects that are searched although others promised more, once those are refused.
         overlooked: usize = 10,
         /// Steps of their search.

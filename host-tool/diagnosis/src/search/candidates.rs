@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use super::candidate::Candidate;
 use super::harmonics;
+use super::play_scan::{best_of_each_gap, scanned};
 use crate::fit::linearisation::{Joints, Linearisation};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
@@ -110,13 +111,20 @@ pub(crate) fn starts(
         .map(|effect| Start { gain: promised(linear, evidence, &effect), effect })
         .collect();
     starts.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-    starts.truncate(evidence.criteria.search.starts);
+    match starts.first() {
+        Some(start) if start.effect.has_backlash() => best_of_each_gap(&mut starts),
+        _ => starts.truncate(evidence.criteria.search.starts),
+    }
     starts
 }
 
 /// What a start promises. Springs are far from linear: theirs is what the start itself gains, where
 /// that is more than nothing.
-fn promised(linear: &Linearisation, evidence: &Evidence, effect: &EffectInstance) -> f64 {
+pub(super) fn promised(
+    linear: &Linearisation,
+    evidence: &Evidence,
+    effect: &EffectInstance,
+) -> f64 {
     if !effect.has_backlash() {
         return promise(linear, evidence, effect);
     }
@@ -171,9 +179,9 @@ fn searched(
     least: &[f64],
 ) -> Option<Candidate> {
     let effort = &evidence.criteria.search;
-    starts
+    let is_promising = |start: &Start| start.gain > least[usize::from(start.effect.joint)];
+    scanned(linear, evidence, starts.into_iter().filter(is_promising).collect())
         .into_iter()
-        .filter(|start| start.gain > least[usize::from(start.effect.joint)])
         .map(|start| {
             let first = Candidate::of(linear, evidence, start.effect).0;
             let steps = if first.effect.is_spring() { effort.spring_steps } else { effort.steps };

@@ -6,6 +6,7 @@ pub mod finalists;
 pub mod found;
 pub mod harmonics;
 pub mod objection;
+pub mod play_scan;
 pub mod policy;
 pub mod refit;
 pub mod restart;
