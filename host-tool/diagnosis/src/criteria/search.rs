@@ -28,6 +28,8 @@ criteria! {
         left_by_backlash: f64 = 0.6,
         /// How often a start for backlash is exchanged for one near it before it is searched from.
         play_scans: usize = 6,
+        /// Steps from each of them before the best are told.
+        first_play_steps: usize = 4,
         /// Most effects that are searched although others promised more, once those are refused.
         overlooked: usize = 10,
         /// Steps of their search.

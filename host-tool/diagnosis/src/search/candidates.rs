@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::candidate::Candidate;
 use super::harmonics;
-use super::play_scan::{best_of_each_gap, scanned};
+use super::play::{best_of_each_gap, best_play, with_wider_gaps};
 use crate::fit::linearisation::{Joints, Linearisation};
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
@@ -105,9 +105,9 @@ pub(crate) fn starts(
     joint: u8,
 ) -> Vec<Start> {
     let values = start_values(linear, evidence, subject, definition, joint);
-    let mut starts: Vec<Start> = values
+    let effects = values.into_iter().map(|values| EffectInstance { definition, joint, values });
+    let mut starts: Vec<Start> = with_wider_gaps(effects.collect())
         .into_iter()
-        .map(|values| EffectInstance { definition, joint, values })
         .map(|effect| Start { gain: promised(linear, evidence, &effect), effect })
         .collect();
     starts.sort_by(|a, b| b.gain.total_cmp(&a.gain));
@@ -180,18 +180,16 @@ fn searched(
 ) -> Option<Candidate> {
     let effort = &evidence.criteria.search;
     let is_promising = |start: &Start| start.gain > least[usize::from(start.effect.joint)];
-    scanned(linear, evidence, starts.into_iter().filter(is_promising).collect())
-        .into_iter()
-        .map(|start| {
-            let first = Candidate::of(linear, evidence, start.effect).0;
-            let steps = if first.effect.is_spring() { effort.spring_steps } else { effort.steps };
-            first.refined(linear, evidence, steps)
-        })
-        .min_by(|a, b| a.train.total_cmp(&b.train))
-        .filter(|best| {
-            !best.effect.has_backlash()
-                || best.train < effort.left_by_backlash * linear.refitted_objective()
-        })
+    let starts: Vec<Start> = starts.into_iter().filter(is_promising).collect();
+    if starts.first()?.effect.has_backlash() {
+        return best_play(linear, evidence, starts);
+    }
+    let refined = |start: Start| {
+        let first = Candidate::of(linear, evidence, start.effect).0;
+        let steps = if first.effect.is_spring() { effort.spring_steps } else { effort.steps };
+        first.refined(linear, evidence, steps)
+    };
+    starts.into_iter().map(refined).min_by(|a, b| a.train.total_cmp(&b.train))
 }
 
 /// What is typical of a joint (from 1, or 0 for the whole robot) in these logs.

@@ -6,7 +6,7 @@ pub mod finalists;
 pub mod found;
 pub mod harmonics;
 pub mod objection;
-pub mod play_scan;
+pub mod play;
 pub mod policy;
 pub mod refit;
 pub mod restart;
