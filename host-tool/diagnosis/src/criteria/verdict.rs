@@ -55,6 +55,9 @@ criteria! {
         /// and this elsewhere: where something structured comes in half of the pieces that noise is read
         /// off, its power is found 2.6 times too large.
         least_noise: f64 = 0.6,
+        /// and this where the gap is far above the noise, which it then hides: a link that rings all the
+        /// time is in every piece.
+        least_noise_far: f64 = 0.4,
         /// Least probability of an alternative that is listed.
         least_alternative: f64 = 0.02,
         /// A gap without a name of so many times the noise is said to be another robot's, perhaps.

@@ -137,8 +137,12 @@ impl<'a> Confirmation<'a> {
         let over =
             |model: usize| blocks.figure(1, |sums| (sums[model] / sums[2].max(1e-300)).sqrt()).0;
         let (without, with) = (over(0), over(1));
-        let no_gap = without < criteria.no_gap_ratio;
-        with < if no_gap { criteria.least_of_noise } else { criteria.least_noise }
+        let least = match without {
+            ratio if ratio < criteria.no_gap_ratio => criteria.least_of_noise,
+            ratio if ratio < criteria.far_above_noise => criteria.least_noise,
+            _ => criteria.least_noise_far,
+        };
+        with < least
     }
 
     /// What the refitted model leaves, its parameters within their doubt, in units of noise.
