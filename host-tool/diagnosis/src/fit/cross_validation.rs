@@ -22,7 +22,9 @@ impl Linearisation {
         let mut rows = self.residual.clone();
         let of_joints = self.folds(evidence);
         let folds = evidence.criteria.selection.folds;
-        for (fold, change) in self.changes_without(&of_joints, folds).into_iter().enumerate() {
+        let normal = self.normal_within_slopes();
+        let changes = self.changes_without(normal, &of_joints, folds);
+        for (fold, change) in changes.into_iter().enumerate() {
             let Some(change) = change else { continue };
             for (slopes, fold_of) in self.joints.iter().zip(&of_joints) {
                 let own = own(slopes, &change);
@@ -57,17 +59,34 @@ impl Linearisation {
     /// (Kott, 2001).
     fn jackknife_deviations(&self, group_of: &[Vec<usize>], groups: usize) -> DVector<f64> {
         let changes: Vec<DVector<f64>> =
-            self.changes_without(group_of, groups).into_iter().flatten().collect();
+            self.changes_without(self.normal(), group_of, groups).into_iter().flatten().collect();
         let part = 1.0 - 1.0 / changes.len().max(1) as f64;
         let zero = DVector::zeros(self.expected.len());
         let squares = changes.iter().fold(zero, |sum, change| sum + change.component_mul(change));
         squares.map(|square| (part * square).sqrt())
     }
 
-    /// By how much the fit to all train rows but those of a group differs from the one to all, group by
-    /// group; rows of each joint have their groups in `group_of`.
-    fn changes_without(&self, group_of: &[Vec<usize>], groups: usize) -> Vec<Option<DVector<f64>>> {
-        let (whole, to_all) = (self.normal(), self.step_to_all());
+    /// The normal matrix where steps end before slopes do.
+    fn normal_within_slopes(&self) -> DMatrix<f64> {
+        let mut normal = self.normal();
+        for (place, expected) in self.expected.iter().enumerate() {
+            if let Some(range) = expected.unknown.linear_range(&self.hypothesis) {
+                normal[(place, place)] += range.max(1e-9).powi(-2);
+            }
+        }
+        normal
+    }
+
+    /// By how much the fit to all train rows but those of a group differs from the one to all, whose normal
+    /// matrix is `whole`, group by group; rows of each joint have their groups in `group_of`.
+    fn changes_without(
+        &self,
+        whole: DMatrix<f64>,
+        group_of: &[Vec<usize>],
+        groups: usize,
+    ) -> Vec<Option<DVector<f64>>> {
+        let Some(cholesky) = Cholesky::new(whole.clone()) else { return vec![None; groups] };
+        let to_all = -cholesky.solve(&self.gradient);
         let change = |group| Some(self.step_without(&whole, group_of, group)? - &to_all);
         (0..groups).map(change).collect()
     }

@@ -162,12 +162,6 @@ impl Linearisation {
             }
         }
     }
-
-    /// The change of what is open that fits best to all train rows, by the slopes.
-    pub(super) fn step_to_all(&self) -> DVector<f64> {
-        -self.normal.solve(&self.gradient)
-    }
-
     /// By how much a step lowers the objective, by the slopes.
     pub fn gain_of(&self, step: &DVector<f64>) -> f64 {
         -2.0 * self.gradient.dot(step) - step.dot(&(self.normal() * step))

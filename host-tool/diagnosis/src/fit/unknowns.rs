@@ -16,6 +16,10 @@ const DAMPING: usize = 5;
 /// Most by which one step of a fit multiplies or divides what shapes friction about standstill.
 const STEP_FACTOR: f64 = 4.0;
 
+/// Part of Coulomb friction, of the Stribeck velocity and of the bristles' stiffness within which friction
+/// about standstill changes along its slopes.
+const LINEAR_PART: f64 = 0.5;
+
 /// One open parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unknown {
@@ -125,6 +129,18 @@ impl Unknown {
             Self::Friction { parameter, .. } => parameter != COULOMB && parameter != VISCOUS,
             Self::FrictionLead(_) => true,
             _ => false,
+        }
+    }
+
+    /// How far slopes along it hold, where that is not far: a peak of friction at a few mrad/s is another
+    /// curve once its level or its velocity has changed by half.
+    pub fn linear_range(self, hypothesis: &Hypothesis) -> Option<f64> {
+        let Self::Friction { joint, parameter } = self else { return None };
+        let values = hypothesis.plant.friction[joint].to_array();
+        match parameter {
+            STRIBECK_LEVEL => Some(LINEAR_PART * values[COULOMB]),
+            STRIBECK_VELOCITY | STIFFNESS => Some(LINEAR_PART * values[parameter]),
+            _ => None,
         }
     }
 

@@ -72,14 +72,14 @@ fn better(
     if gain(&second) > gain(&first) { second } else { first }
 }
 
-/// A finalist that loses by its rows less than its parameters gain by what is known of them, refitted with
-/// slopes of its own: those of a model without it have not led it to the end.
+/// A finalist that gains too little although its parameters gain by what is known of them, refitted with
+/// slopes of its own: those of a model without it have not led its rows to the end.
 fn converged(subject: &Subject, before: &FittedModel, found: Finalist) -> Finalist {
     let policy = &subject.criteria.selection;
     let least = policy.least_log_likelihood;
     let penalty = |model: &FittedModel| model.linear.prior_penalty();
     let relief = 0.5 * (penalty(before) - penalty(&found.model));
-    if found.gain > least || found.gain + relief < least {
+    if found.gain > least || relief < least {
         return found;
     }
     let start = found.model.linear.hypothesis.clone();
