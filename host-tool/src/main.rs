@@ -5,11 +5,15 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use host_tool::commands::CommandLine;
+use host_tool::failure::Failure;
 use host_tool::terminal::answer::answer_failure;
 use host_tool::terminal::json_mode::wanted_as_json;
 
 fn main() -> ExitCode {
-    let CommandLine { json, command } = CommandLine::parse();
+    let CommandLine { json, command } = match CommandLine::try_parse() {
+        Ok(line) => line,
+        Err(error) => refuse(&error),
+    };
     wanted_as_json(json);
     match command.run() {
         Ok(()) => ExitCode::SUCCESS,
@@ -20,4 +24,19 @@ fn main() -> ExitCode {
             ExitCode::from(failure.status)
         }
     }
+}
+
+/// Ends the program over a command line that cannot be used, or with the help that it asks for.
+fn refuse(error: &clap::Error) -> ! {
+    let is_json = std::env::args_os().any(|word| word == "--json");
+    if is_json && error.use_stderr() {
+        wanted_as_json(true);
+        let text = error.to_string();
+        let message = text.trim_start_matches("error: ").split("\n\n").next().unwrap_or_default();
+        answer_failure(&Failure::new(
+            message,
+            "`rrr help` and `rrr help COMMAND` tell what there is",
+        ));
+    }
+    error.exit()
 }

@@ -1,4 +1,4 @@
-"""MuJoCo models for the tests: chains of hinges and slides, written as people write them."""
+"""MuJoCo models for the tests: chains of hinges and slides, written as people write them; one is a URDF."""
 
 PLANAR = """
 <mujoco model="planar">
@@ -75,7 +75,57 @@ SERVOS = """
 </mujoco>
 """
 
-ALL = {"planar": PLANAR, "gantry": GANTRY, "servos": SERVOS}
+MESHED = """
+<mujoco model="meshed">
+  <compiler angle="radian"/>
+  <default>
+    <default class="heavy"><geom type="mesh" density="2700"/><joint armature="0.02" damping="0.3"/></default>
+  </default>
+  <asset>
+    <mesh name="wedge" vertex="0 0 0  0.3 0 0  0 0.06 0  0 0 0.09  0.25 0.03 0.01" scale="1 1.5 1"/>
+  </asset>
+  <worldbody>
+    <body childclass="heavy">
+      <joint axis="0 0 1"/>
+      <geom mesh="wedge" euler="0.1 0.2 0.3"/>
+      <body pos="0.3 0 0" quat="0.9 0.1 0 0.4">
+        <joint axis="0 1 0" damping="0.1"/>
+        <geom mesh="wedge" pos="0.01 0 0.02"/>
+      </body>
+    </body>
+  </worldbody>
+  <option><flag contact="disable"/></option>
+</mujoco>
+"""
+
+URDF = """
+<robot name="urdf">
+  <link name="base"/>
+  <joint name="swing" type="revolute">
+    <parent link="base"/><child link="upper"/>
+    <origin xyz="0 0.1 0.4" rpy="0.2 0 0.3"/><axis xyz="0 1 0"/>
+    <limit lower="-2" upper="2" effort="20" velocity="5"/><dynamics damping="0.3" friction="0.2"/>
+  </joint>
+  <link name="upper">
+    <inertial>
+      <origin xyz="0.12 0.01 0" rpy="0.1 0.2 0"/><mass value="1.4"/>
+      <inertia ixx="0.002" ixy="0.0002" ixz="0" iyy="0.009" iyz="0.0001" izz="0.0085"/>
+    </inertial>
+  </link>
+  <joint name="reach" type="prismatic">
+    <parent link="upper"/><child link="lower"/>
+    <origin xyz="0.3 0 0"/><axis xyz="1 0 0"/><limit lower="0" upper="0.3" effort="50" velocity="1"/>
+  </joint>
+  <link name="lower">
+    <inertial>
+      <origin xyz="0.05 0 0.01"/><mass value="0.6"/>
+      <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.002" iyz="0" izz="0.002"/>
+    </inertial>
+  </link>
+</robot>
+"""
+
+ALL = {"planar": PLANAR, "gantry": GANTRY, "servos": SERVOS, "meshed": MESHED, "urdf": URDF}
 
 LUGRE = """
 <mujoco model="lugre">

@@ -1,11 +1,17 @@
 """What the command and the list of robots refuse, and in which words."""
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
+from conftest import FOLDER
+from turntables import Ills, write
 
 import rrr
-from rrr.fleet import robots_of
+from rrr.fleet import Store, robots_of
 from rrr.fleet.__main__ import main
 
 
@@ -62,3 +68,18 @@ def test_a_list_tells_folders_models_kinds_and_batches(tmp_path: Path) -> None:
     place = f"file://{tmp_path}"
     assert (second.folder, second.model) == (f"{place}/deep/r2", f"{place}/models/a.toml")
     assert (second.kind, second.batch) == ("arm", "A")
+
+
+def test_an_array_of_slurm_does_every_robot_once(tmp_path: Path) -> None:
+    write(tmp_path / "in", Ills(np.zeros(3), np.zeros(3)), ["A"] * 3, seed=4)
+    told = {"INPUT": str(tmp_path / "in"), "OUTPUT": str(tmp_path / "out"), "NIGHT": "2026-11-22"}
+    told |= {"SLURM_ARRAY_TASK_MIN": "5", "SLURM_ARRAY_TASK_COUNT": "2"}
+    told |= {"PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}
+    for task in ("5", "6"):
+        environment = os.environ | told | {"SLURM_ARRAY_TASK_ID": task}
+        # Not in the sources, whose folder would hide the installed module.
+        command = ["bash", str(FOLDER / "examples" / "fleet.slurm")]
+        subprocess.run(command, check=True, env=environment, cwd=tmp_path)
+    rows = Store(str(tmp_path / "out")).rows()
+    assert sorted(row["robot"] for row in rows) == ["r0", "r1", "r2"]
+    assert {str(row["night"]) for row in rows} == {"2026-11-22"}

@@ -1,6 +1,8 @@
 """One robot's unit of work: keys, rows, stores."""
 
 import datetime
+import os
+from collections.abc import Callable
 from pathlib import Path
 
 import fsspec
@@ -9,7 +11,7 @@ import pytest
 from turntables import Ills, write
 
 import rrr
-from rrr.fleet import Options, Robot, Store, diagnose_robot, robots_of
+from rrr.fleet import Done, Options, Robot, Store, diagnose_robot, listing, robots_of, unit
 from rrr.fleet.unit import lost
 
 NIGHT = datetime.date(2026, 11, 22)
@@ -43,6 +45,51 @@ def test_the_key_is_that_of_the_content(robot: Robot, tmp_path: Path) -> None:
     log.write_text("\n".join(log.read_text().splitlines()[:-1]) + "\n")
     assert diagnose_robot(robot, output, NIGHT, Options()).key != first.key
     assert len(Store(output).rows()) == 3
+
+
+@pytest.fixture
+def unread(monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
+    """From its call on, a robot whose files are read could not be read."""
+    monkeypatch.setattr(listing, "YOUNGEST_S", 0.0)
+
+    def refuse(*_: object) -> None:
+        raise OSError("read again")
+
+    return lambda: monkeypatch.setattr(unit, "fetched", refuse)
+
+
+def test_files_that_are_listed_as_before_are_not_read(
+    robot: Robot, tmp_path: Path, unread: Callable[[], None]
+) -> None:
+    output, log = str(tmp_path / "out"), tmp_path / "in" / "r0" / "slow.csv"
+    first = diagnose_robot(robot, output, NIGHT, Options())
+    unread()
+    assert diagnose_robot(robot, output, NIGHT, Options()) == Done(robot.name, first.key, "there")
+    assert "read again" in str(diagnose_robot(robot, output, NIGHT, Options(model_doubt=0.05)).error)
+    # Of the same size and dated back, as a copy is that keeps its times.
+    before, text = log.stat(), log.read_text()
+    log.write_text(text[:-2] + ("1" if text[-2] == "0" else "0") + "\n")
+    os.utime(log, ns=(before.st_atime_ns, before.st_mtime_ns))
+    assert log.stat().st_size == before.st_size
+    assert "read again" in str(diagnose_robot(robot, output, NIGHT, Options()).error)
+
+
+def test_a_model_beside_the_robots_is_part_of_what_is_listed(
+    robot: Robot, tmp_path: Path, unread: Callable[[], None]
+) -> None:
+    output, model = str(tmp_path / "out"), tmp_path / "in" / "model.toml"
+    diagnose_robot(robot, output, NIGHT, Options())
+    unread()
+    model.write_text(model.read_text() + "# as good as new\n")
+    assert "read again" in str(diagnose_robot(robot, output, NIGHT, Options()).error)
+
+
+def test_files_just_written_are_judged_by_their_content_alone(robot: Robot, tmp_path: Path) -> None:
+    for path in tmp_path.rglob("*.csv"):
+        path.touch()
+    assert listing.stamp(robot, "") is None
+    assert diagnose_robot(robot, str(tmp_path / "out"), NIGHT, Options()).state == "diagnosed"
+    assert not (tmp_path / "out" / "seen").exists()
 
 
 def test_objects_in_memory_are_as_files(robot: Robot, tmp_path: Path) -> None:

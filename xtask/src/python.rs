@@ -31,9 +31,16 @@ const WANTED: Python = Python {
         "pyarrow",
         "fsspec",
         "duckdb",
+        // Stores of objects, and servers that stand for them.
+        "s3fs",
+        "moto[s3]",
+        "flask",
+        "flask-cors",
+        "gcsfs",
+        "gcp-storage-emulator",
     ],
     imports: "maturin, numpy, mujoco, pytest, mypy, nbclient, ipykernel, tqdm, ray, pyarrow, \
-              fsspec, duckdb",
+              fsspec, duckdb, s3fs, moto, flask_cors, gcsfs, gcp_storage_emulator",
 };
 
 /// Builds the wheel, installs it into a fresh environment and into that of the tests, and runs

@@ -51,6 +51,8 @@ const PALETTE: [RGBColor; 7] = [
 const INK: RGBColor = RGBColor(40, 44, 52);
 const GRID: RGBColor = RGBColor(226, 229, 233);
 const POINTS_ACROSS: usize = 900;
+/// Width of a wide line: on either side it shows one and a half pixels of itself beside the line upon it.
+const WIDE_PX: u32 = 5;
 /// The same of a chart that is looked at piece by piece.
 const DETAILED_ACROSS: usize = 4000;
 
@@ -139,8 +141,8 @@ impl Chart {
     fn lines(&self) -> Option<Vec<Line>> {
         let line = |series: &Series| {
             let width = match series.stroke {
-                Stroke::Line => 1,
-                Stroke::Wide => 3,
+                Stroke::Line => self.line_px(),
+                Stroke::Wide => WIDE_PX,
                 _ => return None,
             };
             let RGBColor(red, green, blue) = PALETTE[series.colour % PALETTE.len()];
@@ -148,6 +150,12 @@ impl Chart {
             Some((colour, width, thin(&self.drawable(series), DETAILED_ACROSS)))
         };
         self.is_detailed.then(|| self.series.iter().map(line).collect()).flatten()
+    }
+
+    /// Width of a line [px]: upon a wide one it must cover whole pixels, or both colours mix.
+    fn line_px(&self) -> u32 {
+        let is_upon = self.series.iter().any(|series| series.stroke == Stroke::Wide);
+        if is_upon { 2 } else { 1 }
     }
 
     /// Writes the chart as an SVG file, whole or not at all.
@@ -235,8 +243,13 @@ impl Chart {
         let points = if series.stroke == Stroke::Area { all } else { thin(&all, across) };
         let colour = PALETTE[series.colour % PALETTE.len()];
         let drawn = match series.stroke {
-            Stroke::Line => chart.draw_series(LineSeries::new(points, colour.stroke_width(1)))?,
-            Stroke::Wide => chart.draw_series(LineSeries::new(points, colour.stroke_width(6)))?,
+            Stroke::Line => {
+                let style = colour.stroke_width(self.line_px());
+                chart.draw_series(LineSeries::new(points, style))?
+            }
+            Stroke::Wide => {
+                chart.draw_series(LineSeries::new(points, colour.stroke_width(WIDE_PX)))?
+            }
             Stroke::Broad => {
                 let pale = colour.mix(0.35).stroke_width(4);
                 chart.draw_series(LineSeries::new(points, pale))?

@@ -2,8 +2,10 @@
 
 use clap::{Args, Command};
 use clap_complete::{Shell, generate};
+use serde_json::json;
 
 use crate::failure::Failure;
+use crate::terminal::answer::answer;
 use crate::terminal::output::print_line;
 
 /// Arguments of `rrr completions`.
@@ -21,5 +23,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments, command_line: &mut Command) -> Result<(), Failure> {
     let mut script = Vec::new();
     generate(arguments.shell, command_line, "rrr", &mut script);
-    print_line(String::from_utf8_lossy(&script).trim_end())
+    let script = String::from_utf8_lossy(&script);
+    print_line(script.trim_end())?;
+    answer(&json!({ "shell": arguments.shell.to_string(), "script": script }))
 }

@@ -53,6 +53,7 @@ fn write(
     mut image: FlashImage,
     block: Option<ParameterBlock>,
 ) -> Result<(), Failure> {
+    use crate::terminal::answer::answer;
     use crate::terminal::output::print_line;
     use firmware::store::Slot;
     use link::flash_image::parameters::next_slot;
@@ -69,7 +70,10 @@ fn write(
     }
     board.write(&image, chosen)?;
     board.restart()?;
-    print_line(format_args!("{parameters}{} bytes written and read back", image.bytes()))
+    print_line(format_args!("{parameters}{} bytes written and read back", image.bytes()))?;
+    answer(
+        &serde_json::json!({ "bytes": image.bytes(), "slot": chosen.map(|slot| slot.to_string()) }),
+    )
 }
 
 #[cfg(not(feature = "probe"))]

@@ -4,10 +4,12 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use firmware::link::{Command, Key, Refusal};
+use serde_json::json;
 
 use crate::failure::Failure;
 use crate::options::board::{BoardOptions, access};
 use crate::options::key_file::{NewKey, read_key};
+use crate::terminal::answer::answer;
 use crate::terminal::output::print_line;
 use link::{Client, LinkError};
 
@@ -42,7 +44,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Some(path) if known.is_none() => give_new(&mut client, path)?,
         _ => give(&mut client, known)?,
     }
-    print_line(format_args!("link        {}", access(&client.report()?)))
+    let report = client.report()?;
+    print_line(format_args!("link        {}", access(&report)))?;
+    answer(&json!({ "needs_key": report.has_key, "key": arguments.file }))
 }
 
 /// Gives the board a key, or takes its key away.

@@ -6,11 +6,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use clap::Args;
+use serde_json::json;
 
 use crate::failure::Failure;
 use crate::options::effects;
 use crate::options::number::noise_v;
 use crate::output_files::write_bytes;
+use crate::terminal::answer::answer;
 use crate::terminal::interrupt::interrupt;
 use crate::terminal::output::print_line;
 use files::RobotFile;
@@ -80,6 +82,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let board = SimulatedBoard::start_with_effects(BoardSettings { arm, ..settings }, effects)
         .map_err(|error| port_taken(arguments.tcp, &error))?;
     print_line(format_args!("a simulated board is at --port {}; Ctrl-C ends it", board.port()))?;
+    answer(&json!({ "port": board.port() }))?;
     wait_for(interrupted);
     let flash = board.switch_off();
     arguments.flash.as_deref().map_or(Ok(()), |path| write_bytes(&flash, path))

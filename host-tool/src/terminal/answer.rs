@@ -11,13 +11,19 @@ use super::output;
 use crate::failure::Failure;
 
 static ANSWERED: AtomicBool = AtomicBool::new(false);
+static IS_PART: AtomicBool = AtomicBool::new(false);
+
+/// Whether what follows is a part of another command, which answers for all of them.
+pub fn is_part(is_part: bool) {
+    IS_PART.store(is_part, Ordering::Relaxed);
+}
 
 /// Prints the answer, where JSON is asked for.
 ///
 /// # Errors
 /// The standard output does not take it.
 pub fn answer(found: &impl Serialize) -> Result<(), Failure> {
-    if !is_json() {
+    if !is_json() || IS_PART.load(Ordering::Relaxed) {
         return Ok(());
     }
     ANSWERED.store(true, Ordering::Relaxed);

@@ -10,6 +10,7 @@ use assert_cmd::Command;
 use model::reference_robot::reference_robot;
 use simulation::simulated_board::{BoardSettings, SimulatedBoard};
 
+mod answers;
 #[path = "../common/mod.rs"]
 mod common;
 mod endings;

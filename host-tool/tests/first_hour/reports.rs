@@ -91,10 +91,12 @@ fn recorded_and_reconstructed_are_told_apart_in_colour() {
     let html = page(directory.path(), VALIDATE, "out/validation.html");
     let command = chart(&html, "Joint 1, task.csv.gz");
     let (_, lines) = command.split_once("class=\"series\"").unwrap();
-    for colour in ["#E69F00", "#0072B2"] {
+    // A line of one pixel lies on two of a screen's, half on each: so it would take on the colour beneath.
+    for (colour, width) in [("#E69F00", "stroke-width=\"5\""), ("#0072B2", "stroke-width=\"2\"")] {
         let line = lines.lines().find(|line| line.contains("<polyline") && line.contains(colour));
         let line = line.unwrap_or_else(|| panic!("no line in {colour}"));
-        assert!(line.contains("opacity=\"1\""), "{}", &line[..200.min(line.len())]);
+        let head = &line[..200.min(line.len())];
+        assert!(line.contains("opacity=\"1\"") && line.contains(width), "{head}");
     }
 }
 
@@ -109,4 +111,61 @@ fn charts_zoom_by_a_script_inside_the_page_alone() {
         }
         assert_tells(&html, &["addEventListener(\"wheel\"", "svg data-frame=\""]);
     }
+}
+
+/// What a user does at the first chart, and how its lines are stretched after each.
+const LOOK_CLOSER: &str = r#"<script>
+const svg = document.querySelector("svg[data-frame]"), box = svg.getBoundingClientRect();
+const at = { clientX: box.x + box.width / 2, clientY: box.y + box.height / 2, cancelable: true };
+const seen = [];
+for (const event of [
+  new WheelEvent("wheel", { ...at, deltaY: -400 }),
+  new WheelEvent("wheel", { ...at, deltaY: -400, shiftKey: true }),
+  new PointerEvent("pointerdown", at),
+  new PointerEvent("pointermove", { ...at, clientX: at.clientX + 10 }),
+  new MouseEvent("dblclick", at),
+]) {
+  svg.dispatchEvent(event);
+  const numbers = [...svg.querySelectorAll("text")].filter((text) => text.checkVisibility());
+  seen.push(svg.querySelector(".series").getAttribute("transform").match(/-?[\d.]+/g).join(" "));
+  seen.push(numbers.map((text) => text.textContent.trim()).join(" "));
+}
+document.body.dataset.seen = seen.join(";");
+</script>"#;
+
+/// A page as a browser has it once its scripts have run; `None`, and a word, where there is no browser.
+fn in_browser(directory: &Path, html: &str) -> Option<String> {
+    let page = directory.join("browsed.html");
+    std::fs::write(&page, html).unwrap();
+    let mut browser = Command::new("chromium");
+    browser.args(["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--dump-dom"]);
+    browser.args(["--disable-background-networking", "--disable-component-update"]);
+    browser.arg(format!("--user-data-dir={}", directory.join("profile").display()));
+    let run = browser.arg(format!("file://{}", page.display())).output();
+    let run = run.ok().filter(|run| run.status.success());
+    if run.is_none() {
+        test_support::skip("chromium is absent, or does not start");
+    }
+    run.map(|run| String::from_utf8(run.stdout).unwrap())
+}
+
+#[test]
+fn a_chart_is_looked_at_closer_in_a_browser() {
+    let directory = with_logs();
+    let html = page(directory.path(), VALIDATE, "out/validation.html");
+    let Some(dom) = in_browser(directory.path(), &(html + LOOK_CLOSER)) else { return };
+    let seen = dom.split("data-seen=\"").nth(1).expect("the script ran").split('"').next().unwrap();
+    let seen: Vec<&str> = seen.split(';').collect();
+    let numbers = |k: usize| -> Vec<f64> {
+        seen[2 * k].split(' ').map(|number| number.parse().unwrap()).collect()
+    };
+    let [wheel, with_shift, pressed, dragged, whole] = [0, 1, 2, 3, 4].map(numbers);
+    let twice = std::f64::consts::E * std::f64::consts::E;
+    assert!((wheel[0] - std::f64::consts::E).abs() < 1e-6 && wheel[3] == 1.0, "{wheel:?}");
+    assert!((with_shift[0] - twice).abs() < 1e-6 && with_shift[3] > 2.0, "{with_shift:?}");
+    assert_eq!(pressed, with_shift);
+    assert!(dragged[0] == pressed[0] && dragged[4] > pressed[4] + 5.0, "{dragged:?}");
+    assert_eq!(whole, [1.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
+    // The axes have numbers of their own at each look.
+    assert!(seen[1] != seen[3] && seen[3] != seen[9], "{seen:?}");
 }

@@ -4,6 +4,9 @@ use std::path::Path;
 
 use crate::rrr::{assert_tells, refused, rrr, said, with_model, write};
 
+const STATES: &str = "q1_rad,q2_rad,q3_rad,qd1_rad_per_s,qd2_rad_per_s,qd3_rad_per_s,\
+    qdd1_rad_per_s2,qdd2_rad_per_s2,qdd3_rad_per_s2";
+
 fn words(line: &str) -> Vec<&str> {
     line.split(' ').collect()
 }
@@ -89,6 +92,23 @@ fn every_command_with_results_answers_with_one_json_object() {
     assert!(imported["guessed"][0].as_str().unwrap().starts_with("t_s"), "{imported}");
     let exported = answer(at, "export-block model.toml --out block.bin");
     assert!(exported["bytes"].is_number(), "{exported}");
+    write(at, "states.csv", &format!("{STATES}\n{}\n", ["0"; 9].join(",")));
+    let moved = answer(at, "inverse-dynamics --model model.toml states.csv --out torques.csv");
+    assert_eq!(moved["samples"], 1);
+    let completed = answer(at, "completions bash");
+    assert!(completed["script"].as_str().unwrap().contains("rrr"), "{completed}");
+}
+
+#[test]
+fn a_command_line_that_cannot_be_used_is_answered_in_json_too() {
+    for line in ["validate --json", "no-such-command --json", "simulate --json --noise-v nan"] {
+        let run = rrr(Path::new("."), &words(line));
+        let failure: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+        assert_eq!((run.status.code(), &failure["status"]), (Some(2), &2.into()), "{line}");
+        assert!(!failure["error"].as_str().unwrap().starts_with("error"), "{failure}");
+        assert!(String::from_utf8(run.stderr).unwrap().starts_with("error: "), "{line}");
+    }
+    assert!(said(Path::new("."), &words("validate --help --json")).contains("Usage"));
 }
 
 #[test]

@@ -35,7 +35,7 @@ class Content:
     @property
     def kind(self) -> str:
         """The name that the model's file gives its robots, or else the beginning of its SHA-256."""
-        name = _robot_table(self.model).get("name")
+        name = _robot_table(_text(self.model)).get("name")
         return name if isinstance(name, str) else hashlib.sha256(self.model.read_bytes()).hexdigest()[:12]
 
     def key(self, robot: Robot, in_force: str) -> str:
@@ -106,17 +106,29 @@ def _model_files(model: Path) -> list[Path]:
     return [model, *(model.parent / name for name in _urdf(model) if (model.parent / name).is_file())]
 
 
-def _urdf(model: Path) -> list[str]:
-    """The URDF that a model names."""
+def urdf_of(model: str) -> list[str]:
+    """The URDF that the text of a model names."""
     name = _robot_table(model).get("urdf")
     return [name] if isinstance(name, str) and "/" not in name else []
 
 
-def _robot_table(model: Path) -> dict[str, Any]:
-    """`[robot]` of a model; nothing where the file cannot be read, which the diagnosis tells."""
+def _urdf(model: Path) -> list[str]:
+    return urdf_of(_text(model))
+
+
+def _text(model: Path) -> str:
+    """A model's text; nothing where it cannot be read, which the diagnosis tells."""
     try:
-        table = tomllib.loads(model.read_text()).get("robot")
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError):
+        return model.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        return ""
+
+
+def _robot_table(model: str) -> dict[str, Any]:
+    """`[robot]` of a model's text; nothing where it is no TOML, which the diagnosis tells."""
+    try:
+        table = tomllib.loads(model).get("robot")
+    except tomllib.TOMLDecodeError:
         return {}
     return table if isinstance(table, dict) else {}
 

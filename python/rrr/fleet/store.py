@@ -20,7 +20,10 @@ AT_A_TIME = 1000
 
 
 class Store:
-    """The rows of a fleet: `rows/KEY.parquet` of open nights, `nights/NIGHT.parquet` of packed ones."""
+    """The rows of a fleet: `rows/KEY.parquet` of open nights, `nights/NIGHT.parquet` of packed ones.
+
+    `seen/STAMP` holds the key of files whose listing has that stamp.
+    """
 
     def __init__(self, place: str) -> None:
         self.place = place.rstrip("/")
@@ -29,6 +32,19 @@ class Store:
     def has(self, key: str) -> bool:
         """Whether a row with this key is there."""
         return self.fs.exists(self._row(key)) or key in _packed_keys(self.place)
+
+    def has_of(self, stamp: str | None) -> str | None:
+        """The key of the row that is there of files with this stamp (`listing.stamp`)."""
+        path = f"{self.root}/seen/{stamp}"
+        if stamp is None or not self.fs.exists(path):
+            return None
+        key: str = self.fs.cat_file(path).decode()
+        return key if self.has(key) else None
+
+    def remember(self, stamp: str | None, key: str) -> None:
+        """That files with this stamp have the row with this key."""
+        if stamp is not None:
+            self.write(f"seen/{stamp}", key.encode())
 
     def put(self, row: Row) -> None:
         """Stores a row, whole or not at all."""
@@ -55,13 +71,15 @@ class Store:
     def pack(self, before: datetime.date) -> int:
         """Puts the rows of each night before this one into one file, and takes their own away.
 
-        How many. Stopped in between it leaves rows twice, which the next time puts right, and `table`
+        How many. What was remembered of listings goes too: whatever is diagnosed again is read once. Stopped in between it leaves rows twice, which the next time puts right, and `table`
         reads once.
         """
         loose = self._tables(self._files("rows"))
         nights = {path: table["night"][0].as_py() for path, table in loose.items()}
         for night in sorted({night for night in nights.values() if night < before}):
             self._pack_night(night, {p: loose[p] for p, of in nights.items() if of == night})
+        if self.fs.isdir(f"{self.root}/seen"):
+            self.fs.rm(f"{self.root}/seen", recursive=True)
         return sum(night < before for night in nights.values())
 
     def write(self, name: str, content: bytes) -> None:

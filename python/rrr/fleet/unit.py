@@ -1,4 +1,4 @@
-"""One robot, wherever it runs: fetch, hash, diagnose, store one row."""
+"""One robot, wherever it runs: fetch, hash, diagnose, store one row. What is listed as before is not fetched."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from rrr._rrr import Error
 from rrr.diagnosing import diagnose
 from rrr.fleet.content import Content, criteria_file, fetched, unread_key
 from rrr.fleet.inventory import Robot
+from rrr.fleet.listing import stamp
 from rrr.fleet.row import FAILED, Row, empty_row, options_in_force, report_columns
 from rrr.fleet.settings import Options
 from rrr.fleet.store import Store
@@ -33,22 +34,28 @@ class Done:
 def diagnose_robot(robot: Robot, output: str, night: datetime.date, options: Options) -> Done:
     """Diagnoses a robot and stores its row; nothing where a row of the same content is there.
 
-    Whatever is wrong with the robot's files becomes a row with the verdict "failed". Raises only
-    where the row cannot be stored.
+    Files whose listing is that of an earlier run are not read. Whatever is wrong with the robot's
+    files becomes a row with the verdict "failed". Raises only where the row cannot be stored.
     """
-    store = Store(output)
+    store, in_force = Store(output), options_in_force(options)
+    # Before the files are read: what changes meanwhile is read again by the next run.
+    seen = stamp(robot, in_force)
+    if known := store.has_of(seen):
+        return _there(store, robot, known, night)
     with tempfile.TemporaryDirectory(prefix="rrr-") as scratch:
         try:
             content = fetched(robot, Path(scratch))
-            key = content.key(robot, options_in_force(options))
+            key = content.key(robot, in_force)
         except Exception as error:
             # Stores of objects raise errors of their own kinds.
             return lost(robot, output, night, str(error) or type(error).__name__)
         if store.has(key):
-            return Done(robot.name, key, "there")
+            store.remember(seen, key)
+            return _there(store, robot, key, night)
         row = _row(robot, content, key, night, options, Path(scratch))
     store.put(row)
     store.remove(unread_key(robot.name, night))
+    store.remember(seen, key)
     return Done(robot.name, key, "failed" if row["error"] else "diagnosed", row["error"])
 
 
@@ -61,6 +68,12 @@ def lost(robot: Robot, output: str, night: datetime.date, why: str) -> Done:
     row = empty_row(robot, night, key) | {"verdict": FAILED, "error": why}
     Store(output).put(row)
     return Done(robot.name, key, "failed", why)
+
+
+def _there(store: Store, robot: Robot, key: str, night: datetime.date) -> Done:
+    """Nothing to do; a row that says that the files could not be read is no longer so."""
+    store.remove(unread_key(robot.name, night))
+    return Done(robot.name, key, "there")
 
 
 def _row(

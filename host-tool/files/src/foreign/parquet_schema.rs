@@ -1,15 +1,17 @@
-//! Whether the schema at the end of a Parquet file has as many children as its nodes claim.
+//! Whether the schema at the end of a Parquet file is the tree that its nodes claim.
 //!
-//! The library makes room for what a node claims before it looks for its children. The schema is
-//! Thrift's compact protocol: field 2 of the file's metadata, whose nodes have `num_children` in field 5.
+//! The library makes room for the children that a node claims before it looks for them. The schema is Thrift's
+//! compact protocol: field 2 of the file's metadata, whose nodes have `num_children` in field 5. The library
+//! reads a known field as what it should be, whatever kind stands before it; so here each must be of its kind.
 
 const MAGIC: &[u8] = b"PAR1";
+/// Nodes within each other at most.
+const DEEPEST: usize = 64;
 
 /// Whether the claims can be believed; a schema that cannot be followed is not. Files without an end are
 /// left to the library.
 pub(super) fn is_believable(file: &[u8]) -> bool {
-    let Some(metadata) = metadata(file) else { return true };
-    claims(metadata).is_some_and(|most| most <= metadata.len() as u64)
+    metadata(file).is_none_or(|metadata| children(metadata).is_some_and(|nodes| is_tree(&nodes)))
 }
 
 fn metadata(file: &[u8]) -> Option<&[u8]> {
@@ -18,30 +20,61 @@ fn metadata(file: &[u8]) -> Option<&[u8]> {
     rest.get(rest.len().checked_sub(length)?..)
 }
 
-/// The most children that any node claims.
-fn claims(metadata: &[u8]) -> Option<u64> {
-    let (mut input, mut most) = (Input(metadata), 0);
-    let mut id = 0;
-    loop {
-        let kind = input.field(&mut id)?;
-        if (id, kind) == (2, LIST) {
-            let (count, kind) = input.list()?;
-            for _ in 0..count {
-                if kind != STRUCT {
-                    return None;
-                }
-                input.node(&mut most)?;
-            }
-            return Some(most);
-        }
-        input.skip(kind, 0)?;
+/// How many children each node claims.
+fn children(metadata: &[u8]) -> Option<Vec<u64>> {
+    let (mut input, mut id) = (Input(metadata), 0);
+    let is_version = (input.field(&mut id)?, id) == (I32, 1);
+    input.varint()?;
+    if !is_version || (input.field(&mut id)?, id) != (LIST, 2) {
+        return None;
     }
+    let (count, kind) = input.list()?;
+    (0..count).map(|_| if kind == STRUCT { input.node() } else { None }).collect()
 }
 
+/// Whether nodes with so many children each, a parent before its children, make one tree.
+fn is_tree(nodes: &[u64]) -> bool {
+    let mut missing = vec![1];
+    for &children in nodes {
+        while missing.last() == Some(&0) {
+            missing.pop();
+        }
+        let Some(of_parent) = missing.last_mut() else { return false };
+        *of_parent -= 1;
+        missing.push(children);
+        if missing.len() > DEEPEST {
+            return false;
+        }
+    }
+    missing.iter().all(|&count| count == 0)
+}
+
+const TRUE: u8 = 1;
+const FALSE: u8 = 2;
+const BYTE: u8 = 3;
+const I32: u8 = 5;
+const BINARY: u8 = 8;
 const LIST: u8 = 9;
 const STRUCT: u8 = 12;
-/// Structures within each other at most.
-const DEEPEST: u32 = 16;
+
+/// The kinds of the fields of a logical type, from field 1 on; `None` of one that is not known.
+fn fields_of_logical_type(id: u64) -> Option<&'static [u8]> {
+    match id {
+        // Strings, maps, lists, names, dates, JSON, identifiers and the like.
+        1..=4 | 6 | 11..=15 => Some(&[]),
+        // Decimals: scale, precision.
+        5 => Some(&[I32, I32]),
+        // Times and time stamps: whether of UTC, unit.
+        7 | 8 => Some(&[TRUE, STRUCT]),
+        // Whole numbers: bits, whether with a sign.
+        10 => Some(&[BYTE, TRUE]),
+        // Variants, geometries, geographies.
+        16 => Some(&[BYTE]),
+        17 => Some(&[BINARY]),
+        18 => Some(&[BINARY, I32]),
+        _ => None,
+    }
+}
 
 struct Input<'a>(&'a [u8]);
 
@@ -69,15 +102,18 @@ impl Input<'_> {
         None
     }
 
-    /// The kind of the next field, and its number; `None` at the end of a structure.
+    /// The kind of the next field, and its number by its distance; 0 at the end of a structure.
     fn field(&mut self, id: &mut u64) -> Option<u8> {
         let head = self.byte()?;
-        match head >> 4 {
-            _ if head & 0x0F == 0 => return None,
-            0 => *id = self.varint()? >> 1,
-            delta => *id += u64::from(delta),
+        match (head >> 4, head & 0x0F) {
+            (_, 0) => Some(0),
+            // A number in full, which no writer needs here.
+            (0, _) => None,
+            (delta, kind) => {
+                *id += u64::from(delta);
+                Some(kind)
+            }
         }
-        Some(head & 0x0F)
     }
 
     fn list(&mut self) -> Option<(u64, u8)> {
@@ -89,42 +125,64 @@ impl Input<'_> {
         Some((count, head & 0x0F))
     }
 
-    /// A node of the schema, to its end.
-    fn node(&mut self, most: &mut u64) -> Option<()> {
-        let mut id = 0;
-        while self.0.first()? & 0x0F != 0 {
-            let kind = self.field(&mut id)?;
-            match (id, kind) {
+    /// A node of the schema, to its end: how many children it claims.
+    fn node(&mut self) -> Option<u64> {
+        let (mut id, mut children) = (0, 0);
+        loop {
+            match (self.field(&mut id)?, id) {
+                (0, _) => return Some(children),
                 // Signs alternate: 2 n is n, 2 n - 1 is -n.
-                (5, 4..=6) => *most = (*most).max(self.varint()?.div_ceil(2)),
-                // The library reads a number here whatever kind stands before it.
-                (5, _) => return None,
-                _ => self.skip(kind, 0)?,
+                (I32, 5) => children = self.varint()?.div_ceil(2),
+                (I32, 1..=3 | 6..=9) => drop(self.varint()?),
+                (BINARY, 4) => self.binary()?,
+                (STRUCT, 10) => self.logical_type()?,
+                _ => return None,
             }
         }
-        self.take(1)
     }
 
-    fn skip(&mut self, kind: u8, depth: u32) -> Option<()> {
-        match kind {
-            1 | 2 => Some(()),
-            3 => self.take(1),
-            4..=6 => self.varint().map(drop),
-            7 => self.take(8),
-            8 => {
-                let length = self.varint()?;
-                self.take(length)
+    fn binary(&mut self) -> Option<()> {
+        let length = self.varint()?;
+        self.take(length)
+    }
+
+    /// A union whose fields are structures.
+    fn logical_type(&mut self) -> Option<()> {
+        let mut id = 0;
+        loop {
+            match self.field(&mut id)? {
+                0 => return Some(()),
+                STRUCT => self.structure(fields_of_logical_type(id)?)?,
+                _ => return None,
             }
-            STRUCT if depth < DEEPEST => {
-                let mut id = 0;
-                while self.0.first()? & 0x0F != 0 {
-                    let kind = self.field(&mut id)?;
-                    self.skip(kind, depth + 1)?;
-                }
-                self.take(1)
-            }
-            _ => None,
         }
+    }
+
+    /// A structure whose fields have these kinds.
+    fn structure(&mut self, kinds: &[u8]) -> Option<()> {
+        let mut id = 0;
+        loop {
+            let kind = self.field(&mut id)?;
+            let wanted =
+                usize::try_from(id).ok()?.checked_sub(1).and_then(|k| kinds.get(k).copied());
+            match (kind, wanted) {
+                (0, _) => return Some(()),
+                (TRUE | FALSE, Some(TRUE)) => {}
+                (BYTE, Some(BYTE)) => self.take(1)?,
+                (I32, Some(I32)) => drop(self.varint()?),
+                (BINARY, Some(BINARY)) => self.binary()?,
+                (STRUCT, Some(STRUCT)) => self.unit()?,
+                _ => return None,
+            }
+        }
+    }
+
+    /// A unit of time: a union of milliseconds, microseconds, nanoseconds, each an empty structure.
+    fn unit(&mut self) -> Option<()> {
+        let mut id = 0;
+        let is_unit = self.field(&mut id)? == STRUCT && id <= 3;
+        let ends = [self.byte()?, self.byte()?];
+        (is_unit && ends == [0, 0]).then_some(())
     }
 }
 
@@ -132,17 +190,44 @@ impl Input<'_> {
 mod tests {
     use super::*;
 
+    /// A file whose metadata are version 1 and a list of nodes, each as its bytes up to the end.
+    fn file(nodes: &[&[u8]]) -> Vec<u8> {
+        let mut metadata = vec![0x15, 2, 0x19, (nodes.len() as u8) << 4 | STRUCT];
+        nodes.iter().for_each(|node| metadata.extend([node, &[0][..]].concat()));
+        metadata.push(0);
+        let length = (metadata.len() as u32).to_le_bytes();
+        [&metadata, &length[..], MAGIC].concat()
+    }
+
+    const ROOT: &[u8] = &[0x48, 1, b'r', 0x15, 2];
+    const LEAF: &[u8] = &[0x15, 10, 0x25, 0, 0x18, 1, b'a'];
+
     #[test]
-    fn a_node_with_more_children_than_bytes_is_not_believed() {
-        // Version 1, then a list of one node: its name "a", and the children it claims.
-        let file = |children: &[u8]| {
-            let metadata =
-                [&[0x15, 2, 0x19, 0x1C, 0x48, 1, b'a', 0x15], children, &[0, 0]].concat();
-            let length = (metadata.len() as u32).to_le_bytes();
-            [&metadata, &length[..], MAGIC].concat()
-        };
-        assert!(is_believable(&file(&[4])));
-        assert!(!is_believable(&file(&[0xFE, 0xFF, 0xFF, 0xFF, 0x0F])));
+    fn a_tree_is_believed() {
+        assert!(is_believable(&file(&[ROOT, LEAF])));
         assert!(is_believable(b"PAR1") && is_believable(b""));
+    }
+
+    #[test]
+    fn claims_that_make_no_tree_are_not_believed() {
+        let claiming = |children: &[u8]| [&ROOT[..4], children].concat();
+        for children in [&[0][..], &[4], &[3], &[0xFE, 0xFF, 0xFF, 0xFF, 0x0F]] {
+            assert!(!is_believable(&file(&[&claiming(children), LEAF])), "{children:?}");
+        }
+        let deep = |nodes| is_tree(&[vec![1; nodes], vec![0]].concat());
+        assert!(deep(DEEPEST - 2) && !deep(DEEPEST));
+    }
+
+    #[test]
+    fn a_field_of_another_kind_is_not_followed() {
+        // A name that says that it is a number, of which the library reads a text all the same.
+        assert!(!is_believable(&file(&[&[0x45, 1, b'r', 0x15, 2], LEAF])));
+        // A time stamp of UTC in milliseconds, and one whose unit says that it is a number.
+        let stamp = |kind: u8| {
+            let tail = [0x6C, 0x8C, 0x11, 0x10 | kind, 0x1C, 0, 0, 0, 0];
+            [LEAF, &tail].concat()
+        };
+        assert!(is_believable(&file(&[ROOT, &stamp(STRUCT)])));
+        assert!(!is_believable(&file(&[ROOT, &stamp(I32)])));
     }
 }

@@ -6,6 +6,7 @@ use super::super::{diagnose, simulate};
 use super::{Arguments, print_table};
 use crate::failure::Failure;
 use crate::output_files::write_text;
+use crate::say;
 use diagnosis::sentence;
 use files::EffectTable;
 use report::diagnosis_page::figure;
@@ -25,12 +26,12 @@ impl Arguments {
     /// Records a robot with hidden effects, diagnoses its logs against the model of the rig,
     /// and drives it with that model and with the amended one.
     pub(super) fn diagnosed(&self, rig: &Rig) -> Result<Diagnosed, Failure> {
-        println!("\n4. The robot changes, unknown to its model. Its logs are diagnosed.");
+        say!("\n4. The robot changes, unknown to its model. Its logs are diagnosed.");
         simulate::run(&self.gap())?;
         let diagnosis = diagnose::diagnose(&self.diagnosis())?;
-        println!("Hidden were {}", HIDDEN.join(" and "));
+        say!("Hidden were {}", HIDDEN.join(" and "));
         write_text(&figure(&diagnosis), &self.out.join("diagnosis.svg"))?;
-        println!("\n5. The amended model goes into the firmware, which plays the motion again.");
+        say!("\n5. The amended model goes into the firmware, which plays the motion again.");
         let amended = self.out.join(DIAGNOSIS).join(diagnose::MODEL);
         let mut knowing = simulate::Arguments::new(&amended, "task", &self.out);
         knowing.compensate = true;

@@ -9,11 +9,14 @@ use std::time::Instant;
 use clap::Args;
 use firmware::Mode;
 use model::reference_robot::reference_robot;
+use serde_json::json;
 
 use super::{identify, simulate};
 use crate::failure::Failure;
 use crate::options::number::duration_s;
 use crate::output_files::create_directory;
+use crate::say;
+use crate::terminal::answer::{answer, is_part};
 use crate::terminal::progress::Progress;
 use files::{EffectTable, RobotFile};
 use recordings::tracking::Tracking;
@@ -44,13 +47,14 @@ pub struct Arguments {
 /// QEMU or the firmware does not work, or a file cannot be written.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     create_directory(&arguments.out)?;
-    println!("1. The firmware in QEMU plays the experiments to a robot that it does not know.");
+    is_part(true);
+    say!("1. The firmware in QEMU plays the experiments to a robot that it does not know.");
     let robot = arguments.write_robot()?;
     simulate::run(&arguments.campaign(&robot))?;
-    println!("\n2. The logs give the model.");
+    say!("\n2. The logs give the model.");
     identify::run_whole(&arguments.identification())?;
     let model = RobotFile::read(arguments.out.join("model.toml"))?.robot()?;
-    println!("\n3. The model goes into the firmware, which plays the motion (20)-(21).");
+    say!("\n3. The model goes into the firmware, which plays the motion (20)-(21).");
     let rig = Rig::new(model);
     let plain = arguments.drive(&rig, Mode::Pd, "PD alone", &[])?;
     let modelled = arguments.drive(&rig, Mode::PdModel, "PD with the model", &[])?;
@@ -59,8 +63,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let path = arguments.out.join("index.html");
     tracking_page(&plain, &modelled, &diagnosed).write(&path)?;
     error_charts(&plain, &modelled)[1].write_svg(&arguments.out.join("tracking.svg"))?;
-    println!("\nPictures: {}", path.display());
-    Ok(())
+    say!("\nPictures: {}", path.display());
+    is_part(false);
+    answer(&json!({ "page": path }))
 }
 
 impl Arguments {
@@ -131,19 +136,20 @@ impl Arguments {
 }
 
 fn print_table(first: &Run, second: &Run) {
-    println!("Motion (20)-(21), firmware in QEMU around the simulated robot\n");
-    println!("  joint   rms tracking error [mrad]                 ratio");
-    println!("          {:>17}   {:>17}", first.name, second.name);
+    say!("Motion (20)-(21), firmware in QEMU around the simulated robot\n");
+    say!("  joint   rms tracking error [mrad]                 ratio");
+    say!("          {:>17}   {:>17}", first.name, second.name);
     for (without, with) in first.tracking.iter().zip(&second.tracking) {
         let (without_mrad, with_mrad) = (1e3 * without.rms_rad(), 1e3 * with.rms_rad());
-        println!(
+        say!(
             "  {}       {without_mrad:17.3}   {with_mrad:17.4}   {:8.0}",
             without.joint,
             without_mrad / with_mrad
         );
     }
-    println!(
+    say!(
         "\n  a tick takes {:.0} instructions; the loop ran {:.0} times as fast as real time",
-        second.instructions_per_tick, second.speed
+        second.instructions_per_tick,
+        second.speed
     );
 }

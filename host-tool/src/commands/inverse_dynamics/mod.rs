@@ -8,8 +8,10 @@ use files::log::check_joints;
 use files::replace::replace_file;
 use files::table::{Kind, Table};
 use files::{FileError, Problem};
+use serde_json::json;
 
 use crate::failure::Failure;
+use crate::terminal::answer::answer;
 
 pub mod body;
 mod friction;
@@ -43,7 +45,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let body = Body::read(&arguments.model)?;
     let motion = Motion::read(arguments, &body)?;
     write(arguments, &body, &motion)?;
-    Ok(())
+    answer(&json!({ "out": arguments.out, "samples": motion.rows, "joints": body.joints.len() }))
 }
 
 /// A table of motions, each quantity with one column per joint.
