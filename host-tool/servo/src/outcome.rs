@@ -12,8 +12,10 @@ use crate::judged::Judged;
 use crate::prepared::Prepared;
 use crate::selection::{Model, Selected};
 use crate::settings::Settings;
+use crate::spread::spread;
 use crate::turned;
 use crate::verdict::JointCause;
+use crate::whole_arm::left;
 use crate::whole_cause::{WholeCause, find};
 
 /// What a diagnosis found.
@@ -62,11 +64,16 @@ impl Outcome {
         let mut prepared = Prepared::of(campaign, settings)?;
         let refitted = prepared.bases.clone();
         let mut joints = JointEffects::of(&prepared, &campaign.arm, settings, progress);
-        if turned::take_up(&mut prepared, &joints, settings) {
-            joints = JointEffects::of(&prepared, &campaign.arm, settings, progress);
-        }
         progress("trying a payload, a force, a base that leans");
-        let whole = find(&prepared, &joints.as_bases(&prepared), settings);
+        let whole = match instead(&prepared, &joints, settings) {
+            Some(whole) => whole,
+            None => {
+                if turned::take_up(&mut prepared, &joints, settings) {
+                    joints = JointEffects::of(&prepared, &campaign.arm, settings, progress);
+                }
+                find(&prepared, &joints.as_bases(&prepared), settings)
+            }
+        };
         if let Some(cause) = whole.first().filter(|cause| cause.is_named) {
             take_up(&mut prepared, cause, settings);
             joints = JointEffects::of(&prepared, &campaign.arm, &settings.beside_whole(), progress);
@@ -82,6 +89,23 @@ impl Outcome {
         let (arm, settings) = (campaign.arm.clone(), settings.clone());
         Ok(Self { arm, prepared, whole, selected, causes, pooled, models, motions, settings })
     }
+}
+
+/// Effects of the whole arm over the bare joints, where the first is named and leaves less than all that was
+/// found joint by joint does: what one thing explains on many joints is not many things.
+fn instead(
+    prepared: &Prepared,
+    joints: &JointEffects,
+    settings: &Settings,
+) -> Option<Vec<WholeCause>> {
+    joints.causes.iter().find(|cause| cause.is_named)?;
+    let whole = find(prepared, &prepared.bases, settings);
+    let best = whole.first().filter(|cause| cause.is_named)?;
+    let servos: Vec<ServoJoint> = joints.models.iter().map(|model| model.fitted.servo).collect();
+    let logs = spread(&prepared.train(), settings.whole_arm_s);
+    let frame = Frame { logs: &logs, period_s: prepared.period_s, settings };
+    let of_joints: f64 = left(&frame, &prepared.bases, &servos, &logs).iter().sum();
+    (best.fit.left.iter().sum::<f64>() < of_joints).then_some(whole)
 }
 
 /// Puts an effect of the whole arm into the logs, and refits the joints with it.

@@ -173,16 +173,18 @@ impl Place<'_> {
     /// The promising effects over a model, likeliest first.
     fn over(&self, model: &Model, open: &[Candidate]) -> Vec<Over> {
         let Self { frame, joint, base } = *self;
-        let problem = frame.problem(joint, &model.unknowns, base.scale);
+        let logs = worst(frame, &model.left);
+        let short = Frame { logs: &logs, ..*frame };
+        let problem = short.problem(joint, &model.unknowns, base.scale);
         let screen = Screen::of(&problem, &model.fitted.servo);
         let least = 0.25 * frame.settings.least_gain;
         let open: Vec<Candidate> =
             open.par_iter().filter_map(|effect| screen.promising(effect, least)).collect();
-        let logs = worst(frame, &model.left);
         let open = match logs.len() == frame.logs.len() {
             true => open,
-            false => promising(&Frame { logs: &logs, ..*frame }, joint, base, model, &open),
+            false => promising(&short, joint, base, model, &open),
         };
+        let problem = frame.problem(joint, &model.unknowns, base.scale);
         let found = open.par_iter().filter_map(|effect| over(frame, joint, base, model, effect));
         ranked(&problem, model, found.collect())
     }

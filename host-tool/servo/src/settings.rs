@@ -173,6 +173,6 @@ impl Settings {
 
     /// Those for effects of joints beside one of the whole arm.
     pub fn beside_whole(&self) -> Self {
-        Self { least_shrinkage: self.least_beside_whole, ..self.clone() }
+        Self { least_shrinkage: self.least_beside_whole, least_near_noise: 1.0, ..self.clone() }
     }
 }

@@ -196,18 +196,18 @@ pub fn fit_whole(
     effect: Whole,
     from: &WholeFit,
 ) -> WholeFit {
-    const ROUNDS: usize = 8;
+    const ROUNDS: usize = 12;
     /// A step that takes a smaller part of what is left is the last one.
-    const LEAST_STEP: f64 = 0.005;
+    const LEAST_STEP: f64 = 0.003;
     let (prior, doubts) = (effect.start(links), effect.doubts(links, frame.settings));
     let mut found = from.clone();
     if found.effect != effect {
         found = WholeFit { effect, values: prior.clone(), ..found };
     }
-    let mut logs = applied(effect, links, frame.logs, &found.values);
+    let apply = |values: &[f64]| applied(effect, links, frame.logs, values);
+    let mut logs = apply(&found.values);
     for _ in 0..ROUNDS {
         let here: Vec<&Judged> = logs.iter().collect();
-        let apply = |values: &[f64]| applied(effect, links, frame.logs, values);
         let WholeFit { values, servos, .. } = &found;
         let step = step_of(frame, bases, servos, &here, &apply, values, &prior, &doubts);
         let Some(step) = step else { break };
@@ -216,13 +216,12 @@ pub fn fit_whole(
         logs = apply(&found.values);
         let here: Vec<&Judged> = logs.iter().collect();
         found.servos = refitted(frame, bases, &here, &found.servos, 3);
+        found.left = left(frame, bases, &found.servos, &here);
         let is_small = !effect.is_beyond(&found.values, links, frame.settings);
         if is_small || step.takes < LEAST_STEP * found.left.iter().sum::<f64>() {
             break;
         }
     }
-    let here: Vec<&Judged> = logs.iter().collect();
-    found.left = left(frame, bases, &found.servos, &here);
     found
 }
 
@@ -247,7 +246,7 @@ fn refitted(
 }
 
 /// What is left of each log, all joints together, in squares of one row.
-fn left(frame: &Frame, bases: &[Base], servos: &[ServoJoint], logs: &[&Judged]) -> Vec<f64> {
+pub fn left(frame: &Frame, bases: &[Base], servos: &[ServoJoint], logs: &[&Judged]) -> Vec<f64> {
     let step = frame.settings.search_step_s;
     let of = |log: &&Judged| {
         let joints = servos.iter().enumerate();
