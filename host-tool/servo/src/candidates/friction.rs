@@ -50,6 +50,8 @@ fn one_way(effect: &'static str, field: Field) -> Candidate {
 fn drag(base: &Base) -> Candidate {
     let viscous = base.fitted.servo.viscous.max(0.01);
     let drag = free(Field::Drag, [-2.0 * viscous, 0.1 * viscous], 0.2 * viscous);
+    // At a few rad/s a larger step is no slope.
+    let drag = Unknown { step: 2e-3 * viscous, ..drag };
     let starts = [-0.1, 0.02].map(|part| vec![part * viscous]).to_vec();
     Candidate::new("quadratic_drag", vec![drag], starts)
 }
