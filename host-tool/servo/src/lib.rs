@@ -9,7 +9,7 @@
 //! | [`settings`] | every choice with its reason |
 //! | [`joint`], [`step`] | a joint under its servo, and one step of it, friction as a set-valued law |
 //! | [`record`], [`motion`], [`pieces`] | logs as stretches; smoothed velocity; pieces to leave out |
-//! | [`along`], [`judged`] | what the rigid body asks of each joint along a log |
+//! | [`moves`], [`along`], [`judged`] | the motion it goes along, and what the rigid body asks of each joint along a log |
 //! | [`replay`], [`arm_replay`] | one joint simulated while the others move as measured; the whole arm |
 //! | [`fit`], [`base`] | parameters fitted to whole logs; those that are fitted before any effect |
 //! | [`contact`], [`goal_clip`], [`prepared`] | seconds that are no free motion, found and cut |
