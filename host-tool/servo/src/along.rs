@@ -1,13 +1,13 @@
 //! What the rigid body asks of every joint along a measured motion.
 //!
-//! A joint's own position enters its gravity alone, as C + P cos x + S sin x of the distance x from
-//! where it was measured; the inertia about it depends on the joints behind it. So one joint can be
+//! A joint's own position enters its gravity alone, as P cos x + S sin x of the distance x from
+//! where the motion has it; the inertia about it depends on the joints behind it. So one joint can be
 //! simulated while the others move as measured.
 
 use model::chain::SerialChain;
 use model::mechanism::{JointKind, Mechanism};
 
-use crate::record::Record;
+use crate::moves::Moves;
 use crate::step::Load;
 
 /// The rigid body along one joint at one row.
@@ -15,7 +15,9 @@ use crate::step::Load;
 pub struct AlongRow {
     /// The links' inertia about the joint [kg m^2; kg].
     pub inertia: f64,
-    /// Gravity's torque where the joint was measured, less the part that stays when it turns [Nm].
+    /// Where the joint stands [rad; m].
+    pub position: f64,
+    /// Gravity's torque there, less the part that stays when it turns [Nm].
     pub gravity: f64,
     /// Its slope there [Nm/rad].
     pub slope: f64,
@@ -26,7 +28,7 @@ pub struct AlongRow {
 }
 
 impl AlongRow {
-    /// The load at a distance from where the joint was measured, gravity multiplied.
+    /// The load at a distance from there, gravity multiplied.
     #[inline]
     pub fn load(&self, distance: f64, gravity: f64) -> Load {
         let (sine, cosine) = small_sin_cos(distance);
@@ -58,13 +60,14 @@ pub fn without_rotors(chain: &SerialChain<f64>) -> SerialChain<f64> {
     links
 }
 
-/// The rigid body along a record: by joint, then by row. `links` has no rotors.
-pub fn along(links: &SerialChain<f64>, record: &Record) -> Vec<Vec<AlongRow>> {
-    let n = record.joints.len();
-    let mut found = vec![Vec::with_capacity(record.len()); n];
+/// The rigid body along a motion: by joint, then by row. `links` has no rotors.
+pub fn along(links: &SerialChain<f64>, moves: &[Moves]) -> Vec<Vec<AlongRow>> {
+    let n = moves.len();
+    let rows = moves.first().map_or(0, |joint| joint.position.len());
+    let mut found = vec![Vec::with_capacity(rows); n];
     let mut scratch = Scratch::of(n);
-    for row in 0..record.len() {
-        for (joint, along) in scratch.row(links, record, row).enumerate() {
+    for row in 0..rows {
+        for (joint, along) in scratch.row(links, moves, row).enumerate() {
             found[joint].push(along);
         }
     }
@@ -101,11 +104,11 @@ impl Scratch {
     fn row(
         &mut self,
         links: &SerialChain<f64>,
-        record: &Record,
+        moves: &[Moves],
         row: usize,
     ) -> impl Iterator<Item = AlongRow> + '_ {
-        for (joint, track) in record.joints.iter().enumerate() {
-            self.q[joint] = track.position[row];
+        for (joint, track) in moves.iter().enumerate() {
+            self.q[joint] = track.position[row] + track.turn;
             self.qd[joint] = track.velocity[row];
             self.qdd[joint] = track.acceleration[row];
         }
@@ -121,20 +124,14 @@ impl Scratch {
     fn joint(&mut self, links: &SerialChain<f64>, joint: usize) -> AlongRow {
         let n = self.q.len();
         let (inertia, here) = (self.mass[joint * n + joint], self.gravity[joint]);
+        let position = self.q[joint];
         let coupling = self.torque[joint] - here - inertia * self.qdd[joint];
         if links.kind(joint) == JointKind::Prismatic {
-            return AlongRow { inertia, constant: here, coupling, ..AlongRow::default() };
+            return AlongRow { inertia, position, constant: here, coupling, ..AlongRow::default() };
         }
-        let opposite = self.gravity_at(links, joint, std::f64::consts::PI);
-        let quarter = self.gravity_at(links, joint, std::f64::consts::FRAC_PI_2);
-        let constant = 0.5 * (here + opposite);
-        AlongRow {
-            inertia,
-            gravity: here - constant,
-            slope: quarter - constant,
-            constant,
-            coupling,
-        }
+        // Of the moment of what the joint carries only the part across its axis makes torque, and turns.
+        let slope = self.gravity_at(links, joint, std::f64::consts::FRAC_PI_2);
+        AlongRow { inertia, position, gravity: here, slope, constant: 0.0, coupling }
     }
 
     /// Gravity's torque with the joint turned by an angle.

@@ -22,7 +22,8 @@ pub fn arm_replay(
 ) -> Vec<Replay> {
     let tracks = record.joints.iter();
     let start = tracks.zip(servos).map(|(track, servo)| {
-        let (q, v) = (track.position[0], track.velocity[0]);
+        let v = track.velocity[0];
+        let q = track.position[0] - servo.read_after_s * v;
         State { q, v, u: servo.stiffness * (track.goal[0] - q) }
     });
     let mut arm = Arm::of(links, servos, start.collect());

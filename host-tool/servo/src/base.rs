@@ -84,7 +84,7 @@ fn range(values: &[f64]) -> f64 {
 }
 
 /// Errors below this are the encoder's [rad]: a step of 12 bits, uniformly rounded.
-const FLOOR_RAD: f64 = 4.4e-4;
+pub const FLOOR_RAD: f64 = 4.4e-4;
 
 /// A joint before effects.
 #[derive(Clone, Debug)]

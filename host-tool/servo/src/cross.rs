@@ -67,7 +67,8 @@ pub struct Gain {
     /// of its own, whichever is more. The first lets a log that leaves little say little, the second does
     /// not let one that leaves much outvote the others.
     pub certainty: f64,
-    /// 1 - rms / rms of the other, in each half of the logs (robust).
+    /// 1 - rms / rms of the other, in each half of the logs (robust). Two pieces of one log are of the same
+    /// half: what acts as a log begins is not in the second one.
     pub halves: [f64; 2],
 }
 
@@ -81,7 +82,8 @@ impl Gain {
         let parts =
             differences.iter().zip(&other.robust).map(|(d, o)| d / o.max(f64::MIN_POSITIVE));
         let half = |side: usize| {
-            let of = |left: &[f64]| left.iter().skip(side).step_by(2).sum::<f64>();
+            let is_in = |k: &usize| (k / 2) % 2 == side;
+            let of = |left: &[f64]| (0..left.len()).filter(is_in).map(|k| left[k]).sum::<f64>();
             1.0 - (of(&model.robust) / of(&other.robust).max(f64::MIN_POSITIVE)).sqrt()
         };
         Self {

@@ -7,7 +7,8 @@ use crate::candidates::MOST_LOST;
 use crate::fit::{Field, Unknown};
 use crate::pooled::{PooledLoad, groups, load_friction};
 use crate::prepared::Prepared;
-use crate::selection::{Model, Selected, select, suffices};
+use crate::ranking::suffices;
+use crate::selection::{Model, Selected, select};
 use crate::settings::Settings;
 use crate::verdict::{Confirming, JointCause, named_model, of_joint, of_pool};
 

@@ -5,6 +5,7 @@ use std::ops::Range;
 use model::chain::SerialChain;
 
 use crate::along::{AlongRow, along};
+use crate::moves::{Moves, measured};
 use crate::record::Record;
 use crate::settings::Settings;
 
@@ -13,6 +14,8 @@ use crate::settings::Settings;
 pub struct Judged {
     /// The log's stretch.
     pub record: Record,
+    /// The motion along which the rigid body is computed, by joint.
+    pub moves: Vec<Moves>,
     /// The rigid body along it, by joint and row.
     pub along: Vec<Vec<AlongRow>>,
     /// Which rows count, by joint and row: not those of contact.
@@ -22,12 +25,15 @@ pub struct Judged {
 }
 
 impl Judged {
-    /// All rows count; `links` has no rotors.
+    /// All rows count but those of the start; `links` has no rotors.
     pub fn of(links: &SerialChain<f64>, record: Record, settings: &Settings) -> Self {
-        let along = along(links, &record);
-        let counts = vec![vec![true; record.len()]; record.joints.len()];
+        let moves = measured(&record);
+        let along = along(links, &moves);
+        let begin = record.time_s.first().map_or(0.0, |first| first + settings.start_s);
+        let started: Vec<bool> = record.time_s.iter().map(|t| *t >= begin).collect();
+        let counts = vec![started; record.joints.len()];
         let blocks = blocks(&record.time_s, settings.block_s);
-        Self { record, along, counts, blocks }
+        Self { record, moves, along, counts, blocks }
     }
 }
 

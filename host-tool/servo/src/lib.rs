@@ -9,7 +9,7 @@
 //! | [`settings`] | every choice with its reason |
 //! | [`joint`], [`step`] | a joint under its servo, and one step of it, friction as a set-valued law |
 //! | [`record`], [`motion`], [`pieces`] | logs as stretches; smoothed velocity; pieces to leave out |
-//! | [`along`], [`judged`] | what the rigid body asks of each joint along a log |
+//! | [`moves`], [`along`], [`judged`] | the motion it goes along, and what the rigid body asks of each joint along a log |
 //! | [`replay`], [`arm_replay`] | one joint simulated while the others move as measured; the whole arm |
 //! | [`fit`], [`base`] | parameters fitted to whole logs; those that are fitted before any effect |
 //! | [`contact`], [`goal_clip`], [`prepared`] | seconds that are no free motion, found and cut |
@@ -34,6 +34,7 @@ pub mod contact;
 pub mod cross;
 pub mod effect_table;
 pub mod error;
+mod evidence;
 pub mod fit;
 pub mod goal_clip;
 pub mod goals;
@@ -43,10 +44,12 @@ pub mod joint_effects;
 pub mod judged;
 pub mod model_file;
 pub mod motion;
+pub mod moves;
 pub mod outcome;
 pub mod pieces;
 pub mod pooled;
 pub mod prepared;
+mod ranking;
 pub mod record;
 pub mod recorded;
 pub mod replay;
@@ -57,12 +60,14 @@ pub mod report_intervals;
 pub mod report_places;
 pub mod report_remarks;
 pub mod report_words;
+mod screen;
 pub mod selection;
 pub mod settings;
 pub mod simulated;
 pub mod spread;
 pub mod step;
 pub mod synthetic;
+mod turned;
 pub mod verdict;
 pub mod whole_arm;
 pub mod whole_cause;

@@ -12,8 +12,10 @@ use crate::judged::Judged;
 use crate::prepared::Prepared;
 use crate::selection::{Model, Selected};
 use crate::settings::Settings;
+use crate::spread::spread;
+use crate::turned;
 use crate::verdict::JointCause;
-use crate::whole_arm::Whole;
+use crate::whole_arm::left;
 use crate::whole_cause::{WholeCause, find};
 
 /// What a diagnosis found.
@@ -63,7 +65,15 @@ impl Outcome {
         let refitted = prepared.bases.clone();
         let mut joints = JointEffects::of(&prepared, &campaign.arm, settings, progress);
         progress("trying a payload, a force, a base that leans");
-        let whole = find(&prepared, &joints.as_bases(&prepared), settings);
+        let whole = match instead(&prepared, &joints, settings) {
+            Some(whole) => whole,
+            None => {
+                if turned::take_up(&mut prepared, &joints, settings) {
+                    joints = JointEffects::of(&prepared, &campaign.arm, settings, progress);
+                }
+                find(&prepared, &joints.as_bases(&prepared), settings)
+            }
+        };
         if let Some(cause) = whole.first().filter(|cause| cause.is_named) {
             take_up(&mut prepared, cause, settings);
             joints = JointEffects::of(&prepared, &campaign.arm, &settings.beside_whole(), progress);
@@ -81,10 +91,34 @@ impl Outcome {
     }
 }
 
+/// Effects of the whole arm over the bare joints, where the first is named and leaves less than all that was
+/// found joint by joint does: what one thing explains on many joints is not many things.
+fn instead(
+    prepared: &Prepared,
+    joints: &JointEffects,
+    settings: &Settings,
+) -> Option<Vec<WholeCause>> {
+    joints.causes.iter().find(|cause| cause.is_named)?;
+    let whole = find(prepared, &prepared.bases, settings);
+    let best = whole.first().filter(|cause| cause.is_named)?;
+    let servos: Vec<ServoJoint> = joints.models.iter().map(|model| model.fitted.servo).collect();
+    let logs = spread(&prepared.train(), settings.whole_arm_s);
+    let frame = Frame { logs: &logs, period_s: prepared.period_s, settings };
+    let of_joints: f64 = left(&frame, &prepared.bases, &servos, &logs).iter().sum();
+    (best.fit.left.iter().sum::<f64>() < of_joints).then_some(whole)
+}
+
 /// Puts an effect of the whole arm into the logs, and refits the joints with it.
 fn take_up(prepared: &mut Prepared, cause: &WholeCause, settings: &Settings) {
     let (effect, values) = (cause.fit.effect, &cause.fit.values);
-    let applied = |log: &Judged| effect.applied(&prepared.links, log, values);
+    let links = prepared.links;
+    let applied = |log: &Judged| effect.applied(&links, log, values);
+    prepared.follow(
+        &effect.links(&links, values),
+        effect.force(values),
+        &cause.fit.servos,
+        settings,
+    );
     prepared.logs = prepared.logs.iter().map(applied).collect();
     let train: Vec<&Judged> =
         prepared.logs.iter().filter(|log| log.record.role == Role::Train).collect();
@@ -105,7 +139,9 @@ fn motions(
         None => prepared.links,
     };
     let links = [prepared.links, prepared.links, loaded];
-    let forces = [[0.0; 3], [0.0; 3], force(whole)];
+    let pull = whole.filter(|cause| cause.is_named);
+    let pull = pull.map_or([0.0; 3], |cause| cause.fit.effect.force(&cause.fit.values));
+    let forces = [[0.0; 3], [0.0; 3], pull];
     let of = |(number, log): (usize, &Judged)| {
         let record = &log.record;
         let stage = |k: usize| -> Vec<Vec<f64>> {
@@ -117,11 +153,4 @@ fn motions(
     };
     let logs = prepared.logs.par_iter().enumerate();
     logs.filter(|(_, log)| log.record.role == Role::Holdout).map(of).collect()
-}
-
-/// The force on the tip that is named, if one is [N].
-fn force(whole: Option<&WholeCause>) -> [f64; 3] {
-    let is_force = |cause: &&WholeCause| cause.is_named && cause.fit.effect == Whole::TipForce;
-    let values = whole.filter(is_force).map(|cause| cause.fit.values.as_slice());
-    values.and_then(|values| values.try_into().ok()).unwrap_or_default()
 }

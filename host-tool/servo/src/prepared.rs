@@ -7,7 +7,8 @@ use files::{ArmFile, Role};
 use model::chain::SerialChain;
 use recordings::ArmCampaign;
 
-use crate::along::without_rotors;
+use crate::along::{along, without_rotors};
+use crate::arm_replay::arm_replay;
 use crate::base::{Base, Frame, refit};
 use crate::contact::{contacts, cut, deviations};
 use crate::effect_table::apply;
@@ -16,6 +17,7 @@ use crate::fit::errors;
 use crate::goal_clip::{self, GoalClip, goal_clips};
 use crate::joint::ServoJoint;
 use crate::judged::Judged;
+use crate::moves::simulated;
 use crate::record::{Record, period};
 use crate::settings::Settings;
 use crate::whole_table::{tip_force, with_effects};
@@ -76,6 +78,8 @@ impl Prepared {
         let logs: Vec<Judged> = pieces.into_par_iter().map(judged).collect();
         let (bases, contacts, clips) = (Vec::new(), Vec::new(), Vec::new());
         let mut found = Self { links, given, logs, period_s, bases, contacts, clips, is_held_out };
+        let turns: Vec<f64> = found.given.iter().map(|servo| servo.encoder_offset).collect();
+        turns.iter().enumerate().for_each(|(joint, turn)| found.turn(joint, *turn));
         found.refit(settings);
         Ok(found)
     }
@@ -99,14 +103,45 @@ impl Prepared {
                 true => self.given.clone(),
                 false => self.bases.iter().map(|base| base.fitted.servo).collect(),
             };
+            if round > 0 {
+                let links = self.links;
+                self.follow(&links, [0.0; 3], &starts, settings);
+            }
             let train = self.train();
             let frame = Frame { logs: &train, period_s: self.period_s, settings };
             let bases = refit(&frame, &self.given, &starts, round == 0);
             self.bases = bases;
-            if round + 1 == ROUNDS || !self.cut(settings) {
+            if round + 1 == ROUNDS || (!self.cut(settings) && round > 0) {
                 break;
             }
         }
+    }
+
+    /// The rigid body along the motion of the arm as these joints move these links, a force on the tip.
+    pub fn follow(
+        &mut self,
+        links: &SerialChain<f64>,
+        force_n: [f64; 3],
+        servos: &[ServoJoint],
+        settings: &Settings,
+    ) {
+        self.logs.par_iter_mut().for_each(|log| {
+            let found = arm_replay(links, force_n, servos, &log.record, settings.step_s);
+            let turns: Vec<f64> = log.moves.iter().map(|joint| joint.turn).collect();
+            log.moves = simulated(&log.record, servos, &found, settings);
+            log.moves.iter_mut().zip(turns).for_each(|(joint, turn)| joint.turn = turn);
+            log.along = along(links, &log.moves);
+        });
+    }
+
+    /// The rigid body with a joint standing elsewhere than its encoder says.
+    pub fn turn(&mut self, joint: usize, turn: f64) {
+        let links = self.links;
+        let other = |log: &&mut Judged| log.moves[joint].turn != turn;
+        self.logs.par_iter_mut().filter(other).for_each(|log| {
+            log.moves[joint].turn = turn;
+            log.along = along(&links, &log.moves);
+        });
     }
 
     /// Cuts contacts and clipped goals that the present models show; whether there were new ones.

@@ -8,8 +8,10 @@ use crate::step::State;
 /// A joint's simulated motion at the rows.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Replay {
-    q: Vec<f64>,
-    v: Vec<f64>,
+    /// Positions [rad; m].
+    pub q: Vec<f64>,
+    /// Velocities [rad/s; m/s].
+    pub v: Vec<f64>,
     /// Voltage of the drive [V].
     pub volts: Vec<f64>,
 }
@@ -25,7 +27,9 @@ pub fn replay(
     let track = &record.joints[joint];
     let turn = servo.encoder_offset;
     let mut found = Replay::with_capacity(record.len());
-    let mut state = State { q: track.position[0], v: track.velocity[0], ..State::default() };
+    // The first position was read some time after the first goal was sent.
+    let first = track.position[0] - servo.read_after_s * track.velocity[0];
+    let mut state = State { q: first, v: track.velocity[0], ..State::default() };
     // At rest a motor holds its load.
     state.u = servo.stiffness * (track.goal[0] - state.q);
     for row in 0..record.len() {
@@ -37,7 +41,7 @@ pub fn replay(
         let steps = ((to - from) / step_s - 1e-3).ceil().max(1.0);
         let h = (to - from) / steps;
         for k in 0..steps as usize {
-            let load = along[row].load(state.q - track.position[row] + turn, servo.gravity);
+            let load = along[row].load(state.q - along[row].position + turn, servo.gravity);
             state = servo.step(&state, track.goal[row], &load, h, from + k as f64 * h);
         }
     }
@@ -87,13 +91,17 @@ impl Replay {
         time_s.iter().map(at).collect()
     }
 
-    /// Hermite's cubic between a row and the next; the ends' positions outside of the log.
+    /// Hermite's cubic between a row and the next; on from the last row's velocity, the first row's position before it.
     fn between(&self, time_s: &[f64], row: usize, then: f64) -> f64 {
-        if row + 1 >= time_s.len() || then <= time_s[0] {
+        let (last, first) = (time_s.len() - 1, time_s[0]);
+        if row + 1 > last || then <= first {
             return self.q[row];
         }
+        if then > time_s[last] {
+            return self.q[last] + self.v[last] * (then - time_s[last]);
+        }
         let h = time_s[row + 1] - time_s[row];
-        let x = ((then - time_s[row]) / h).min(1.0);
+        let x = (then - time_s[row]) / h;
         let (q, v) = (&self.q[row..row + 2], &self.v[row..row + 2]);
         let y = 1.0 - x;
         let ends = q[0] * y * y * (1.0 + 2.0 * x) + q[1] * x * x * (3.0 - 2.0 * x);

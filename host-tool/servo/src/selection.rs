@@ -8,7 +8,8 @@ use crate::cogging_orders::cogging_orders;
 use crate::cross::{Gain, LeftOut, cross_validate};
 use crate::fit::{Fitted, Problem, Unknown, fit};
 use crate::judged::Judged;
-use crate::settings::Settings;
+use crate::ranking::{Over, as_tried, confirmed, ranked, rivals};
+use crate::screen::Screen;
 
 /// A model of a joint with effects.
 #[derive(Clone, Debug)]
@@ -32,6 +33,8 @@ pub struct Tried {
     pub values: Vec<f64>,
     /// What it gains.
     pub gain: Gain,
+    /// Logarithm of its likelihood.
+    pub evidence: f64,
 }
 
 /// What was selected for a joint.
@@ -112,12 +115,6 @@ impl Model {
     }
 }
 
-/// Whether a gain is enough.
-pub fn suffices(gain: &Gain, settings: &Settings) -> bool {
-    let halves = gain.halves.iter().all(|half| *half >= settings.least_half_shrinkage);
-    gain.part >= settings.least_gain && gain.certainty >= settings.least_certainty && halves
-}
-
 /// Effects of a joint, from 0.
 pub fn select(frame: &Frame, joint: usize, base: &Base) -> Selected {
     let first = Model::of_base(frame, joint, base);
@@ -138,9 +135,6 @@ pub fn select(frame: &Frame, joint: usize, base: &Base) -> Selected {
     found
 }
 
-/// An effect over a model: what it makes of the model, and what it gains on the logs fitted to.
-type Over = (Candidate, Model, Gain);
-
 /// Where effects are sought.
 struct Place<'a> {
     frame: &'a Frame<'a>,
@@ -160,12 +154,12 @@ impl Place<'_> {
         let Some((best, gain)) = confirmed(frame, joint, base.scale, &found.model, &over) else {
             return false;
         };
-        let rivals = rivals(&over, best, frame.settings.rival_part * gain.part, frame.settings);
+        let rivals = rivals(&over, best, &gain, frame.settings);
         if !rivals.is_empty() {
             found.undecided = [all[best].clone()].into_iter().chain(rivals).collect();
             return false;
         }
-        let (effect, mut next, _) = over.swap_remove(best);
+        let Over { effect, model: mut next, .. } = over.swap_remove(best);
         next.polish(frame, joint, base.scale);
         found.added.push(gain);
         // What did nothing over the base does nothing beside an effect, either.
@@ -176,34 +170,37 @@ impl Place<'_> {
         true
     }
 
-    /// The promising effects over a model, best first.
+    /// The promising effects over a model, likeliest first.
     fn over(&self, model: &Model, open: &[Candidate]) -> Vec<Over> {
         let Self { frame, joint, base } = *self;
-        let with = |effect: &Candidate| {
-            let with = model.with(frame, joint, base.scale, effect)?;
-            let gain = Gain::of(&with.left, &model.left);
-            Some((effect.clone(), with, gain))
+        let logs = worst(frame, &model.left);
+        let short = Frame { logs: &logs, ..*frame };
+        let problem = short.problem(joint, &model.unknowns, base.scale);
+        let screen = Screen::of(&problem, &model.fitted.servo);
+        let least = 0.25 * frame.settings.least_gain;
+        let open: Vec<Candidate> =
+            open.par_iter().filter_map(|effect| screen.promising(effect, least)).collect();
+        let open = match logs.len() == frame.logs.len() {
+            true => open,
+            false => promising(&short, joint, base, model, &open),
         };
-        let promising = promising(frame, joint, base, model, open);
-        let mut found: Vec<Over> = promising.par_iter().filter_map(with).collect();
-        found.sort_by(|a, b| b.2.part.total_cmp(&a.2.part));
-        found
+        let problem = frame.problem(joint, &model.unknowns, base.scale);
+        let found = open.par_iter().filter_map(|effect| over(frame, joint, base, model, effect));
+        ranked(&problem, model, found.collect())
     }
 }
 
-/// Other effects that gain as much as the best one, but for those that certainly leave more, and for those
-/// that take more parameters to leave no less: a spring that rests far away is an offset.
-fn rivals(over: &[Over], of: usize, near: f64, settings: &Settings) -> Vec<Tried> {
-    let (effect, best, _) = &over[of];
-    let leaves_more = |model: &Model| {
-        let apart = Gain::of(&best.left, &model.left);
-        apart.part >= settings.apart_part && apart.certainty >= settings.apart_certainty
-    };
-    let is_rival = |(other, model, gain): &&Over| {
-        let is_simple = other.unknowns.len() <= effect.unknowns.len();
-        other.effect != effect.effect && gain.part >= near && is_simple && !leaves_more(model)
-    };
-    over.iter().filter(is_rival).map(as_tried).collect()
+/// An effect over a model.
+fn over(
+    frame: &Frame,
+    joint: usize,
+    base: &Base,
+    model: &Model,
+    effect: &Candidate,
+) -> Option<Over> {
+    let with = model.with(frame, joint, base.scale, effect)?;
+    let gain = Gain::of(&with.left, &model.left);
+    Some(Over { effect: effect.clone(), model: with, gain, evidence: 0.0 })
 }
 
 /// The logs of which a model leaves most, up to a length in all.
@@ -219,7 +216,7 @@ fn worst<'a>(frame: &Frame<'a>, left: &LeftOut) -> Vec<&'a Judged> {
     order.into_iter().map(|k| frame.logs[k]).take_while(within).collect()
 }
 
-/// The effects that gain most on the logs of which the model leaves most.
+/// The effects that gain most on the frame's logs, those of which the model leaves most.
 fn promising(
     frame: &Frame,
     joint: usize,
@@ -228,43 +225,14 @@ fn promising(
     open: &[Candidate],
 ) -> Vec<Candidate> {
     let settings = frame.settings;
-    let logs = worst(frame, &model.left);
-    let short = Frame { logs: &logs, ..*frame };
-    let problem = short.problem(joint, &model.unknowns, base.scale);
+    let problem = frame.problem(joint, &model.unknowns, base.scale);
     let fitted = fit(&Problem { iterations: 3, ..problem }, &model.fitted.servo);
     let left = LeftOut::of_fit(&fitted, &problem);
     let model = Model { fitted, left, ..model.clone() };
-    let gain = |effect: &Candidate| {
-        let with = model.with(&short, joint, base.scale, effect)?;
-        Some((effect.clone(), Gain::of(&with.left, &model.left).part))
-    };
-    let mut found: Vec<_> = open.par_iter().filter_map(gain).collect();
-    found.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let over = |effect: &Candidate| over(frame, joint, base, &model, effect);
+    let mut found: Vec<Over> = open.par_iter().filter_map(over).collect();
+    found.sort_by(|a, b| b.gain.part.total_cmp(&a.gain.part));
     found.truncate(settings.screened);
-    let enough = |found: &(Candidate, f64)| found.1 > 0.5 * settings.least_gain;
-    found.into_iter().filter(enough).map(|found| found.0).collect()
-}
-
-/// The best effect whose gain stands on logs left out, too, and its gain there.
-fn confirmed(
-    frame: &Frame,
-    joint: usize,
-    scale: f64,
-    before: &Model,
-    found: &[Over],
-) -> Option<(usize, Gain)> {
-    let promising = |k: &usize| suffices(&found[*k].2, frame.settings);
-    let mut promising = (0..found.len()).filter(promising).peekable();
-    promising.peek()?;
-    let other = before.left_out(frame, joint, scale);
-    promising.find_map(|k| {
-        let gain = Gain::of(&found[k].1.left_out(frame, joint, scale), &other);
-        suffices(&gain, frame.settings).then_some((k, gain))
-    })
-}
-
-fn as_tried((effect, model, gain): &Over) -> Tried {
-    let value = |unknown: &Unknown| unknown.field.of(&model.fitted.servo);
-    let values = effect.unknowns.iter().map(value).collect();
-    Tried { effect: effect.effect, values, gain: gain.clone() }
+    let enough = |found: &Over| found.gain.part > 0.5 * settings.least_gain;
+    found.into_iter().filter(enough).map(|found| found.effect).collect()
 }

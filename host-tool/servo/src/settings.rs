@@ -1,16 +1,22 @@
 //! Every choice with its reason.
 
+use crate::selection::Model;
+
 /// What the diagnosis of servo arms goes by.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// Longest step of the simulation [s]: a servo swings at 3 to 5 Hz, so the midpoint rule errs by
     /// (2 pi 5 Hz * 5 ms)^2 / 12 = 0.2 % of its period.
     pub step_s: f64,
-    /// Longest step while hypotheses are searched for [s]; the same for all that are compared.
+    /// Longest step while hypotheses are searched for [s]; the same for all that are compared. Steps of
+    /// 10 ms come late by what looks like a lag of 4 ms.
     pub search_step_s: f64,
     /// Half width of the parabola that gives velocity and acceleration at a row [s]: 12 bits at
     /// 50 Hz, differentiated twice, are then worth some 0.5 rad/s^2, a hundredth of a newton metre.
     pub half_window_s: f64,
+    /// What counts begins so long after the start of a stretch [s]: velocities at its first rows are known
+    /// from one side, and what they are wrong by is forgotten within the time of a step.
+    pub start_s: f64,
     /// Rows that are further apart than this many periods end a stretch.
     pub gap_periods: f64,
     /// Shortest stretch that is simulated [s].
@@ -59,6 +65,12 @@ pub struct Settings {
     pub apart_part: f64,
     /// by so many deviations from log to log.
     pub apart_certainty: f64,
+    /// By how much the logarithm of the likelihood must be larger: odds of twenty.
+    pub apart_evidence: f64,
+    /// A joint leaves hardly more than noise up to this many times what the encoder's steps leave.
+    pub near_noise: f64,
+    /// There, what an effect must gain, take and take in each half is this part of what it must elsewhere.
+    pub least_near_noise: f64,
     /// Most effects of one joint.
     pub most_effects: usize,
     /// Length of logs, those that the model misses most, in which effects are screened [s]; a few
@@ -70,6 +82,11 @@ pub struct Settings {
     pub resamples: usize,
     /// Part of the squares that an effect of the whole arm must take of arms with gravity as given.
     pub least_whole_gain: f64,
+    /// A payload, or a force by its weight, is at least this part of what moves: drawn links are wrong by
+    /// two or three percent each, which looks like a small load.
+    pub least_load_part: f64,
+    /// A base leans by more than this [rad]: half a degree is no fault of mounting.
+    pub least_tilt_rad: f64,
     /// Part that it must take of what a scale of gravity for each joint takes.
     pub whole_part_of_scales: f64,
     /// Up to this many times the encoder's noise a refitted model leaves no gap: positions of the
@@ -83,6 +100,8 @@ pub struct Settings {
     pub place_doubt: f64,
     /// The same of a load that sits elsewhere.
     pub elsewhere_doubt: f64,
+    /// The same of a load that sits far from there.
+    pub far_doubt: f64,
     /// Part of what is left that a place elsewhere must take for that. Pendulums take up to 0.001, six
     /// axes with a load 10 mm beyond the centre 0.06 and more: `docs/servo-arms.md`.
     pub least_elsewhere_gain: f64,
@@ -94,8 +113,9 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             step_s: 5e-3,
-            search_step_s: 10e-3,
+            search_step_s: 5e-3,
             half_window_s: 0.1,
+            start_s: 0.3,
             gap_periods: 5.0,
             shortest_s: 2.0,
             block_s: 4.0,
@@ -117,16 +137,22 @@ impl Default for Settings {
             rival_part: 0.9,
             apart_part: 0.33,
             apart_certainty: 2.0,
+            apart_evidence: 3.0,
+            near_noise: 2.0,
+            least_near_noise: 0.4,
             most_effects: 3,
             screened_s: 700.0,
             screened: 6,
             resamples: 500,
             least_whole_gain: 0.1,
+            least_load_part: 0.03,
+            least_tilt_rad: 8e-3,
             whole_part_of_scales: 0.95,
             gap_by_noise: 5.0,
             small_gap_rad: 3e-3,
             place_doubt: 0.01,
             elsewhere_doubt: 0.3,
+            far_doubt: 10.0,
             least_elsewhere_gain: 0.02,
             whole_arm_s: 200.0,
         }
@@ -134,8 +160,19 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// Those for what a model leaves: where that is hardly more than noise, small parts of it tell.
+    pub fn of_model(&self, model: &Model) -> Self {
+        let part = if model.is_near_noise(self) { self.least_near_noise } else { 1.0 };
+        Self {
+            least_gain: part * self.least_gain,
+            least_shrinkage: part * self.least_shrinkage,
+            least_half_shrinkage: part * self.least_half_shrinkage,
+            ..self.clone()
+        }
+    }
+
     /// Those for effects of joints beside one of the whole arm.
     pub fn beside_whole(&self) -> Self {
-        Self { least_shrinkage: self.least_beside_whole, ..self.clone() }
+        Self { least_shrinkage: self.least_beside_whole, least_near_noise: 1.0, ..self.clone() }
     }
 }

@@ -60,7 +60,7 @@ pub fn of_joint(
             servo: model.fitted.servo,
             taken,
             probability: probability(certainty),
-            is_named: taken.is_confirmed(frame.settings),
+            is_named: taken.is_confirmed(&frame.settings.of_model(model)),
         }
     };
     (0..model.effects.len()).map(of).collect()

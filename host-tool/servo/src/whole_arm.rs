@@ -77,10 +77,39 @@ impl Whole {
         }
     }
 
+    /// Values moved by a step of the search. What a load does is linear in its mass and in mass times
+    /// place, so where its mass changes the step of its place does.
+    fn moved(self, values: &[f64], step: &[f64]) -> Vec<f64> {
+        let mut moved: Vec<f64> =
+            values.iter().zip(step).map(|(value, step)| value + step).collect();
+        if self == Self::Payload && moved[0] != 0.0 {
+            let part = (values[0] / moved[0]).clamp(-1.0, 1.0);
+            (1..4).for_each(|k| moved[k] = values[k] + part * step[k]);
+        }
+        moved
+    }
+
+    /// Whether a load is more than what drawn links are wrong by.
+    pub fn is_beyond(self, values: &[f64], links: &SerialChain<f64>, settings: &Settings) -> bool {
+        let moves = links.joints().map(|joint| joint.body.mass_kg).sum::<f64>();
+        let size = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let load = match self {
+            Self::Payload => values[0].abs(),
+            Self::TipForce => size(values) / size(&links.gravity_m_s2()).max(1e-9),
+            Self::BaseTilt => return size(values) >= settings.least_tilt_rad,
+        };
+        load >= settings.least_load_part * moves
+    }
+
+    /// The force on the tip [N].
+    pub fn force(self, values: &[f64]) -> [f64; 3] {
+        if self == Self::TipForce { values.try_into().unwrap_or_default() } else { [0.0; 3] }
+    }
+
     /// A log with the effect.
     pub fn applied(self, links: &SerialChain<f64>, log: &Judged, values: &[f64]) -> Judged {
         let changed = self.links(links, values);
-        let mut found = Judged { along: crate::along::along(&changed, &log.record), ..log.clone() };
+        let mut found = Judged { along: crate::along::along(&changed, &log.moves), ..log.clone() };
         if self == Self::TipForce {
             add_force(&changed, &mut found, values);
         }
@@ -115,7 +144,7 @@ fn add_force(links: &SerialChain<f64>, log: &mut Judged, force: &[f64]) {
     let (mut q, mut rows) = (vec![0.0; n], vec![0.0; 6 * n]);
     for row in 0..log.record.len() {
         for joint in 0..n {
-            q[joint] = log.record.joints[joint].position[row];
+            q[joint] = log.moves[joint].position[row] + log.moves[joint].turn;
         }
         links.tip_jacobian(&q, &mut rows);
         for joint in 0..n {
@@ -145,37 +174,55 @@ fn rigid(base: &Base) -> Vec<Unknown> {
     base.unknowns.iter().filter(|unknown| unknown.field != Field::Gravity).copied().collect()
 }
 
-/// Fits an effect to the frame's logs; `None` fits the joints alone, gravity's scale one.
+/// The joints alone fitted to the frame's logs, gravity's scale one.
+pub fn fit_plain(frame: &Frame, links: &SerialChain<f64>, bases: &[Base]) -> WholeFit {
+    let begin = |base: &Base| ServoJoint { gravity: 1.0, ..base.fitted.servo };
+    let servos: Vec<ServoJoint> = bases.iter().map(begin).collect();
+    let servos = refitted(frame, bases, frame.logs, &servos, 8);
+    let left = left(frame, bases, &servos, frame.logs);
+    let effect = Whole::Payload;
+    let values = effect.start(links);
+    WholeFit { effect, deviations: vec![0.0; values.len()], values, servos, left }
+}
+
+/// Fits an effect to the frame's logs from another fit, of the same effect or of none.
+///
+/// It ends where a step takes next to nothing, or where the effect is too small to be told from what the
+/// links are wrong by.
 pub fn fit_whole(
     frame: &Frame,
     links: &SerialChain<f64>,
     bases: &[Base],
-    effect: Option<Whole>,
+    effect: Whole,
+    from: &WholeFit,
 ) -> WholeFit {
-    const ROUNDS: usize = 4;
-    let kind = effect.unwrap_or(Whole::Payload);
-    let mut values = kind.start(links);
-    let (prior, doubts) = (values.clone(), kind.doubts(links, frame.settings));
-    let mut deviations = vec![0.0; values.len()];
-    let begin = |base: &Base| ServoJoint { gravity: 1.0, ..base.fitted.servo };
-    let mut servos: Vec<ServoJoint> = bases.iter().map(begin).collect();
-    let mut logs: Vec<Judged> = frame.logs.iter().map(|log| (*log).clone()).collect();
-    for round in 0..ROUNDS {
+    const ROUNDS: usize = 12;
+    /// A step that takes a smaller part of what is left is the last one.
+    const LEAST_STEP: f64 = 0.003;
+    let (prior, doubts) = (effect.start(links), effect.doubts(links, frame.settings));
+    let mut found = from.clone();
+    if found.effect != effect {
+        found = WholeFit { effect, values: prior.clone(), ..found };
+    }
+    let apply = |values: &[f64]| applied(effect, links, frame.logs, values);
+    let mut logs = apply(&found.values);
+    for _ in 0..ROUNDS {
         let here: Vec<&Judged> = logs.iter().collect();
-        servos = refitted(frame, bases, &here, &servos, if round == 0 { 8 } else { 3 });
-        if effect.is_none() || round + 1 == ROUNDS {
+        let WholeFit { values, servos, .. } = &found;
+        let step = step_of(frame, bases, servos, &here, &apply, values, &prior, &doubts);
+        let Some(step) = step else { break };
+        found.values = effect.moved(&found.values, &step.moved);
+        found.deviations = step.deviations;
+        logs = apply(&found.values);
+        let here: Vec<&Judged> = logs.iter().collect();
+        found.servos = refitted(frame, bases, &here, &found.servos, 3);
+        found.left = left(frame, bases, &found.servos, &here);
+        let is_small = !effect.is_beyond(&found.values, links, frame.settings);
+        if is_small || step.takes < LEAST_STEP * found.left.iter().sum::<f64>() {
             break;
         }
-        let apply = |values: &[f64]| applied(kind, links, frame.logs, values);
-        let step = step_of(frame, bases, &servos, &here, &apply, &values, &prior, &doubts);
-        let Some((moved, found)) = step else { break };
-        deviations = found;
-        values.iter_mut().zip(moved).for_each(|(value, step)| *value += step);
-        logs = apply(&values);
     }
-    let here: Vec<&Judged> = logs.iter().collect();
-    let left = left(frame, bases, &servos, &here);
-    WholeFit { effect: kind, values, deviations, servos, left }
+    found
 }
 
 fn applied(kind: Whole, links: &SerialChain<f64>, logs: &[&Judged], values: &[f64]) -> Vec<Judged> {
@@ -199,7 +246,7 @@ fn refitted(
 }
 
 /// What is left of each log, all joints together, in squares of one row.
-fn left(frame: &Frame, bases: &[Base], servos: &[ServoJoint], logs: &[&Judged]) -> Vec<f64> {
+pub fn left(frame: &Frame, bases: &[Base], servos: &[ServoJoint], logs: &[&Judged]) -> Vec<f64> {
     let step = frame.settings.search_step_s;
     let of = |log: &&Judged| {
         let joints = servos.iter().enumerate();
@@ -213,8 +260,16 @@ fn left(frame: &Frame, bases: &[Base], servos: &[ServoJoint], logs: &[&Judged]) 
     logs.par_iter().map(of).collect()
 }
 
-/// A step of the effect's values, the joints' own unknowns moving along, and its deviations.
-#[allow(clippy::too_many_arguments, clippy::type_complexity)]
+/// A step of an effect's values.
+struct Step {
+    moved: Vec<f64>,
+    deviations: Vec<f64>,
+    /// What it takes, were everything linear, in squares of one row.
+    takes: f64,
+}
+
+/// A step of the effect's values, the joints' own unknowns moving along.
+#[allow(clippy::too_many_arguments)]
 fn step_of(
     frame: &Frame,
     bases: &[Base],
@@ -224,7 +279,7 @@ fn step_of(
     values: &[f64],
     prior: &[f64],
     doubts: &[f64],
-) -> Option<(Vec<f64>, Vec<f64>)> {
+) -> Option<Step> {
     let p = values.len();
     let moved: Vec<Vec<Judged>> = (0..p)
         .map(|k| {
@@ -250,7 +305,8 @@ fn step_of(
         right += side.rows(own, p) - across.transpose() * factor.solve(&rest);
     }
     let inverse = matrix.try_inverse()?;
-    let found = &inverse * right;
+    let found = &inverse * &right;
     let deviations = (0..p).map(|k| inverse[(k, k)].max(0.0).sqrt()).collect();
-    Some((found.iter().copied().collect(), deviations))
+    let takes = found.dot(&right);
+    Some(Step { moved: found.iter().copied().collect(), deviations, takes })
 }

@@ -8,7 +8,7 @@ use crate::judged::Judged;
 use crate::prepared::Prepared;
 use crate::settings::Settings;
 use crate::spread::spread;
-use crate::whole_arm::{Whole, WholeFit, fit_whole};
+use crate::whole_arm::{Whole, WholeFit, fit_plain, fit_whole};
 use model::chain::SerialChain;
 
 /// An effect of the whole arm that was tried.
@@ -32,13 +32,13 @@ pub fn find(prepared: &Prepared, bases: &[Base], settings: &Settings) -> Vec<Who
     let short = spread(&all, settings.whole_arm_s);
     let frame = Frame { logs: &short, period_s: prepared.period_s, settings };
     let links = &prepared.links;
-    let plain = fit_whole(&frame, links, bases, None);
+    let plain = fit_plain(&frame, links, bases);
     let scaled = scaled(bases, &short, settings);
     let mut found: Vec<WholeCause> = Whole::ALL
         .into_iter()
         .filter(|effect| *effect != Whole::BaseTilt || is_upright(prepared))
         .map(|effect| {
-            let fit = fitted(&frame, links, bases, effect);
+            let fit = fitted(&frame, links, bases, effect, &plain);
             judge(prepared, &plain, &scaled, fit, settings)
         })
         .collect();
@@ -49,20 +49,30 @@ pub fn find(prepared: &Prepared, bases: &[Base], settings: &Settings) -> Vec<Who
 }
 
 /// An effect fitted to the frame's logs: a payload at the last link's centre, where a mass that was
-/// exchanged is, or elsewhere, where that takes so much more that the logs tell the place.
-fn fitted(frame: &Frame, links: &SerialChain<f64>, bases: &[Base], effect: Whole) -> WholeFit {
-    let fit = fit_whole(frame, links, bases, Some(effect));
-    if effect != Whole::Payload {
-        return fit;
-    }
+/// exchanged is, or elsewhere, near or far, where that takes so much more that the logs tell the place.
+fn fitted(
+    frame: &Frame,
+    links: &SerialChain<f64>,
+    bases: &[Base],
+    effect: Whole,
+    plain: &WholeFit,
+) -> WholeFit {
     let settings = frame.settings;
-    let wide = Settings { place_doubt: settings.elsewhere_doubt, ..settings.clone() };
-    let elsewhere =
-        fit_whole(&Frame { settings: &wide, ..*frame }, links, bases, Some(Whole::Payload));
-    let gain = Gain::of(&left_out(&elsewhere.left), &left_out(&fit.left));
-    let is_told =
-        gain.part >= settings.least_elsewhere_gain && gain.certainty >= settings.least_certainty;
-    if is_told { elsewhere } else { fit }
+    let mut found = fit_whole(frame, links, bases, effect, plain);
+    if effect != Whole::Payload || !effect.is_beyond(&found.values, links, settings) {
+        return found;
+    }
+    for place_doubt in [settings.elsewhere_doubt, settings.far_doubt] {
+        let wide = Settings { place_doubt, ..settings.clone() };
+        let wide = Frame { settings: &wide, ..*frame };
+        let elsewhere = fit_whole(&wide, links, bases, effect, &found);
+        let gain = Gain::of(&left_out(&elsewhere.left), &left_out(&found.left));
+        let is_certain = gain.certainty >= settings.least_certainty;
+        if is_certain && gain.part >= settings.least_elsewhere_gain {
+            found = elsewhere;
+        }
+    }
+    found
 }
 
 /// What a fit leaves of its logs, as a gain is taken from.
@@ -111,7 +121,10 @@ fn judge(
         gain.certainty >= settings.least_certainty && gain.part >= settings.least_whole_gain;
     WholeCause {
         probability: probability(taken.certainty.min(gain.certainty)),
-        is_named: as_good && certain && taken.is_confirmed(settings),
+        is_named: as_good
+            && certain
+            && fit.effect.is_beyond(&fit.values, &prepared.links, settings)
+            && taken.is_confirmed(settings),
         fit,
         gain,
         taken,

@@ -17,7 +17,7 @@ pub fn effects(base: &Base, typical: &Typical, orders: &[f64]) -> Vec<Candidate>
     let volts = typical.friction_volts;
     let mut all = vec![
         saturation(base, typical),
-        Candidate::of_one("actuator_lag", free(Field::Lag, [1e-3, 0.3], 0.02), 0.02),
+        lag(),
         dead_zone(volts),
         Candidate::of_one(
             "dac_offset",
@@ -42,12 +42,22 @@ fn saturation(base: &Base, typical: &Typical) -> Candidate {
         high: NEAREST_LIMIT * servo.limit,
         ..Unknown::positive(Field::Limit, top, 3.0)
     };
-    Candidate::new("saturation", vec![limit], vec![vec![0.7 * top], vec![0.4 * top]])
+    Candidate::new(
+        "saturation",
+        vec![limit],
+        [0.9, 0.7, 0.5, 0.3, 0.15].map(|part| vec![part * top]).to_vec(),
+    )
+}
+
+fn lag() -> Candidate {
+    let lag = free(Field::Lag, [1e-3, 0.3], 0.02);
+    Candidate::new("actuator_lag", vec![lag], vec![vec![0.004], vec![0.02]])
 }
 
 fn dead_zone(volts: f64) -> Candidate {
     let half_width = free(Field::DeadZone, [0.0, 5.0 * volts], 0.3 * volts);
-    Candidate::of_one("dead_zone", half_width, 0.3 * volts)
+    let starts = [0.3, 0.05].map(|part| vec![part * volts]).to_vec();
+    Candidate::new("dead_zone", vec![half_width], starts)
 }
 
 /// Goals act late; beyond what the row's own timing can be.

@@ -1,7 +1,6 @@
 //! Effects that change friction.
 
 use super::candidate::{Candidate, free};
-use super::typical::Typical;
 use crate::base::Base;
 use crate::fit::{Field, Unknown};
 
@@ -11,25 +10,24 @@ pub const MOST_LOST: f64 = 0.6;
 const MOST_OF_LOAD: f64 = 0.9;
 
 /// All that are tried.
-pub fn effects(base: &Base, typical: &Typical) -> Vec<Candidate> {
-    let mut all = vec![
+pub fn effects(base: &Base) -> Vec<Candidate> {
+    vec![
         load_friction(base, Field::MotorLoadFriction, MOST_LOST),
         stribeck(base),
         one_way("viscous_asymmetry", Field::ViscousAsymmetry),
         one_way("asymmetric_friction", Field::Asymmetry),
-        degressive(base),
+        drag(base),
         drift(),
-    ];
-    if typical.bears_load() {
-        all.push(load_friction(base, Field::JointLoadFriction, MOST_OF_LOAD));
-    }
-    all
+        load_friction(base, Field::JointLoadFriction, MOST_OF_LOAD),
+    ]
 }
 
 /// Friction by a torque, of which it takes no more than a part.
 fn load_friction(base: &Base, field: Field, most: f64) -> Candidate {
     let one = 1.0 / base.fitted.servo.torque_constant;
-    Candidate::of_one("load_friction", free(field, [0.0, most * one], 0.2 * one), 0.3 * one)
+    let coefficient = free(field, [0.0, most * one], 0.2 * one);
+    let starts = [0.02, 0.3].map(|part| vec![part * one]).to_vec();
+    Candidate::new("load_friction", vec![coefficient], starts)
 }
 
 fn stribeck(base: &Base) -> Candidate {
@@ -39,7 +37,7 @@ fn stribeck(base: &Base) -> Candidate {
         free(Field::Stribeck, [0.0, 4.0 * level], 0.3 * level),
         Unknown { low: 0.01, high: 1.0, ..velocity },
     ];
-    Candidate::new("stribeck", unknowns, vec![vec![0.2 * level, 0.1]])
+    Candidate::new("stribeck", unknowns, vec![vec![0.2 * level, 0.1], vec![0.1 * level, 0.5]])
 }
 
 /// More of it one way than the other.
@@ -47,18 +45,26 @@ fn one_way(effect: &'static str, field: Field) -> Candidate {
     Candidate::of_one(effect, free(field, [-0.9, 0.9], 0.2), 0.0)
 }
 
-/// Viscous friction that grows less than with the velocity.
-fn degressive(base: &Base) -> Candidate {
+/// Viscous friction that grows less than with the velocity, or, in air, more. Air drags little on an arm:
+/// at 1 rad/s less than a tenth of what the viscous friction of its gears does.
+fn drag(base: &Base) -> Candidate {
     let viscous = base.fitted.servo.viscous.max(0.01);
-    let drag = free(Field::Drag, [-2.0 * viscous, 0.0], 0.2 * viscous);
-    Candidate::of_one("quadratic_drag", drag, -0.1 * viscous)
+    let drag = free(Field::Drag, [-2.0 * viscous, 0.1 * viscous], 0.2 * viscous);
+    // At a few rad/s a larger step is no slope.
+    let drag = Unknown { step: 2e-3 * viscous, ..drag };
+    let starts = [-0.1, 0.02].map(|part| vec![part * viscous]).to_vec();
+    Candidate::new("quadratic_drag", vec![drag], starts)
 }
 
 fn drift() -> Candidate {
     let usual_s = 40.0;
     let time = Unknown::positive(Field::DriftTime, usual_s, 1.0);
     let unknowns =
-        vec![free(Field::Drift, [-0.9, 3.0], 0.2), Unknown { low: 3.0, high: 600.0, ..time }];
-    let drift = Candidate::new("friction_drift", unknowns, vec![vec![-0.1, usual_s]]);
+        vec![free(Field::Drift, [-0.9, 3.0], 0.2), Unknown { low: 0.3, high: 600.0, ..time }];
+    let drift = Candidate::new(
+        "friction_drift",
+        unknowns,
+        [usual_s, 5.0, 1.0].map(|time_s| vec![-0.1, time_s]).to_vec(),
+    );
     Candidate { fixed: vec![(Field::DriftTime, usual_s)], ..drift }
 }

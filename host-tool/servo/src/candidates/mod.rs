@@ -15,7 +15,7 @@ pub use typical::Typical;
 /// All effects that are tried on a joint; `cogging` lists orders per turn.
 pub fn of_joint(base: &Base, typical: &Typical, cogging: &[f64]) -> Vec<Candidate> {
     let mut all = drive::effects(base, typical, cogging);
-    all.extend(friction::effects(base, typical));
+    all.extend(friction::effects(base));
     all.extend(reading::effects(typical));
     all
 }

@@ -44,7 +44,8 @@ pub fn fit(problem: &Problem, start: &ServoJoint) -> Fitted {
     let mut damping = 1e-3;
     for _ in 0..problem.iterations {
         let one = problem.square_of_one(&normals);
-        let before = problem.cost(&servo, problem.robust(&servo), one);
+        let robust = normals.iter().map(|log| log.robust).sum();
+        let before = problem.cost(&servo, robust, one);
         let Some((next, after)) = problem.better(&servo, &normals, before, one, &mut damping)
         else {
             break;
