@@ -189,6 +189,11 @@ impl Linearisation {
         squares.filter(|(joint, _)| counts(*joint)).map(|(_, squares)| squares).sum()
     }
 
+    /// The same of all joints' rows.
+    pub fn squares(&self) -> f64 {
+        self.refitted_squares.iter().sum()
+    }
+
     /// Squares of train rows and of the prior penalty once train rows change so,
     /// everything open refitted by the slopes.
     pub fn objective_with(&self, change: &RowChange) -> f64 {

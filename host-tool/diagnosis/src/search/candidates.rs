@@ -118,8 +118,8 @@ pub(crate) fn starts(
     starts
 }
 
-/// What a start promises. Springs are far from linear: theirs is what the start itself gains, where
-/// that is more than nothing.
+/// What a start promises. Backlash is far from linear: its promise is what the start itself gains, where that
+/// is more than nothing, on all joints, for a link that flies pulls at the others.
 pub(super) fn promised(
     linear: &Linearisation,
     evidence: &Evidence,
@@ -128,9 +128,9 @@ pub(super) fn promised(
     if !effect.has_backlash() {
         return promise(linear, evidence, effect);
     }
-    let change = linear.change_by(evidence, effect, Joints::Own);
+    let change = linear.change_by(evidence, effect, Joints::All);
     let squares = linear.refitted_objective() - linear.objective_with(&change);
-    free_size_gain(squares, linear.squares_of(effect))
+    free_size_gain(squares, linear.squares())
 }
 
 /// Values of an effect's parameters from which a search may begin.
