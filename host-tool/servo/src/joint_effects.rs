@@ -5,10 +5,11 @@ use files::ArmFile;
 use crate::base::{Base, Frame};
 use crate::candidates::MOST_LOST;
 use crate::fit::{Field, Unknown};
+use crate::joint_model::Model;
 use crate::pooled::{PooledLoad, groups, load_friction};
 use crate::prepared::Prepared;
 use crate::ranking::suffices;
-use crate::selection::{Model, Selected, select};
+use crate::selection::{Selected, select};
 use crate::settings::Settings;
 use crate::verdict::{Confirming, JointCause, named_model, of_joint, of_pool};
 

@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use model::chain::SerialChain;
 
-use crate::along::{AlongRow, along};
+use crate::along::along;
+use crate::along_row::AlongRow;
 use crate::moves::{Moves, measured};
 use crate::record::Record;
 use crate::settings::Settings;

@@ -9,11 +9,11 @@
 //! | [`settings`] | every choice with its reason |
 //! | [`joint`], [`step`] | a joint under its servo, and one step of it, friction as a set-valued law |
 //! | [`record`], [`motion`], [`pieces`] | logs as stretches; smoothed velocity; pieces to leave out |
-//! | [`moves`], [`along`], [`judged`] | the motion it goes along, and what the rigid body asks of each joint along a log |
+//! | [`moves`], [`along`], [`along_row`], [`judged`] | the motion it goes along, and what the rigid body asks of each joint along a log |
 //! | [`replay`], [`arm_replay`] | one joint simulated while the others move as measured; the whole arm |
 //! | [`fit`], [`base`] | parameters fitted to whole logs; those that are fitted before any effect |
 //! | [`contact`], [`goal_clip`], [`prepared`] | seconds that are no free motion, found and cut |
-//! | [`candidates`], [`cogging_orders`], [`cross`], [`selection`] | effects on one joint |
+//! | [`candidates`], [`cogging_orders`], [`cross`], [`joint_model`], [`selection`] | effects on one joint |
 //! | [`pooled`], [`common_fit`] | servos of one type, load friction in common |
 //! | [`whole_arm`], [`whole_normal`], [`whole_cause`] | a payload, a force, a base that leans |
 //! | [`confirm`], [`verdict`], [`joint_effects`], [`outcome`] | what stands on logs that chose nothing |
@@ -24,6 +24,7 @@
 #![forbid(unsafe_code)]
 
 pub mod along;
+pub mod along_row;
 pub mod arm_replay;
 pub mod base;
 pub mod candidates;
@@ -41,6 +42,7 @@ pub mod goals;
 pub mod identified;
 pub mod joint;
 pub mod joint_effects;
+pub mod joint_model;
 pub mod judged;
 pub mod model_file;
 pub mod motion;

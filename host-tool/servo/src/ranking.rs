@@ -1,11 +1,11 @@
 //! Which of the effects over a model is the likeliest, whether it stands, and what does the same.
 
-use crate::base::{FLOOR_RAD, Frame};
+use crate::base::Frame;
 use crate::candidates::Candidate;
 use crate::cross::Gain;
 use crate::evidence::{evidence, rows_in_one};
 use crate::fit::Problem;
-use crate::selection::{Model, Tried};
+use crate::joint_model::{Model, Tried};
 use crate::settings::Settings;
 
 /// An effect over a model.
@@ -19,14 +19,6 @@ pub struct Over {
     pub gain: Gain,
     /// Logarithm of its likelihood.
     pub evidence: f64,
-}
-
-impl Model {
-    /// Whether it leaves hardly more than the encoder's steps: then there is nothing else that an effect
-    /// could stand for.
-    pub fn is_near_noise(&self, settings: &Settings) -> bool {
-        self.fitted.rms() <= settings.near_noise * FLOOR_RAD
-    }
 }
 
 /// Likeliest first; `problem` and `model` without them.
@@ -57,7 +49,7 @@ pub fn confirmed(
     before: &Model,
     found: &[Over],
 ) -> Option<(usize, Gain)> {
-    let settings = |over: &Over| frame.settings.of_model(&over.model);
+    let settings = |over: &Over| over.model.settings(frame.settings);
     let promising = |k: &usize| suffices(&found[*k].gain, &settings(&found[*k]));
     let mut promising = (0..found.len()).filter(promising).peekable();
     promising.peek()?;
@@ -82,7 +74,7 @@ pub fn rivals(over: &[Over], of: usize, gain: &Gain, settings: &Settings) -> Vec
     let is_rival = |other: &&Over| {
         if is_told {
             let is_near = best.evidence - other.evidence < settings.apart_evidence;
-            return is_near && suffices(&other.gain, &settings.of_model(&other.model));
+            return is_near && suffices(&other.gain, &other.model.settings(settings));
         }
         let is_simple = other.effect.unknowns.len() <= best.effect.unknowns.len();
         other.gain.part >= near && is_simple && !leaves_more(&other.model)

@@ -1,6 +1,6 @@
 //! One joint simulated along a record, without feedback, from the recorded goals.
 
-use crate::along::AlongRow;
+use crate::along_row::AlongRow;
 use crate::joint::ServoJoint;
 use crate::record::Record;
 use crate::step::State;

@@ -1,7 +1,5 @@
 //! Every choice with its reason.
 
-use crate::selection::Model;
-
 /// What the diagnosis of servo arms goes by.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
@@ -160,17 +158,6 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Those for what a model leaves: where that is hardly more than noise, small parts of it tell.
-    pub fn of_model(&self, model: &Model) -> Self {
-        let part = if model.is_near_noise(self) { self.least_near_noise } else { 1.0 };
-        Self {
-            least_gain: part * self.least_gain,
-            least_shrinkage: part * self.least_shrinkage,
-            least_half_shrinkage: part * self.least_half_shrinkage,
-            ..self.clone()
-        }
-    }
-
     /// Those for effects of joints beside one of the whole arm.
     pub fn beside_whole(&self) -> Self {
         Self { least_shrinkage: self.least_beside_whole, least_near_noise: 1.0, ..self.clone() }

@@ -3,9 +3,10 @@
 use crate::base::{Base, Frame};
 use crate::confirm::{Taken, Unit, probability, units};
 use crate::joint::ServoJoint;
+use crate::joint_model::Model;
 use crate::judged::Judged;
 use crate::pooled::PooledLoad;
-use crate::selection::{Model, Selected};
+use crate::selection::Selected;
 
 /// A cause on a joint and what it takes.
 #[derive(Clone, Debug)]
@@ -60,7 +61,7 @@ pub fn of_joint(
             servo: model.fitted.servo,
             taken,
             probability: probability(certainty),
-            is_named: taken.is_confirmed(&frame.settings.of_model(model)),
+            is_named: taken.is_confirmed(&model.settings(frame.settings)),
         }
     };
     (0..model.effects.len()).map(of).collect()

@@ -3,8 +3,9 @@
 use rayon::prelude::*;
 
 use super::candidate::Candidate;
-use super::candidates::{Start, candidates, places_open, starts};
+use super::candidates::{candidates, places_open, starts};
 use super::policy::is_more_than;
+use super::promise::Start;
 use super::refit::{Finalist, refitted};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;

@@ -8,6 +8,7 @@ pub mod harmonics;
 pub mod objection;
 pub mod play;
 pub mod policy;
+pub mod promise;
 pub mod refit;
 pub mod restart;
 pub mod selection;

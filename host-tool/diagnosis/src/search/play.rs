@@ -1,7 +1,7 @@
 //! Where a search for backlash begins: gap and stiffness from which a link bounces as it was measured.
 
 use super::candidate::Candidate;
-use super::candidates::{Start, promised};
+use super::promise::{Start, promised};
 use crate::fit::linearisation::Linearisation;
 use crate::rows::evidence::Evidence;
 use crate::trial::hypothesis::EffectInstance;

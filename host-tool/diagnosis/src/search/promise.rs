@@ -1,0 +1,46 @@
+//! What a start of a search promises before it is searched from.
+
+use crate::fit::linearisation::{Joints, Linearisation};
+use crate::rows::evidence::Evidence;
+use crate::trial::hypothesis::EffectInstance;
+
+/// Where a search may begin, and what it promises.
+#[derive(Clone, Debug)]
+pub(crate) struct Start {
+    /// The effect with its starting values.
+    pub effect: EffectInstance,
+    /// What the change of rows would gain if it were scaled as suits best.
+    pub gain: f64,
+}
+
+/// What a start promises. Backlash is far from linear: its promise is what the start itself gains, where that
+/// is more than nothing, on all joints, for a link that flies pulls at the others.
+pub(super) fn promised(
+    linear: &Linearisation,
+    evidence: &Evidence,
+    effect: &EffectInstance,
+) -> f64 {
+    if !effect.has_backlash() {
+        return promise(linear, evidence, effect);
+    }
+    let change = linear.change_by(evidence, effect, Joints::All);
+    let squares = linear.refitted_objective() - linear.objective_with(&change);
+    free_size_gain(squares, linear.squares())
+}
+
+/// Twice the log-likelihood that the change of rows by an effect would gain if it were scaled as
+/// suits best.
+pub(crate) fn promise(linear: &Linearisation, evidence: &Evidence, effect: &EffectInstance) -> f64 {
+    let change = linear.change_by(evidence, effect, Joints::Own);
+    let (gradient, curvature) = linear.along(&Default::default(), &[change]);
+    let squares = gradient[0] * gradient[0] / curvature[(0, 0)].max(1e-12);
+    free_size_gain(squares, linear.squares_of(effect))
+}
+
+/// Twice the log-likelihood that rows gain whose size is free, n ln(n / (n - gain)): an effect that
+/// takes nearly all that is left gains much, however few independent rows that counts for.
+fn free_size_gain(gain: f64, of_squares: f64) -> f64 {
+    const LEAST_LEFT: f64 = 1e-3;
+    let left = 1.0 - gain.max(0.0) / of_squares.max(f64::MIN_POSITIVE);
+    -of_squares * left.max(LEAST_LEFT).ln()
+}
