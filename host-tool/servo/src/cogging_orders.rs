@@ -7,7 +7,7 @@ use crate::fit::errors;
 use crate::joint::ServoJoint;
 
 /// The highest order that is looked for: a wave of sixteen in a turn is some twenty degrees long.
-const HIGHEST: usize = 16;
+pub const HIGHEST: usize = 16;
 
 /// The two orders per turn that take most of what a joint leaves, were it a voltage on a servo at
 /// rest.

@@ -82,7 +82,9 @@ impl Gain {
         let parts =
             differences.iter().zip(&other.robust).map(|(d, o)| d / o.max(f64::MIN_POSITIVE));
         let half = |side: usize| {
-            let is_in = |k: &usize| (k / 2) % 2 == side;
+            // Two logs or pieces are a half each.
+            let of_half = if other.robust.len() > 2 { 2 } else { 1 };
+            let is_in = |k: &usize| (k / of_half) % 2 == side;
             let of = |left: &[f64]| (0..left.len()).filter(is_in).map(|k| left[k]).sum::<f64>();
             1.0 - (of(&model.robust) / of(&other.robust).max(f64::MIN_POSITIVE)).sqrt()
         };

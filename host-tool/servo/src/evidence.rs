@@ -2,18 +2,17 @@
 //! many one chose.
 
 use crate::candidates::Candidate;
+use crate::cogging_orders::HIGHEST;
 use crate::fit::{Problem, errors};
 use crate::joint::ServoJoint;
-
-/// Orders that are looked at of cogging, each a hypothesis of its own.
-const ORDERS: f64 = 24.0;
 
 /// Logarithm of the likelihood that an effect gains, less what its parameters and its choice cost: half the
 /// logarithm of the rows for each parameter (Schwarz's criterion).
 ///
 /// `ratio` is what is left without the effect by what is left with it, `rows` how many are independent.
 pub fn evidence(effect: &Candidate, ratio: f64, rows: f64) -> f64 {
-    let choices = if effect.effect == "cogging" { ORDERS } else { 1.0 };
+    // Each order of cogging that is looked at is a hypothesis of its own.
+    let choices = if effect.effect == "cogging" { HIGHEST as f64 } else { 1.0 };
     let count = effect.unknowns.len() as f64;
     0.5 * rows * ratio.max(f64::MIN_POSITIVE).ln() - 0.5 * count * rows.ln() - choices.ln()
 }

@@ -23,6 +23,14 @@ pub struct Moves {
     pub acceleration: Vec<f64>,
 }
 
+impl Moves {
+    /// Whether all of it is a number.
+    pub fn is_finite(&self) -> bool {
+        let all = [&self.position, &self.velocity, &self.acceleration];
+        all.into_iter().flatten().all(|value| value.is_finite())
+    }
+}
+
 /// All joints as measured and smoothed.
 pub fn measured(record: &Record) -> Vec<Moves> {
     let of = |track: &crate::record::Track| Moves {

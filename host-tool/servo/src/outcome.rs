@@ -69,8 +69,13 @@ impl Outcome {
         let whole = match instead(&prepared, &joints, settings) {
             Some(whole) => whole,
             None => {
+                let unturned = prepared.clone();
                 if turned::take_up(&mut prepared, &joints, settings) {
-                    joints = JointEffects::of(&prepared, &campaign.arm, settings, progress);
+                    let found = JointEffects::of(&prepared, &campaign.arm, settings, progress);
+                    match turned::is_named(&found) {
+                        true => joints = found,
+                        false => prepared = unturned,
+                    }
                 }
                 find(&prepared, &joints.as_bases(&prepared), settings)
             }

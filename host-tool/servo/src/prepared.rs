@@ -17,7 +17,7 @@ use crate::fit::errors;
 use crate::goal_clip::{self, GoalClip, goal_clips};
 use crate::joint::ServoJoint;
 use crate::judged::Judged;
-use crate::moves::simulated;
+use crate::moves::{measured, simulated};
 use crate::record::{Record, period};
 use crate::settings::Settings;
 use crate::whole_table::{tip_force, with_effects};
@@ -128,7 +128,10 @@ impl Prepared {
         self.logs.par_iter_mut().for_each(|log| {
             let found = arm_replay(links, force_n, servos, &log.record, settings.step_s);
             let turns: Vec<f64> = log.moves.iter().map(|joint| joint.turn).collect();
-            log.moves = simulated(&log.record, servos, &found, settings);
+            let followed = simulated(&log.record, servos, &found, settings);
+            // An arm that its simulation loses goes on along what was measured.
+            let is_near = followed.iter().all(|joint| joint.is_finite());
+            log.moves = if is_near { followed } else { measured(&log.record) };
             log.moves.iter_mut().zip(turns).for_each(|(joint, turn)| joint.turn = turn);
             log.along = along(links, &log.moves);
         });

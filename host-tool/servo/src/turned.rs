@@ -11,14 +11,22 @@ use crate::judged::Judged;
 use crate::prepared::Prepared;
 use crate::settings::Settings;
 
-/// Turns the arm by the best of the encoder offsets that are named; whether there is one.
+/// Turns the arm by the best of the encoder offsets that are named, where the arm then leaves less than as it
+/// is; whether there is one.
 pub fn take_up(prepared: &mut Prepared, joints: &JointEffects, settings: &Settings) -> bool {
     let is_offset = |effect: &str| effect == "encoder_offset";
     let named = joints.causes.iter().filter(|cause| cause.is_named && is_offset(cause.effect));
     let tried = named.map(|cause| turned(prepared, cause.joint, &cause.servo, settings));
-    let Some((_, best)) = tried.min_by(|a, b| a.0.total_cmp(&b.0)) else { return false };
+    let unturned: f64 = prepared.bases.iter().map(|base| left(base, base)).sum();
+    let best = tried.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(left, _)| *left < unturned);
+    let Some((_, best)) = best else { return false };
     *prepared = best;
     true
+}
+
+/// Whether an encoder's offset is among the causes that are named.
+pub fn is_named(joints: &JointEffects) -> bool {
+    joints.causes.iter().any(|cause| cause.is_named && cause.effect == "encoder_offset")
 }
 
 /// The arm with one encoder's offset, and what that leaves of all joints in squares of one row.

@@ -202,8 +202,10 @@ pub fn fit_whole(
     let (prior, doubts) = (effect.start(links), effect.doubts(links, frame.settings));
     let mut found = from.clone();
     if found.effect != effect {
-        found = WholeFit { effect, values: prior.clone(), ..found };
+        let deviations = vec![f64::INFINITY; prior.len()];
+        found = WholeFit { effect, values: prior.clone(), deviations, ..found };
     }
+    let mut best: Option<WholeFit> = None;
     let apply = |values: &[f64]| applied(effect, links, frame.logs, values);
     let mut logs = apply(&found.values);
     for _ in 0..ROUNDS {
@@ -217,12 +219,17 @@ pub fn fit_whole(
         let here: Vec<&Judged> = logs.iter().collect();
         found.servos = refitted(frame, bases, &here, &found.servos, 3);
         found.left = left(frame, bases, &found.servos, &here);
+        let of = |fit: &WholeFit| fit.left.iter().sum::<f64>();
+        // Neither a step that leaves more nor one that leaves no number is kept.
+        if best.as_ref().is_none_or(|best| of(best).is_nan() || of(&found) < of(best)) {
+            best = Some(found.clone());
+        }
         let is_small = !effect.is_beyond(&found.values, links, frame.settings);
         if is_small || step.takes < LEAST_STEP * found.left.iter().sum::<f64>() {
             break;
         }
     }
-    found
+    best.unwrap_or(found)
 }
 
 fn applied(kind: Whole, links: &SerialChain<f64>, logs: &[&Judged], values: &[f64]) -> Vec<Judged> {

@@ -20,8 +20,10 @@ from rrr.fleet.places import filesystem
 
 TAGS = ("ETag", "etag", "md5Hash", "generation")
 """What stands for an object's content: of S3, GCS and others."""
-TIMES = ("mtime", "created", "LastModified", "last_modified", "updated")
+TIMES = ("mtime", "LastModified", "last_modified", "updated")
 """When a file was changed, by names that file systems of fsspec give it."""
+CREATED = "created"
+"""When its entry was changed, on a local disk; elsewhere when it was made, which alone tells nothing."""
 YOUNGEST_S = 2.0
 """Files changed so shortly ago are not judged by their times."""
 
@@ -68,6 +70,8 @@ def _mark(path: str, info: dict[str, Any]) -> list[Any] | None:
     if tags:
         return [path, info["size"], *tags]
     times = [_seconds(info[name]) for name in TIMES if info.get(name)]
+    if times and info.get(CREATED):
+        times.append(_seconds(info[CREATED]))
     is_told = times and not info.get("islink") and max(times) < time.time() - YOUNGEST_S
     return [path, info["size"], info.get("ino"), *times] if is_told else None
 

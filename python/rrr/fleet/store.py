@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import datetime
 import io
 import uuid
@@ -35,15 +36,20 @@ class Store:
 
     def has_of(self, stamp: str | None) -> str | None:
         """The key of the row that is there of files with this stamp (`listing.stamp`)."""
-        path = f"{self.root}/seen/{stamp}"
-        if stamp is None or not self.fs.exists(path):
+        if stamp is None:
             return None
-        key: str = self.fs.cat_file(path).decode()
+        try:
+            key: str = self.fs.cat_file(f"{self.root}/seen/{stamp}").decode()
+        except Exception:
+            # Not there, or taken away by `pack` just now: the files are read.
+            return None
         return key if self.has(key) else None
 
     def remember(self, stamp: str | None, key: str) -> None:
-        """That files with this stamp have the row with this key."""
-        if stamp is not None:
+        """That files with this stamp have the row with this key; where that cannot be noted, they are read again."""
+        if stamp is None:
+            return
+        with contextlib.suppress(Exception):
             self.write(f"seen/{stamp}", key.encode())
 
     def put(self, row: Row) -> None:
@@ -71,15 +77,17 @@ class Store:
     def pack(self, before: datetime.date) -> int:
         """Puts the rows of each night before this one into one file, and takes their own away.
 
-        How many. What was remembered of listings goes too: whatever is diagnosed again is read once. Stopped in between it leaves rows twice, which the next time puts right, and `table`
-        reads once.
+        How many. What was remembered of listings goes too: whatever is diagnosed again is read once. Stopped
+        in between it leaves rows twice, which the next time puts right, and `table` reads once.
         """
         loose = self._tables(self._files("rows"))
         nights = {path: table["night"][0].as_py() for path, table in loose.items()}
         for night in sorted({night for night in nights.values() if night < before}):
             self._pack_night(night, {p: loose[p] for p, of in nights.items() if of == night})
         if self.fs.isdir(f"{self.root}/seen"):
-            self.fs.rm(f"{self.root}/seen", recursive=True)
+            # Another process may be noting a listing: what cannot be taken away stays.
+            with contextlib.suppress(Exception):
+                self.fs.rm(f"{self.root}/seen", recursive=True)
         return sum(night < before for night in nights.values())
 
     def write(self, name: str, content: bytes) -> None:

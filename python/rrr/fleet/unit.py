@@ -50,13 +50,19 @@ def diagnose_robot(robot: Robot, output: str, night: datetime.date, options: Opt
             # Stores of objects raise errors of their own kinds.
             return lost(robot, output, night, str(error) or type(error).__name__)
         if store.has(key):
-            store.remember(seen, key)
+            store.remember(_still(seen, robot, in_force), key)
             return _there(store, robot, key, night)
+        still = _still(seen, robot, in_force)
         row = _row(robot, content, key, night, options, Path(scratch))
     store.put(row)
     store.remove(unread_key(robot.name, night))
-    store.remember(seen, key)
+    store.remember(still, key)
     return Done(robot.name, key, "failed" if row["error"] else "diagnosed", row["error"])
+
+
+def _still(seen: str | None, robot: Robot, in_force: str) -> str | None:
+    """The stamp of before the files were read, if it is theirs still."""
+    return seen if seen is not None and stamp(robot, in_force) == seen else None
 
 
 def lost(robot: Robot, output: str, night: datetime.date, why: str) -> Done:

@@ -63,7 +63,7 @@ pub(super) fn best_play(
     let mut begun: Vec<Candidate> = begun.collect();
     begun.sort_by(|a, b| a.train.total_cmp(&b.train));
     begun.truncate(effort.starts);
-    let steps = effort.spring_steps - effort.first_play_steps;
+    let steps = effort.spring_steps.saturating_sub(effort.first_play_steps);
     let refined = begun.into_iter().map(|first| first.refined(linear, evidence, steps));
     let best = refined.min_by(|a, b| a.train.total_cmp(&b.train));
     best.filter(|best| best.train < effort.left_by_backlash * linear.refitted_objective())

@@ -70,7 +70,10 @@ pub fn is_physical(effect: &EffectInstance, subject: &Subject, evidence: &Eviden
     if !effect.is_spring() && effect.is_at_bound(policy.near_bound) {
         return false;
     }
-    if rests_far(effect, evidence) || warms_at_once(effect, policy) {
+    if rests_far(effect, evidence)
+        || warms_at_once(effect, policy)
+        || within_a_sample(effect, evidence)
+    {
         return false;
     }
     let Some((joint, spring)) = effect.build().and_then(|effect| effect.transmission()) else {
@@ -97,6 +100,14 @@ fn warms_at_once(effect: &EffectInstance, policy: &SelectionCriteria) -> bool {
     effect.definition.name == "friction_drift"
         && parameters
             .any(|(p, value)| p.kind == Kind::TimeConstant && *value < policy.least_warming_s)
+}
+
+/// Whether a command comes later by less than a sample of the log: how commands were sampled, whether at an
+/// instant or as a mean over what lies between, does as much.
+fn within_a_sample(effect: &EffectInstance, evidence: &Evidence) -> bool {
+    let shortest_s =
+        evidence.stretches.iter().map(|stretch| stretch.sampled_s).fold(f64::INFINITY, f64::min);
+    ["delay", "actuator_lag"].contains(&effect.definition.name) && effect.values[0] < shortest_s
 }
 
 /// Whether an angle of an effect lies so far from the motion that it is none: cables that rest ten turns

@@ -79,9 +79,9 @@ pub fn touched(effect: &EffectInstance, others: &[EffectInstance], tables: &[Tab
     // What is in the model already may depend on a body or a motion that changes.
     touches.drive |= moves_others;
     touches.friction |= moves_others;
-    // A link with backlash is corrected by the torque that drives its motor.
+    // A link behind a spring is corrected by the torque that drives its motor.
     let meets = |other: &EffectInstance| effect.joint == 0 || effect.joint == other.joint;
-    touches.body |= others.iter().any(|other| other.has_backlash() && meets(other));
+    touches.body |= others.iter().any(|other| other.is_spring() && meets(other));
     touches
 }
 

@@ -26,16 +26,18 @@ fn confirmed(worth: &Worth, criteria: &VerdictCriteria) -> f64 {
     (deviations / criteria.sure_deviations).clamp(0.0, 1.0)
 }
 
-/// Whether a cause is named; `explained` is the part of the arm's gap that all causes take together. One
-/// that is not sure takes half of what is left without it, and causes half of the gap: where most stays,
-/// something else may be the cause of all of it, on that joint or, as a belt between two, on the arm.
+/// Whether a cause is named; `explained` is the part of the arm's gap that all causes take together, and
+/// `no_gap` whether there is none. One that is not sure, or that is found where there is no gap, takes half of
+/// what is left without it, and causes half of the gap: where most stays, something else may be the cause of
+/// all of it, on that joint or, as a belt between two, on the arm.
 pub fn is_named(
     probability: f64,
     worth: &Worth,
     explained: f64,
+    no_gap: bool,
     criteria: &VerdictCriteria,
 ) -> bool {
-    let sure = probability >= criteria.sure_probability;
+    let sure = probability >= criteria.sure_probability && !no_gap;
     let most = worth.part_of_left.min(explained) >= criteria.most_of_left;
     probability >= criteria.least_probability
         && (sure || most)
@@ -66,7 +68,7 @@ pub fn is_sound(effect: &EffectInstance, worth: &Worth, criteria: &VerdictCriter
 /// Whether there is no gap: train logs leave noise alone and confirming ones not much more, or the
 /// confirming ones leave noise alone and no train log much more. One log may leave more than its
 /// noise where it is sampled too coarsely for what it holds: commands between samples, say.
-fn is_no_gap(
+pub fn is_no_gap(
     refitted: &FittedModel,
     last: &FittedModel,
     confirmation: &Confirmation,

@@ -1,7 +1,7 @@
 //! Effects taken out of a model one after the other, as long as one is not confirmed.
 
 use super::confirmed::{Confirmation, Held, Worth};
-use super::decision::{is_named, is_sound, probability};
+use super::decision::{is_named, is_no_gap, is_sound, probability};
 use super::misfit::joints_of_another;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
@@ -92,11 +92,12 @@ impl<'a> Elimination<'a> {
     pub fn not_named(&self, confirmation: &Confirmation, judged: &[Judged]) -> Vec<usize> {
         let criteria = &self.subject.criteria.verdict;
         let explained = confirmation.explained(&self.last);
+        let no_gap = is_no_gap(&self.refitted, &self.last, confirmation, criteria);
         let fails = |index: &usize| {
             let (worth, probability) = &judged[*index];
             let without = &self.added[*index].without;
             !self.can_be(confirmation, *index, worth)
-                || !is_named(*probability, worth, explained, criteria)
+                || !is_named(*probability, worth, explained, no_gap, criteria)
                 || !reaches_ceiling(self.subject, without, &self.last, self.place(*index))
         };
         (0..self.added.len()).filter(fails).collect()

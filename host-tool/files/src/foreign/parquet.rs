@@ -18,7 +18,8 @@ const LONGEST_LIST: usize = 1024;
 /// The file's columns; lists of numbers have a column for each element.
 pub(super) fn read(bytes: &[u8], wanted: Wanted) -> Result<Table, Problem> {
     if !is_believable(bytes) {
-        let what = "its schema claims more than the file can hold".to_owned();
+        let what = "its schema is no tree that the file could hold; write it again, with pyarrow or pandas";
+        let what = what.to_owned();
         return Err(Problem::Damaged { format: "Parquet", what });
     }
     // The library takes much of a file on trust, and panics where that is betrayed.
