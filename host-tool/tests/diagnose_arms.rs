@@ -112,6 +112,25 @@ fn drag_that_leaves_less_than_two_millivolts_is_named() {
     names(&report, "quadratic_drag", 1, ("coefficient_V_s2_per_rad2", 0.0028), 0.1);
 }
 
+/// Simulated from a 16-bit encoder alone, such a link swings with its steps.
+#[test]
+fn a_spring_whose_link_is_hardly_damped_is_named() {
+    let hidden = ["joint_elasticity:1:stiffness_Nm_per_rad=296,damping_Nm_s_per_rad=0.34,\
+                   motor_inertia_kg_m2=0.0035"];
+    let report = diagnosed(&recorded(&rotary_joint(), 500.0, 20.0, &hidden)).report;
+    names(&report, "joint_elasticity", 1, ("stiffness_Nm_per_rad", 296.0), 0.15);
+    assert!(report.causes[0].probability > 0.9, "{}", report.causes[0].probability);
+}
+
+/// A link that flies from one flank to the other fits by play within a seventh alone.
+#[test]
+fn play_of_five_degrees_is_named() {
+    let hidden = ["backlash:1:gap_rad=0.09,stiffness_Nm_per_rad=242,damping_Nm_s_per_rad=0.24,\
+                   motor_inertia_kg_m2=0.0042"];
+    let report = diagnosed(&recorded(&rotary_joint(), 500.0, 20.0, &hidden)).report;
+    names(&report, "backlash", 1, ("gap_rad", 0.09), 0.05);
+}
+
 #[test]
 fn an_amplifier_that_gives_less_is_named() {
     names(&of_pendulum(&["saturation:1:limit_V=3"]), "saturation", 1, ("limit_V", 3.0), 0.05);
