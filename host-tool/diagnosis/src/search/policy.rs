@@ -72,10 +72,7 @@ pub fn is_physical(effect: &EffectInstance, subject: &Subject, evidence: &Eviden
     if !effect.is_spring() && effect.is_at_bound(policy.near_bound) {
         return false;
     }
-    if rests_far(effect, evidence)
-        || warms_at_once(effect, policy)
-        || within_a_sample(effect, evidence)
-    {
+    if rests_far(effect, evidence) || warms_at_once(effect, policy) {
         return false;
     }
     if is_hardly_a_wave(effect, evidence) {
@@ -105,14 +102,6 @@ fn warms_at_once(effect: &EffectInstance, policy: &SelectionCriteria) -> bool {
     effect.definition.name == "friction_drift"
         && parameters
             .any(|(p, value)| p.kind == Kind::TimeConstant && *value < policy.least_warming_s)
-}
-
-/// Whether a command comes later by less than a sample of the log: how commands were sampled, whether at an
-/// instant or as a mean over what lies between, does as much.
-fn within_a_sample(effect: &EffectInstance, evidence: &Evidence) -> bool {
-    let shortest_s =
-        evidence.stretches.iter().map(|stretch| stretch.sampled_s).fold(f64::INFINITY, f64::min);
-    ["delay", "actuator_lag"].contains(&effect.definition.name) && effect.values[0] < shortest_s
 }
 
 /// Lowest and highest angle of a joint (from 0) in the logs [rad; m].
