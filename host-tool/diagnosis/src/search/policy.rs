@@ -1,6 +1,8 @@
 //! When the search ends, which effects are physical, and which say more than others: conditions on what
 //! models leave, and nothing that is computed.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::criteria::{Criteria, SelectionCriteria};
 use crate::fit::excess::excess_v2;
 use crate::fit::fitted_model::FittedModel;
@@ -70,10 +72,10 @@ pub fn is_physical(effect: &EffectInstance, subject: &Subject, evidence: &Eviden
     if !effect.is_spring() && effect.is_at_bound(policy.near_bound) {
         return false;
     }
-    if rests_far(effect, evidence)
-        || warms_at_once(effect, policy)
-        || within_a_sample(effect, evidence)
-    {
+    if rests_far(effect, evidence) || warms_at_once(effect, policy) {
+        return false;
+    }
+    if is_hardly_a_wave(effect, evidence) {
         return false;
     }
     let Some((joint, spring)) = effect.build().and_then(|effect| effect.transmission()) else {
@@ -102,12 +104,18 @@ fn warms_at_once(effect: &EffectInstance, policy: &SelectionCriteria) -> bool {
             .any(|(p, value)| p.kind == Kind::TimeConstant && *value < policy.least_warming_s)
 }
 
-/// Whether a command comes later by less than a sample of the log: how commands were sampled, whether at an
-/// instant or as a mean over what lies between, does as much.
-fn within_a_sample(effect: &EffectInstance, evidence: &Evidence) -> bool {
-    let shortest_s =
-        evidence.stretches.iter().map(|stretch| stretch.sampled_s).fold(f64::INFINITY, f64::min);
-    ["delay", "actuator_lag"].contains(&effect.definition.name) && effect.values[0] < shortest_s
+/// Lowest and highest angle of a joint (from 0) in the logs [rad; m].
+fn angles(evidence: &Evidence, joint: usize) -> [f64; 2] {
+    let angles = evidence.stretches.iter().flat_map(|stretch| &stretch.motion.q_rad[joint]);
+    angles.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| [low.min(*q), high.max(*q)])
+}
+
+/// Whether the logs show less than a quarter of an effect's wave, which is a line by another name.
+fn is_hardly_a_wave(effect: &EffectInstance, evidence: &Evidence) -> bool {
+    let Some(joint) = usize::from(effect.joint).checked_sub(1) else { return false };
+    let [lowest, highest] = angles(evidence, joint);
+    let mut parameters = effect.definition.parameters.iter().zip(&effect.values);
+    parameters.any(|(p, order)| p.kind == Kind::Harmonic && order * (highest - lowest) < FRAC_PI_2)
 }
 
 /// Whether an angle of an effect lies so far from the motion that it is none: cables that rest ten turns
@@ -115,9 +123,7 @@ fn within_a_sample(effect: &EffectInstance, evidence: &Evidence) -> bool {
 fn rests_far(effect: &EffectInstance, evidence: &Evidence) -> bool {
     let far_rad = evidence.criteria.selection.far_rest_rad;
     let Some(joint) = usize::from(effect.joint).checked_sub(1) else { return false };
-    let angles = evidence.stretches.iter().flat_map(|stretch| &stretch.motion.q_rad[joint]);
-    let (lowest, highest) = angles
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), q| (low.min(*q), high.max(*q)));
+    let [lowest, highest] = angles(evidence, joint);
     let near = lowest - far_rad..=highest + far_rad;
     let parameters = effect.definition.parameters.iter().zip(&effect.values);
     parameters.filter(|(p, _)| p.kind == Kind::Angle).any(|(_, value)| !near.contains(value))
