@@ -117,7 +117,8 @@ impl Prepared {
         }
     }
 
-    /// The rigid body along the motion of the arm as these joints move these links, a force on the tip.
+    /// The rigid body along the motion of the arm as these joints move these links, a force on the tip; that force's
+    /// own torque is not among what the body asks.
     pub fn follow(
         &mut self,
         links: &SerialChain<f64>,

@@ -66,7 +66,8 @@ impl Linearisation {
         squares.map(|square| (part * square).sqrt())
     }
 
-    /// The normal matrix where steps end before slopes do.
+    /// The normal matrix with a prior of the range in which slopes hold (`Unknown::linear_range`), so that steps
+    /// which rows do not ask for stay within it.
     fn normal_within_slopes(&self) -> DMatrix<f64> {
         let mut normal = self.normal();
         for (place, expected) in self.expected.iter().enumerate() {

@@ -9,7 +9,7 @@ use crate::trial::hypothesis::EffectInstance;
 pub(crate) struct Start {
     /// The effect with its starting values.
     pub effect: EffectInstance,
-    /// What the change of rows would gain if it were scaled as suits best.
+    /// Twice the log-likelihood that it promises ([`promised`]).
     pub gain: f64,
 }
 

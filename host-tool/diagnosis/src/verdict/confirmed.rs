@@ -127,8 +127,9 @@ impl<'a> Confirmation<'a> {
         blocks.figure(1, explained).0 >= self.subject.criteria.verdict.explained
     }
 
-    /// Whether an effect takes noise of the confirming logs for motion: it leaves less than that where
-    /// there was little more without any, or less than the noise can be.
+    /// Whether an effect takes noise of the confirming logs for motion: it leaves a smaller part of the noise
+    /// than what the noise may be wrong by, which is the more, the further the gap is above it (`least_of_noise`,
+    /// `least_noise`, `least_noise_far`).
     pub fn takes_noise(&self, last: &FittedModel, effect: &EffectInstance) -> bool {
         let criteria = &self.subject.criteria.verdict;
         let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
