@@ -11,7 +11,7 @@ use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
 use crate::trial::hypothesis::EffectInstance;
 use files::Role;
-use rig::effects::Kind;
+use rig::effects::{Carrier, Kind, Search};
 
 /// Whether nothing is left that asks for another effect: no gap to begin with, or so little of the
 /// gap that it may be the method's own, for effects that are not linear are not removed to the
@@ -110,9 +110,12 @@ fn angles(evidence: &Evidence, joint: usize) -> [f64; 2] {
     angles.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| [low.min(*q), high.max(*q)])
 }
 
-/// Whether the logs show less than a quarter of an effect's wave, which is a line by another name.
+/// Whether the logs show less than a quarter of a wave of voltage, which is a cable by another name.
 fn is_hardly_a_wave(effect: &EffectInstance, evidence: &Evidence) -> bool {
     let Some(joint) = usize::from(effect.joint).checked_sub(1) else { return false };
+    if !matches!(effect.definition.search, Search::Harmonics(Carrier::Unity)) {
+        return false;
+    }
     let [lowest, highest] = angles(evidence, joint);
     let mut parameters = effect.definition.parameters.iter().zip(&effect.values);
     parameters.any(|(p, order)| p.kind == Kind::Harmonic && order * (highest - lowest) < FRAC_PI_2)
