@@ -111,8 +111,13 @@ impl Input<'_> {
         let head = self.byte()?;
         match (head >> 4, head & 0x0F) {
             (_, 0) => Some(0),
-            // A number in full, which no writer needs here.
-            (0, _) => None,
+            // A number in full, for logical types from 16 on. Signs alternate; numbers only grow.
+            (0, kind) => {
+                let number = self.varint()?;
+                let is_next = number % 2 == 0 && number / 2 > *id;
+                *id = number / 2;
+                is_next.then_some(kind)
+            }
             (delta, kind) => {
                 *id += u64::from(delta);
                 Some(kind)
@@ -260,5 +265,16 @@ mod tests {
         };
         assert!(is_believable(&file(&[ROOT, &stamp(STRUCT)])));
         assert!(!is_believable(&file(&[ROOT, &stamp(I32)])));
+    }
+
+    #[test]
+    fn logical_types_of_later_days_are_passed_over() {
+        // Field 10 a union, whose field by its number in full is a structure.
+        let of_type = |id: u8, inner: &[u8]| [LEAF, &[0x6C, 0x0C, 2 * id], inner, &[0, 0]].concat();
+        let number: &[u8] = &[0x15, 2];
+        assert!(is_believable(&file(&[ROOT, &of_type(16, &[0x13, 1])])), "a variant");
+        assert!(!is_believable(&file(&[ROOT, &of_type(16, number)])), "a variant of another kind");
+        assert!(is_believable(&file(&[ROOT, &of_type(40, number)])), "not known");
+        assert!(!is_believable(&file(&[ROOT, &of_type(40, &[0x1C; 100])])), "too deep");
     }
 }
