@@ -1,7 +1,7 @@
 //! Numbers with units for readers: three digits, and thousandths where they are small.
 
 /// Unit suffixes of names, as they are written and as they are said; longest first.
-const UNITS: [(&str, &str); 22] = [
+const UNITS: [(&str, &str); 23] = [
     ("_V_s2_per_rad2", "V s^2/rad^2"),
     ("_Nm_s_per_rad", "Nm s/rad"),
     ("_Nm_per_rad", "Nm/rad"),
@@ -21,6 +21,7 @@ const UNITS: [(&str, &str); 22] = [
     ("_V", "V"),
     ("_A", "A"),
     ("_N_s_per_m", "N s/m"),
+    ("_N_per_m", "N/m"),
     ("_s", "s"),
     ("_N", "N"),
     ("_m", "m"),

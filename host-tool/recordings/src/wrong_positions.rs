@@ -8,15 +8,17 @@ pub struct Settings {
     pub deviations: f64,
     /// Samples to either side that tell how far that is.
     pub around: usize,
+    /// Others among them that may be wrong as well: two that are equally far off would hide each other.
+    pub others_wrong: usize,
     /// Most rounds: a position that is far off hides others about it that are less so.
     pub most_rounds: usize,
 }
 
 impl Default for Settings {
     /// Twelve deviations are no chance, and no impact either: that bends a motion for longer than a
-    /// sample. A hundred samples are a piece of motion, in which some few hide others.
+    /// sample. A hundred samples are a piece of motion, in which some few are wrong where one in a hundred is.
     fn default() -> Self {
-        Self { deviations: 12.0, around: 100, most_rounds: 6 }
+        Self { deviations: 12.0, around: 100, others_wrong: 3, most_rounds: 6 }
     }
 }
 
@@ -85,24 +87,44 @@ fn suspects(
     let off_rad: Vec<f64> = (0..count)
         .map(|k| if (2..count - 2).contains(&k) { deviation(time_s, q_rad, k) } else { 0.0 })
         .collect();
-    let mut sums = vec![0.0];
-    for off in &off_rad {
-        sums.push(sums[sums.len() - 1] + off * off);
-    }
-    let square = |from: usize, to: usize| sums[to] - sums[from];
     let suspect = |k: usize| {
-        let (from, to) = (k.saturating_sub(settings.around), (k + settings.around + 1).min(count));
-        let own = square(k - 2, k + 3);
-        let others = (to - from).saturating_sub(5).max(1) as f64;
-        let rms_rad = ((square(from, to) - own).max(0.0) / others).sqrt();
         let spacing_s = (time_s[k + 2] - time_s[k - 2]) / 4.0;
-        let least_rad = (settings.deviations * rms_rad)
-            .max(impossible.steps_rad)
-            .max(impossible.acceleration_rad_per_s2 * spacing_s * spacing_s);
-        let ratio = off_rad[k].abs() / least_rad.max(f64::MIN_POSITIVE);
+        let possible_rad =
+            impossible.steps_rad.max(impossible.acceleration_rad_per_s2 * spacing_s * spacing_s);
+        if off_rad[k].abs() <= possible_rad {
+            return None;
+        }
+        let others = if is_spike(time_s, q_rad, &off_rad, k) { settings.others_wrong } else { 0 };
+        let usual_rad = settings.deviations * usual(&off_rad, k, others, settings.around);
+        let least_rad = usual_rad.max(possible_rad).max(f64::MIN_POSITIVE);
+        let ratio = off_rad[k].abs() / least_rad;
         (ratio > 1.0).then_some((k, ratio, least_rad))
     };
     (2..count - 2).filter_map(suspect).collect()
+}
+
+/// How far samples around one are off, rms, without those that it makes look wrong and those that so many
+/// others do.
+fn usual(off_rad: &[f64], k: usize, others_wrong: usize, around: usize) -> f64 {
+    let (from, to) = (k.saturating_sub(around), (k + around + 1).min(off_rad.len()));
+    let others = (from..to).filter(|other| other.abs_diff(k) > 2);
+    let mut squares: Vec<f64> = others.map(|other| off_rad[other].powi(2)).collect();
+    squares.sort_unstable_by(f64::total_cmp);
+    squares.truncate(squares.len().saturating_sub(5 * others_wrong));
+    (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt()
+}
+
+/// Whether a sample is all that is wrong with its neighbours: once it is where they say, they are where
+/// theirs say. A kink, as of an impact, leaves 7 % of the squares.
+fn is_spike(time_s: &[f64], q_rad: &[f64], off_rad: &[f64], k: usize) -> bool {
+    const MOST_LEFT: f64 = 0.04;
+    let (from, to) = (k.saturating_sub(4), (k + 5).min(q_rad.len()));
+    let mut corrected = q_rad[from..to].to_vec();
+    corrected[k - from] -= off_rad[k];
+    let near = (k - 2).max(2)..(k + 3).min(q_rad.len() - 2);
+    let before: f64 = near.clone().map(|near| off_rad[near].powi(2)).sum();
+    let left = |near: usize| deviation(&time_s[from..to], &corrected, near - from).powi(2);
+    near.map(left).sum::<f64>() < MOST_LEFT * before
 }
 
 /// How far a position is from the cubic through its two neighbours on either side [rad].
@@ -153,6 +175,17 @@ mod tests {
         }
         let places = correct(&time_s, &mut q_rad, &JOINT, &Settings::default());
         assert_eq!(places, [2000, 2040, 2071]);
+    }
+
+    #[test]
+    fn errors_of_one_size_do_not_hide_each_other() {
+        let (time_s, right) = swing(4000);
+        let mut q_rad = right.clone();
+        for (k, off) in [(2000, 0.06), (2051, -0.055), (2090, 0.05), (2095, 0.06)] {
+            q_rad[k] += off;
+        }
+        let places = correct(&time_s, &mut q_rad, &JOINT, &Settings::default());
+        assert_eq!(places, [2000, 2051, 2090, 2095]);
     }
 
     #[test]

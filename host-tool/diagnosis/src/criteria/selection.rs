@@ -27,6 +27,9 @@ criteria! {
         /// some 800 candidates, harmonics among them, gain half the logarithm of their number by
         /// chance, and what is left is not Gaussian.
         least_log_likelihood: f64 = 15.0,
+        /// Orders at which waves are likely: each is so many times less likely beforehand than an effect
+        /// that is tried once.
+        likely_orders: f64 = 24.0,
         /// Part of what is left above the noise of the joints it acts on that an effect must take
         /// away: less may be the method's own,
         least_of_excess: f64 = 0.08,
@@ -58,8 +61,8 @@ criteria! {
         least_of_table: f64 = 0.25,
         /// Rivals of a cause that are tried in its place once all causes are found.
         rivals: usize = 3,
-        /// An effect whose size is this close to a bound, in parts of its range, is refused: the search
-        /// wanted on.
+        /// An effect whose size is this close to a bound, in parts of that, is refused: the search wanted
+        /// on.
         near_bound: f64 = 0.005,
         /// An angle at which an effect rests lies no further from the motion [rad]: half a turn, beyond
         /// which a spring is an offset by another name.

@@ -110,19 +110,26 @@ fn advanced(time_s: &[f64], mut k: usize, t: f64) -> usize {
     k
 }
 
-/// Cubic Hermite interpolation between samples k and k + 1, slopes from the neighbours.
+/// Cubic Hermite interpolation between samples k and k + 1.
 fn cubic(time_s: &[f64], signal: &[f64], k: usize, t: f64) -> f64 {
-    let slope = |k: usize| {
-        let (a, b) = (k.saturating_sub(1), (k + 1).min(signal.len() - 1));
-        (signal[b] - signal[a]) / (time_s[b] - time_s[a])
-    };
     let h = time_s[k + 1] - time_s[k];
     let x = ((t - time_s[k]) / h).clamp(0.0, 1.0);
     let (a, b) = (signal[k], signal[k + 1]);
-    let (da, db) = (h * slope(k), h * slope(k + 1));
+    let (da, db) = (h * slope(time_s, signal, k), h * slope(time_s, signal, k + 1));
     let x2 = x * x;
     let x3 = x2 * x;
     a + da * x + (3.0 * (b - a) - 2.0 * da - db) * x2 + (2.0 * (a - b) + da + db) * x3
+}
+
+/// Slope at a sample of the parabola through it and its neighbours, which near a gap follows the side
+/// without it.
+fn slope(time_s: &[f64], signal: &[f64], k: usize) -> f64 {
+    let rise = |k: usize| (signal[k + 1] - signal[k]) / (time_s[k + 1] - time_s[k]);
+    if k == 0 || k + 1 == signal.len() {
+        return rise(k.saturating_sub(1));
+    }
+    let (before, after) = (time_s[k] - time_s[k - 1], time_s[k + 1] - time_s[k]);
+    (rise(k - 1) * after + rise(k) * before) / (before + after)
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use crate::trial::hypothesis::EffectInstance;
 use files::Role;
 use rig::effects::{Carrier, Kind, Search};
 
-/// Whether nothing is left that asks for another effect: no gap to begin with, or so little of the
+/// Whether nothing is left that asks for another effect: nothing above the noise, or so little of the
 /// gap that it may be the method's own, for effects that are not linear are not removed to the
 /// last.
 pub fn is_done(gap: &ResidualStats, left: &ResidualStats, criteria: &Criteria) -> bool {
@@ -21,9 +21,7 @@ pub fn is_done(gap: &ResidualStats, left: &ResidualStats, criteria: &Criteria) -
     let nearly = left.worst() < policy.done_ratio
         && left.excess < policy.done_part * gap.excess
         && left.prior_penalty < fit.unexplained_prior_penalty;
-    let no_gap = gap.worst() < criteria.verdict.no_gap_ratio
-        && gap.prior_penalty < fit.unexplained_prior_penalty;
-    left.is_clean(fit) || nearly || no_gap
+    left.is_clean(fit) || nearly
 }
 
 /// Effects that are another and something more, with that other.

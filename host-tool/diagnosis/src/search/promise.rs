@@ -3,6 +3,7 @@
 use crate::fit::linearisation::{Joints, Linearisation};
 use crate::rows::evidence::Evidence;
 use crate::trial::hypothesis::EffectInstance;
+use rig::effects::Touches;
 
 /// Where a search may begin, and what it promises.
 #[derive(Clone, Debug)]
@@ -30,11 +31,17 @@ pub(super) fn promised(
 
 /// Twice the log-likelihood that the change of rows by an effect would gain if it were scaled as
 /// suits best.
+///
+/// Another reading of an encoder bends the loads of all joints, whose parameters hide it on its own; a
+/// spring shows on its own.
 pub(crate) fn promise(linear: &Linearisation, evidence: &Evidence, effect: &EffectInstance) -> f64 {
-    let change = linear.change_by(evidence, effect, Joints::Own);
+    let shows_on_all = effect.definition.touches == Touches::READING;
+    let joints = if shows_on_all { Joints::All } else { Joints::Own };
+    let change = linear.change_by(evidence, effect, joints);
     let (gradient, curvature) = linear.along(&Default::default(), &[change]);
     let squares = gradient[0] * gradient[0] / curvature[(0, 0)].max(1e-12);
-    free_size_gain(squares, linear.squares_of(effect))
+    let of_squares = if shows_on_all { linear.squares() } else { linear.squares_of(effect) };
+    free_size_gain(squares, of_squares)
 }
 
 /// Twice the log-likelihood that rows gain whose size is free, n ln(n / (n - gain)): an effect that

@@ -164,14 +164,28 @@ impl Search<'_> {
                 let loser = self.last.linear.hypothesis.effects[known + index].clone();
                 let model = std::mem::replace(&mut self.last, better);
                 rivals[0] = Rival { effect: loser, gain: 0.0, model, objection: None };
-                let last = &self.last;
-                rivals.iter_mut().for_each(|rival| rival.gain = gain(last, &rival.model));
+                for rival in &mut rivals {
+                    rival.gain = self.advantage(&rival.model, known + index);
+                }
             }
             let effect = &self.last.linear.hypothesis.effects[known + index];
             rivals.retain(|rival| !rival.effect.is_same_cause(effect));
             added.push(Added { gain: gain(&without, &self.last), without, rivals });
         }
         added
+    }
+
+    /// By how much a model with another effect at this place is likelier than the last one, beforehand and
+    /// by the logs (a logarithm).
+    fn advantage(&self, model: &FittedModel, place: usize) -> f64 {
+        let orders = self.subject.criteria.selection.likely_orders;
+        let beforehand = |model: &FittedModel| -> f64 {
+            match model.linear.hypothesis.effects[place].is_wave() {
+                true => -orders.ln(),
+                false => 0.0,
+            }
+        };
+        gain(&self.last, model) + beforehand(model) - beforehand(&self.last)
     }
 
     /// Finalists of a round in the place of the effect that was added, the best first: those that explain
@@ -184,7 +198,7 @@ impl Search<'_> {
             hypothesis.effects[known + index] = finalist.effect.clone();
             let model = self.fitted(hypothesis)?;
             let effect = model.linear.hypothesis.effects[known + index].clone();
-            let gain = gain(&self.last, &model);
+            let gain = self.advantage(&model, known + index);
             is_physical(&effect, self.subject, &model.evidence).then_some(Rival {
                 effect,
                 gain,

@@ -38,6 +38,11 @@ impl EffectInstance {
         is_same && harmonics.all(|at| self.values[at] == other.values[at])
     }
 
+    /// Whether it is a wave of one order of many.
+    pub fn is_wave(&self) -> bool {
+        self.definition.parameters.iter().any(|parameter| parameter.kind == Kind::Harmonic)
+    }
+
     /// Whether it leaves a gap between a motor and its link.
     pub fn has_backlash(&self) -> bool {
         self.definition.parameters.iter().any(|parameter| parameter.kind == Kind::Gap)
@@ -61,11 +66,10 @@ impl EffectInstance {
         self.values = self.bounded();
     }
 
-    /// Whether its size, its first value, is this close to a bound, in parts of its range.
+    /// Whether its size, its first value, is this close to a bound, in parts of that.
     pub fn is_at_bound(&self, near: f64) -> bool {
         let parameter = &self.definition.parameters[0];
-        let range = parameter.highest - parameter.lowest;
-        let at = |bound: f64| bound != 0.0 && (self.values[0] - bound).abs() < near * range;
+        let at = |bound: f64| (self.values[0] - bound).abs() < near * bound.abs();
         at(parameter.lowest) || at(parameter.highest)
     }
 

@@ -70,12 +70,29 @@ impl<'a> Confirmation<'a> {
         Self { subject, refitted, full, without, noise_v }
     }
 
-    /// Joints (0 to 2) on which an effect is judged: its own, or all of the rig.
+    /// Joints (from 0) on which an effect acts: its own, or all of the rig.
     fn joints_of(&self, effect: &EffectInstance) -> Vec<usize> {
         match effect.joint {
             0 => self.subject.joints.clone(),
             joint => vec![usize::from(joint) - 1],
         }
+    }
+
+    /// Joints on which an effect is judged: those on which it acts, or all of the rig where hardly more
+    /// than noise is left there without it: parameters have taken its place, and what they leave by that is
+    /// on other joints.
+    fn joints_judged(
+        &self,
+        last: &FittedModel,
+        effect: &EffectInstance,
+        without_v: &Rows,
+    ) -> Vec<usize> {
+        let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
+        let own = self.joints_of(effect);
+        let blocks = Blocks::of(&last.evidence, &own, &[without_v, without_v], noise_v);
+        let over = blocks.figure(1, |sums| sums[0] / sums[2].max(1e-300)).0;
+        let least = 1.0 + self.subject.criteria.verdict.least_excess;
+        if over < least { self.subject.joints.clone() } else { own }
     }
 
     /// The worth of the cause at this place among those added.
@@ -94,7 +111,8 @@ impl<'a> Confirmation<'a> {
     ) -> Worth {
         let models = [without_v, with_v, &self.refitted.residual_v];
         let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
-        let blocks = Blocks::of(&last.evidence, &self.joints_of(effect), &models, noise_v);
+        let joints = self.joints_judged(last, effect, without_v);
+        let blocks = Blocks::of(&last.evidence, &joints, &models, noise_v);
         let draws = self.subject.criteria.verdict.draws;
         let least_excess = self.subject.criteria.verdict.least_excess;
         let share = |sums: &[f64]| match sums {
