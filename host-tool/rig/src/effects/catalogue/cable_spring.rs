@@ -53,6 +53,15 @@ pub(super) const DEFINITION: Definition = Definition {
     },
 };
 
+/// On an arm of any kind, whose commands may be newtons or amperes.
+pub(super) const OF_ARM: Definition = Definition {
+    parameters: &[
+        Parameter::new("stiffness_V_per_rad", Kind::Stiffness, 0.0, 1e5),
+        Parameter::of_board("rest_rad", Kind::Angle, limits::CABLE_REST_RAD),
+    ],
+    ..DEFINITION
+};
+
 #[derive(Clone, Debug)]
 struct CableSpring {
     joint: usize,

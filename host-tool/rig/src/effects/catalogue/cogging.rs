@@ -44,6 +44,16 @@ pub(super) const DEFINITION: Definition = Definition {
     },
 };
 
+/// On an arm of any kind, whose commands may be newtons or amperes.
+pub(super) const OF_ARM: Definition = Definition {
+    parameters: &[
+        Parameter::new("amplitude_V", Kind::Amplitude, 0.0, 1e4),
+        Parameter::of_board("harmonic", Kind::Harmonic, limits::HARMONIC),
+        Parameter::new("phase_rad", Kind::Phase, -6.3, 6.3),
+    ],
+    ..DEFINITION
+};
+
 #[derive(Clone, Debug)]
 struct Cogging {
     joint: usize,

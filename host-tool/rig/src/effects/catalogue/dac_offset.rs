@@ -40,6 +40,10 @@ pub(super) const DEFINITION: Definition = Definition {
     },
 };
 
+/// On an arm of any kind, whose commands may be newtons or amperes.
+pub(super) const OF_ARM: Definition =
+    Definition { parameters: &[Parameter::new("offset_V", Kind::Offset, -1e4, 1e4)], ..DEFINITION };
+
 #[derive(Clone, Debug)]
 struct DacOffset {
     joint: usize,

@@ -40,6 +40,12 @@ pub(super) const DEFINITION: Definition = Definition {
     },
 };
 
+/// On an arm of any kind, whose commands may be newtons or amperes.
+pub(super) const OF_ARM: Definition = Definition {
+    parameters: &[Parameter::new("half_width_V", Kind::HalfWidth, 0.0, 1e4)],
+    ..DEFINITION
+};
+
 #[derive(Clone, Debug)]
 struct DeadZone {
     joint: usize,

@@ -52,7 +52,16 @@ const STANDARD: [&Definition; 20] = [
 ];
 
 /// Those that are others on an arm of any kind.
-const OF_ARM: [&Definition; 3] = [&payload::OF_ARM, &base_tilt::OF_ARM, &quadratic_drag::OF_ARM];
+const OF_ARM: [&Definition; 8] = [
+    &payload::OF_ARM,
+    &base_tilt::OF_ARM,
+    &quadratic_drag::OF_ARM,
+    &cogging::OF_ARM,
+    &cable_spring::OF_ARM,
+    &dac_offset::OF_ARM,
+    &dead_zone::OF_ARM,
+    &saturation::OF_ARM,
+];
 
 /// Those that only an arm of any kind has: what measured machines demand beyond the board's robot.
 const ONLY_OF_ARM: [&Definition; 4] = [

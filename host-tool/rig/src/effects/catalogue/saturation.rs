@@ -31,6 +31,10 @@ pub(super) const DEFINITION: Definition = Definition {
     },
 };
 
+/// On an arm of any kind, whose commands may be newtons or amperes.
+pub(super) const OF_ARM: Definition =
+    Definition { parameters: &[Parameter::new("limit_V", Kind::Limit, 1e-4, 1e5)], ..DEFINITION };
+
 #[derive(Clone, Debug)]
 struct Saturation {
     joint: usize,
