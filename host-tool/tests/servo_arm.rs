@@ -88,7 +88,7 @@ fn a_simulated_arm_hides_what_it_is_told_to() {
     assert_eq!(report["causes"][0]["effect"].as_str(), Some("payload"), "{text}");
     for (effect, words) in [
         ("joint_elasticity:1:stiffness_Nm_per_rad=9", "cannot be simulated on position servos"),
-        ("saturation:1:limit_V=-3", "limit_V of saturation is not from 0.01"),
+        ("saturation:1:limit_V=-3", "limit_V of saturation is not from 0.0001"),
         ("saturation:2:limit_V=3", "saturation of joint 2"),
         ("goal_clip:1:lowest_rad=1,highest_rad=-1", "goal_clip of joint 1"),
     ] {

@@ -120,15 +120,24 @@ impl Piece {
 
     fn log_likelihood(&self, floor_v: f64, residual_v: &[f64], gain: f64) -> f64 {
         let (sums, count) = self.sums(residual_v, self.square_v2.len());
-        // Whatever takes a part of the command takes that part of noise too, but adding to the
-        // command gains nothing where noise is all that is left.
-        let unit = gain.min(1.0).powi(2).max(1e-12);
         let of_class = |(sum, count): (&f64, &f64)| {
-            let square_v2 = (sum / count.max(1.0)).max(floor_v * floor_v) / unit;
+            let square_v2 = as_sent(sum / count.max(1.0), floor_v * floor_v, gain);
             -0.5 * count / self.correlation * square_v2.ln()
         };
         sums.iter().zip(&count).map(of_class).sum()
     }
+}
+
+/// A mean square of rows [V^2] of which `gain` of every command reaches the motor, in volts of the command as it
+/// was sent, and at least noise. Whatever takes a part of the command takes that part of what is left, too;
+/// what adds to it adds to the noise, and explains nothing of the rest by that.
+fn as_sent(square_v2: f64, noise_v2: f64, gain: f64) -> f64 {
+    /// Squares up to so many times those of the noise are the method's own, and grow as noise does.
+    const OWN: f64 = 2.25;
+    let unit = gain.powi(2).max(1e-12);
+    let scaled_v2 = square_v2 / unit;
+    let sent_v2 = scaled_v2.max(square_v2 - OWN * noise_v2 * (unit - 1.0).max(0.0));
+    sent_v2.max(noise_v2)
 }
 
 /// Speeds that part the train rows of a joint into classes of equal size [rad/s].
@@ -163,4 +172,20 @@ fn correlation(rows: &[f64], criteria: &RowCriteria) -> f64 {
     let square = product(0).max(f64::MIN_POSITIVE);
     let positive = (1..most).map(|lag| product(lag) / square).take_while(|part| *part > 0.0);
     1.0 + 2.0 * positive.sum::<f64>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_motor_that_gets_more_or_less_of_the_command_neither_gains_nor_loses_by_its_noise() {
+        for gain in [0.5, 0.93, 1.0, 1.07, 2.0] {
+            let noise_v2: f64 = 4e-6;
+            let reached_v2 = noise_v2 * gain * gain;
+            assert!((as_sent(reached_v2, noise_v2, gain) / noise_v2 - 1.0).abs() < 1e-9, "{gain}");
+            assert!(as_sent(100.0 * noise_v2, noise_v2, gain) > 90.0 * noise_v2, "{gain}");
+            assert!(as_sent(0.1 * noise_v2, noise_v2, gain) >= noise_v2, "{gain}");
+        }
+    }
 }

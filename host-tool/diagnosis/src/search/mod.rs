@@ -11,4 +11,5 @@ pub mod policy;
 pub mod promise;
 pub mod refit;
 pub mod restart;
+pub mod rivals;
 pub mod selection;

@@ -13,15 +13,16 @@ use crate::trial::hypothesis::EffectInstance;
 use files::Role;
 use rig::effects::{Carrier, Kind, Search};
 
-/// Whether nothing is left that asks for another effect: nothing above the noise, or so little of the
-/// gap that it may be the method's own, for effects that are not linear are not removed to the
-/// last.
+/// Whether nothing is left that asks for another effect: nothing above the noise, and parameters so near to
+/// what is known of them that an effect could not gain enough by bringing them back; or so little of the gap
+/// that it may be the method's own, for effects that are not linear are not removed to the last.
 pub fn is_done(gap: &ResidualStats, left: &ResidualStats, criteria: &Criteria) -> bool {
     let (fit, policy) = (&criteria.fit, &criteria.selection);
     let nearly = left.worst() < policy.done_ratio
         && left.excess < policy.done_part * gap.excess
         && left.prior_penalty < fit.unexplained_prior_penalty;
-    left.is_clean(fit) || nearly
+    let near = left.prior_penalty < 2.0 * policy.least_log_likelihood;
+    (left.excess == 0.0 && near) || nearly
 }
 
 /// Effects that are another and something more, with that other.

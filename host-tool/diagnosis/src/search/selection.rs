@@ -1,12 +1,10 @@
 //! The search: effects are added to the model one after the other, each the best of all, as long
 //! as the policy accepts one; then each is tried without, and against its rivals.
 
-use rayon::prelude::*;
-
 use super::finalists::Contest;
 use super::found::{Added, Rival, Selection};
 use super::objection::objection;
-use super::policy::{explains_as, gain, is_done, is_more_than, is_physical};
+use super::policy::{gain, is_done, is_physical};
 use super::refit::Finalist;
 use super::restart::{restarted, with_play};
 use crate::fit::fitted_model::FittedModel;
@@ -57,11 +55,11 @@ enum Round {
 }
 
 /// The model so far, and what was tried in each round.
-struct Search<'a> {
-    subject: &'a Subject,
-    last: FittedModel,
+pub(super) struct Search<'a> {
+    pub(super) subject: &'a Subject,
+    pub(super) last: FittedModel,
     /// Finalists that lost against each of the effects added.
-    rivals: Vec<Vec<Finalist>>,
+    pub(super) rivals: Vec<Vec<Finalist>>,
 }
 
 impl Search<'_> {
@@ -139,81 +137,16 @@ impl Search<'_> {
     }
 
     /// The model without one of its effects, refitted.
-    fn without(&self, index: usize) -> Option<FittedModel> {
+    pub(super) fn without(&self, index: usize) -> Option<FittedModel> {
         let mut hypothesis = self.last.linear.hypothesis.clone();
         hypothesis.effects.remove(index);
         self.fitted(hypothesis)
     }
 
-    fn fitted(&self, hypothesis: Hypothesis) -> Option<FittedModel> {
+    pub(super) fn fitted(&self, hypothesis: Hypothesis) -> Option<FittedModel> {
         let steps = self.subject.criteria.selection.accepted_steps;
         let FittedModel { linear, evidence, .. } = &self.last;
         FittedModel::fitted_near(linear, evidence, self.subject, hypothesis, steps)
-    }
-
-    /// What each effect gains, and what its rivals would in its place; a rival that does better
-    /// takes it.
-    fn compared(&mut self) -> Vec<Added> {
-        let known = self.subject.known_effects.len();
-        let mut added = Vec::new();
-        for index in 0..self.rivals.len() {
-            let without = self.without(known + index).unwrap_or_else(|| self.last.clone());
-            let mut rivals = self.rivals_of(index, &without);
-            if rivals.first().is_some_and(|rival| rival.gain > 0.0) {
-                let better = rivals[0].model.clone();
-                let loser = self.last.linear.hypothesis.effects[known + index].clone();
-                let model = std::mem::replace(&mut self.last, better);
-                rivals[0] = Rival { effect: loser, gain: 0.0, model, objection: None };
-                for rival in &mut rivals {
-                    rival.gain = self.advantage(&rival.model, known + index);
-                }
-            }
-            let effect = &self.last.linear.hypothesis.effects[known + index];
-            rivals.retain(|rival| !rival.effect.is_same_cause(effect));
-            added.push(Added { gain: gain(&without, &self.last), without, rivals });
-        }
-        added
-    }
-
-    /// By how much a model with another effect at this place is likelier than the last one, beforehand and
-    /// by the logs (a logarithm).
-    fn advantage(&self, model: &FittedModel, place: usize) -> f64 {
-        let orders = self.subject.criteria.selection.likely_orders;
-        let beforehand = |model: &FittedModel| -> f64 {
-            match model.linear.hypothesis.effects[place].is_wave() {
-                true => -orders.ln(),
-                false => 0.0,
-            }
-        };
-        gain(&self.last, model) + beforehand(model) - beforehand(&self.last)
-    }
-
-    /// Finalists of a round in the place of the effect that was added, the best first: those that explain
-    /// what it explains, and not something on another joint.
-    fn rivals_of(&self, index: usize, without: &FittedModel) -> Vec<Rival> {
-        let known = self.subject.known_effects.len();
-        let tried = self.rivals[index].iter().take(self.subject.criteria.selection.rivals);
-        let in_place = |finalist: &Finalist| {
-            let mut hypothesis = self.last.linear.hypothesis.clone();
-            hypothesis.effects[known + index] = finalist.effect.clone();
-            let model = self.fitted(hypothesis)?;
-            let effect = model.linear.hypothesis.effects[known + index].clone();
-            let gain = self.advantage(&model, known + index);
-            is_physical(&effect, self.subject, &model.evidence).then_some(Rival {
-                effect,
-                gain,
-                model,
-                objection: None,
-            })
-        };
-        let tried: Vec<&Finalist> = tried.collect();
-        let mut rivals: Vec<Rival> = tried.into_par_iter().filter_map(in_place).collect();
-        let effect = &self.last.linear.hypothesis.effects[known + index];
-        let least = self.subject.criteria.selection.least_log_likelihood;
-        rivals.retain(|rival| !is_more_than(&rival.effect, effect) || rival.gain > least);
-        rivals.retain(|rival| explains_as(effect.joint, without, &self.last, &rival.model));
-        rivals.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-        rivals
     }
 }
 

@@ -1,0 +1,113 @@
+//! What else explains what an effect explains: other finalists in its place, and the same effect on other
+//! joints.
+
+use rayon::prelude::*;
+
+use super::found::{Added, Rival};
+use super::policy::{explains_as, gain, is_more_than, is_physical};
+use super::selection::Search;
+use crate::fit::fitted_model::FittedModel;
+use crate::trial::hypothesis::EffectInstance;
+use rig::effects::{Kind, Touches};
+
+impl Search<'_> {
+    /// What each effect gains, and what its rivals would in its place; a rival that does better
+    /// takes it.
+    pub(super) fn compared(&mut self) -> Vec<Added> {
+        let known = self.subject.known_effects.len();
+        let mut added = Vec::new();
+        for index in 0..self.rivals.len() {
+            let without = self.without(known + index).unwrap_or_else(|| self.last.clone());
+            let mut rivals = self.rivals_of(index, &without);
+            if rivals.first().is_some_and(|rival| rival.gain > 0.0) {
+                let better = rivals[0].model.clone();
+                let loser = self.last.linear.hypothesis.effects[known + index].clone();
+                let model = std::mem::replace(&mut self.last, better);
+                rivals[0] = Rival { effect: loser, gain: 0.0, model, objection: None };
+                for rival in &mut rivals {
+                    rival.gain = self.advantage(&rival.model, known + index);
+                }
+            }
+            let effect = &self.last.linear.hypothesis.effects[known + index];
+            rivals.retain(|rival| !rival.effect.is_same_cause(effect));
+            added.push(Added { gain: gain(&without, &self.last), without, rivals });
+        }
+        added
+    }
+
+    /// By how much a model with another effect at this place is likelier than the last one, beforehand and
+    /// by the logs (a logarithm).
+    fn advantage(&self, model: &FittedModel, place: usize) -> f64 {
+        let orders = self.subject.criteria.selection.likely_orders;
+        let beforehand = |model: &FittedModel| -> f64 {
+            match model.linear.hypothesis.effects[place].is_wave() {
+                true => -orders.ln(),
+                false => 0.0,
+            }
+        };
+        gain(&self.last, model) + beforehand(model) - beforehand(&self.last)
+    }
+
+    /// Finalists of a round in the place of the effect that was added, and the same effect on other joints,
+    /// the best first: those that explain what it explains, and not something on another joint.
+    fn rivals_of(&self, index: usize, without: &FittedModel) -> Vec<Rival> {
+        let place = self.subject.known_effects.len() + index;
+        let effect = &self.last.linear.hypothesis.effects[place];
+        let policy = &self.subject.criteria.selection;
+        let finalists = self.rivals[index].iter().take(policy.rivals);
+        let mut tried: Vec<EffectInstance> = self.on_other_joints(effect);
+        tried.extend(finalists.map(|finalist| finalist.effect.clone()));
+        let mut rivals: Vec<Rival> =
+            tried.into_par_iter().filter_map(|rival| self.in_place(place, rival)).collect();
+        let least = policy.least_log_likelihood;
+        rivals.retain(|rival| !is_more_than(&rival.effect, effect) || rival.gain > least);
+        rivals.retain(|rival| explains_as(effect.joint, without, &self.last, &rival.model));
+        rivals.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+        // Found from two starts it is one rival.
+        rivals.dedup_by(|a, b| a.effect.is_same_cause(&b.effect));
+        rivals
+    }
+
+    /// An effect in the place of the one that was added.
+    fn in_place(&self, place: usize, effect: EffectInstance) -> Option<Rival> {
+        let mut hypothesis = self.last.linear.hypothesis.clone();
+        let is_scale = scales_command(&effect);
+        hypothesis.effects[place] = effect;
+        let mut model = self.fitted(hypothesis)?;
+        if is_scale {
+            let (start, steps) =
+                (model.linear.hypothesis.clone(), self.subject.criteria.selection.accepted_steps);
+            let further = FittedModel::fitted(&model.evidence, self.subject, start, steps);
+            model = further.filter(|further| further.gain_over(&model) > 0.0).unwrap_or(model);
+        }
+        let effect = model.linear.hypothesis.effects[place].clone();
+        let gain = self.advantage(&model, place);
+        is_physical(&effect, self.subject, &model.evidence).then_some(Rival {
+            effect,
+            gain,
+            model,
+            objection: None,
+        })
+    }
+
+    /// The effect that does nearly the same on each other joint: one motor's torque constant too large or
+    /// all others' too small differ but by the parameters that either asks for.
+    fn on_other_joints(&self, effect: &EffectInstance) -> Vec<EffectInstance> {
+        if !scales_command(effect) {
+            return Vec::new();
+        }
+        let joints = self.subject.joints.iter().map(|&joint| joint as u8 + 1);
+        let values: Vec<f64> = effect.values.iter().map(|value| -value).collect();
+        joints
+            .filter(|&joint| joint != effect.joint)
+            .map(|joint| EffectInstance { joint, values: values.clone(), ..effect.clone() })
+            .collect()
+    }
+}
+
+/// Whether an effect is a factor of its joint's command alone, for which parameters stand in.
+fn scales_command(effect: &EffectInstance) -> bool {
+    let definition = effect.definition;
+    definition.touches == Touches::DRIVE
+        && definition.parameters.iter().all(|parameter| parameter.kind == Kind::RelativeChange)
+}
