@@ -271,7 +271,8 @@ pub fn step_of(effect: &EffectInstance, value: usize) -> f64 {
     let part = if effect.has_backlash() { 0.15 } else { 5e-3 };
     let size = match parameter.kind {
         Kind::Phase => 1e-3,
-        _ => (part * value.abs()).max(1e-6 * (parameter.highest - parameter.lowest)),
+        // Bounds may be far: a limit of a volt among a hundred thousand is not stepped over.
+        _ => (part * value.abs()).max(1e-6 * (parameter.highest - parameter.lowest).min(10.0)),
     };
     if value + size > parameter.highest { -size } else { size }
 }

@@ -27,6 +27,7 @@ impl Search<'_> {
                 for rival in &mut rivals {
                     rival.gain = self.advantage(&rival.model, known + index);
                 }
+                rivals = each_once(rivals);
             }
             let effect = &self.last.linear.hypothesis.effects[known + index];
             rivals.retain(|rival| !rival.effect.is_same_cause(effect));
@@ -62,10 +63,7 @@ impl Search<'_> {
         let least = policy.least_log_likelihood;
         rivals.retain(|rival| !is_more_than(&rival.effect, effect) || rival.gain > least);
         rivals.retain(|rival| explains_as(effect.joint, without, &self.last, &rival.model));
-        rivals.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-        // Found from two starts it is one rival.
-        rivals.dedup_by(|a, b| a.effect.is_same_cause(&b.effect));
-        rivals
+        each_once(rivals)
     }
 
     /// An effect in the place of the one that was added.
@@ -96,13 +94,29 @@ impl Search<'_> {
         if !scales_command(effect) {
             return Vec::new();
         }
+        let others = &self.last.linear.hypothesis.effects;
+        let is_new = |joint: &u8| {
+            !others.iter().any(|o| o.joint == *joint && o.definition.name == effect.definition.name)
+        };
         let joints = self.subject.joints.iter().map(|&joint| joint as u8 + 1);
         let values: Vec<f64> = effect.values.iter().map(|value| -value).collect();
         joints
-            .filter(|&joint| joint != effect.joint)
+            .filter(is_new)
             .map(|joint| EffectInstance { joint, values: values.clone(), ..effect.clone() })
             .collect()
     }
+}
+
+/// The best first, and each cause once, from whatever starts it was found.
+fn each_once(mut rivals: Vec<Rival>) -> Vec<Rival> {
+    rivals.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+    let mut kept: Vec<Rival> = Vec::new();
+    for rival in rivals {
+        if !kept.iter().any(|other| other.effect.is_same_cause(&rival.effect)) {
+            kept.push(rival);
+        }
+    }
+    kept
 }
 
 /// Whether an effect is a factor of its joint's command alone, for which parameters stand in.

@@ -81,23 +81,24 @@ impl<'a> ActiveEffects<'a> {
         drive_v
     }
 
-    /// How much of the commands reaches each motor, rms by rms.
+    /// How much of the commands reaches each motor, rms by rms about their means: what is added to them is
+    /// no part of them.
     pub fn command_gain(&self) -> Vec<f64> {
         let mut effects = self.hypothesis.built_effects();
         effects.iter_mut().for_each(|effect| effect.set_step(self.stretch.period_s));
         let count = self.plant.joints();
-        let (mut sent, mut reached) = (vec![0.0; count], vec![0.0; count]);
+        let (mut sent, mut reached) =
+            (vec![Spread::default(); count], vec![Spread::default(); count]);
         for k in 0..self.stretch.len() {
             let mut command_v = self.command_v(k);
             let command_v = &mut command_v[..count];
-            (0..count).for_each(|i| sent[i] += command_v[i] * command_v[i]);
+            (0..count).for_each(|i| sent[i].add(command_v[i]));
             let mut load_nm = Joints::default();
             let joint_state = self.joint_state(k, &mut load_nm);
             effects.iter_mut().for_each(|e| e.change_command(&joint_state, command_v));
-            (0..count).for_each(|i| reached[i] += command_v[i] * command_v[i]);
+            (0..count).for_each(|i| reached[i].add(command_v[i]));
         }
-        let gain = |i: usize| if sent[i] > 0.0 { f64::sqrt(reached[i] / sent[i]) } else { 1.0 };
-        (0..count).map(gain).collect()
+        sent.iter().zip(&reached).map(|(sent, reached)| reached.over(sent)).collect()
     }
 
     /// The commands over the interval after a sample [V].
@@ -251,4 +252,33 @@ fn load_nm(plant: &Plant, q_rad: &Joints, qd_rad_per_s: &Joints) -> Joints {
     let mut load_nm = Joints::default();
     plant.body.load(q_rad, qd_rad_per_s, &mut load_nm);
     load_nm
+}
+
+/// How far values spread about their mean.
+#[derive(Clone, Copy, Debug, Default)]
+struct Spread {
+    count: f64,
+    sum: f64,
+    squares: f64,
+}
+
+impl Spread {
+    fn add(&mut self, value: f64) {
+        self.count += 1.0;
+        self.sum += value;
+        self.squares += value * value;
+    }
+
+    fn variance(&self) -> f64 {
+        (self.squares - self.sum * self.sum / self.count.max(1.0)).max(0.0)
+    }
+
+    /// This spread over another, rms by rms; 1 where that one is none.
+    fn over(&self, other: &Self) -> f64 {
+        let least = 1e-12 * other.squares;
+        match other.variance() > least {
+            true => (self.variance() / other.variance()).sqrt(),
+            false => 1.0,
+        }
+    }
 }

@@ -93,9 +93,9 @@ const WHAT: [&str; 5] =
 const SHOWS: [&str; 7] =
     ["effect", "changes", "on", "searched for", "more of it is", "shown best by", "the board"];
 
-/// Whether two are one definition.
+/// Whether two are one definition, with the same bounds.
 fn same(one: &Definition, other: &Definition) -> bool {
-    one.name == other.name && one.equation == other.equation
+    one.name == other.name && one.equation == other.equation && parameters(one) == parameters(other)
 }
 
 fn table_axes() -> String {
