@@ -10,15 +10,19 @@ pub struct Settings {
     pub around: usize,
     /// Others among them that may be wrong as well: two that are equally far off would hide each other.
     pub others_wrong: usize,
+    /// A position is all that is wrong with its neighbours if putting it right leaves less than this part
+    /// of their squares.
+    pub most_left: f64,
     /// Most rounds: a position that is far off hides others about it that are less so.
     pub most_rounds: usize,
 }
 
 impl Default for Settings {
     /// Twelve deviations are no chance, and no impact either: that bends a motion for longer than a
-    /// sample. A hundred samples are a piece of motion, in which some few are wrong where one in a hundred is.
+    /// sample, and its kink leaves 7 % of the squares. A hundred samples are a piece of motion, in which some
+    /// few are wrong where one in a hundred is.
     fn default() -> Self {
-        Self { deviations: 12.0, around: 100, others_wrong: 3, most_rounds: 6 }
+        Self { deviations: 12.0, around: 100, others_wrong: 3, most_left: 0.04, most_rounds: 6 }
     }
 }
 
@@ -94,7 +98,11 @@ fn suspects(
         if off_rad[k].abs() <= possible_rad {
             return None;
         }
-        let others = if is_spike(time_s, q_rad, &off_rad, k) { settings.others_wrong } else { 0 };
+        let others = if is_spike(time_s, q_rad, &off_rad, k, settings.most_left) {
+            settings.others_wrong
+        } else {
+            0
+        };
         let usual_rad = settings.deviations * usual(&off_rad, k, others, settings.around);
         let least_rad = usual_rad.max(possible_rad).max(f64::MIN_POSITIVE);
         let ratio = off_rad[k].abs() / least_rad;
@@ -115,16 +123,15 @@ fn usual(off_rad: &[f64], k: usize, others_wrong: usize, around: usize) -> f64 {
 }
 
 /// Whether a sample is all that is wrong with its neighbours: once it is where they say, they are where
-/// theirs say. A kink, as of an impact, leaves 7 % of the squares.
-fn is_spike(time_s: &[f64], q_rad: &[f64], off_rad: &[f64], k: usize) -> bool {
-    const MOST_LEFT: f64 = 0.04;
+/// theirs say.
+fn is_spike(time_s: &[f64], q_rad: &[f64], off_rad: &[f64], k: usize, most_left: f64) -> bool {
     let (from, to) = (k.saturating_sub(4), (k + 5).min(q_rad.len()));
     let mut corrected = q_rad[from..to].to_vec();
     corrected[k - from] -= off_rad[k];
     let near = (k - 2).max(2)..(k + 3).min(q_rad.len() - 2);
     let before: f64 = near.clone().map(|near| off_rad[near].powi(2)).sum();
     let left = |near: usize| deviation(&time_s[from..to], &corrected, near - from).powi(2);
-    near.map(left).sum::<f64>() < MOST_LEFT * before
+    near.map(left).sum::<f64>() < most_left * before
 }
 
 /// How far a position is from the cubic through its two neighbours on either side [rad].

@@ -77,8 +77,11 @@ impl Misfit {
             let pieces = self.pieces[joint].iter().zip(ranges).enumerate();
             pieces
                 .map(|(s, (piece, range))| {
-                    let floor_v = evidence.floor_v(joint, s);
-                    piece.log_likelihood(floor_v, &residual_v[joint][range], gain[s][joint])
+                    let noise = NoiseOfRows {
+                        square_v2: evidence.floor_v(joint, s).powi(2),
+                        own_part: evidence.criteria.fit.own_ratio.powi(2),
+                    };
+                    piece.log_likelihood(noise, &residual_v[joint][range], gain[s][joint])
                 })
                 .sum()
         };
@@ -118,26 +121,34 @@ impl Piece {
         residual_v.iter().zip(&self.class).map(|(row, class)| row / unit(class)).collect()
     }
 
-    fn log_likelihood(&self, floor_v: f64, residual_v: &[f64], gain: f64) -> f64 {
+    fn log_likelihood(&self, noise: NoiseOfRows, residual_v: &[f64], gain: f64) -> f64 {
         let (sums, count) = self.sums(residual_v, self.square_v2.len());
         let of_class = |(sum, count): (&f64, &f64)| {
-            let square_v2 = as_sent(sum / count.max(1.0), floor_v * floor_v, gain);
+            let square_v2 = noise.as_sent(sum / count.max(1.0), gain);
             -0.5 * count / self.correlation * square_v2.ln()
         };
         sums.iter().zip(&count).map(of_class).sum()
     }
 }
 
-/// A mean square of rows [V^2] of which `gain` of every command reaches the motor, in volts of the command as it
-/// was sent, and at least noise. Whatever takes a part of the command takes that part of what is left, too;
-/// what adds to it adds to the noise, and explains nothing of the rest by that.
-fn as_sent(square_v2: f64, noise_v2: f64, gain: f64) -> f64 {
-    /// Squares up to so many times those of the noise are the method's own, and grow as noise does.
-    const OWN: f64 = 2.25;
-    let unit = gain.powi(2).max(1e-12);
-    let scaled_v2 = square_v2 / unit;
-    let sent_v2 = scaled_v2.max(square_v2 - OWN * noise_v2 * (unit - 1.0).max(0.0));
-    sent_v2.max(noise_v2)
+/// Noise of rows.
+#[derive(Clone, Copy, Debug)]
+struct NoiseOfRows {
+    /// Its mean square [V^2].
+    square_v2: f64,
+    /// Squares up to so many times that are the method's own, and grow as noise does.
+    own_part: f64,
+}
+
+impl NoiseOfRows {
+    /// A mean square of rows [V^2] of which `gain` of every command reaches the motor, in volts of the command
+    /// as it was sent, and at least noise. Whatever takes a part of the command takes that part of what is
+    /// left, too; what adds to it adds to the noise, and explains nothing of the rest by that.
+    fn as_sent(self, square_v2: f64, gain: f64) -> f64 {
+        let unit = gain.powi(2).max(1e-12);
+        let added_v2 = self.own_part * self.square_v2 * (unit - 1.0).max(0.0);
+        (square_v2 / unit).max(square_v2 - added_v2).max(self.square_v2)
+    }
 }
 
 /// Speeds that part the train rows of a joint into classes of equal size [rad/s].
@@ -181,11 +192,11 @@ mod tests {
     #[test]
     fn a_motor_that_gets_more_or_less_of_the_command_neither_gains_nor_loses_by_its_noise() {
         for gain in [0.5, 0.93, 1.0, 1.07, 2.0] {
-            let noise_v2: f64 = 4e-6;
-            let reached_v2 = noise_v2 * gain * gain;
-            assert!((as_sent(reached_v2, noise_v2, gain) / noise_v2 - 1.0).abs() < 1e-9, "{gain}");
-            assert!(as_sent(100.0 * noise_v2, noise_v2, gain) > 90.0 * noise_v2, "{gain}");
-            assert!(as_sent(0.1 * noise_v2, noise_v2, gain) >= noise_v2, "{gain}");
+            let noise = NoiseOfRows { square_v2: 4e-6, own_part: 2.25 };
+            let sent = |times: f64| noise.as_sent(times * noise.square_v2, gain) / noise.square_v2;
+            assert!((sent(gain * gain) - 1.0).abs() < 1e-9, "{gain}");
+            assert!(sent(100.0) > 90.0, "{gain}");
+            assert!(sent(0.1) >= 1.0, "{gain}");
         }
     }
 }

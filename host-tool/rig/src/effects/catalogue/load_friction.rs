@@ -11,7 +11,7 @@ pub(super) const DEFINITION: Definition = Definition {
     words: "friction grows with the load on the joint",
     equation: "gamma + b |c + h|",
     whole_robot: false,
-    parameters: &[Parameter::new("coefficient_V_per_Nm", Kind::Coefficient, 0.0, 1000.0)],
+    parameters: &[Parameter::new("coefficient_V_per_Nm", Kind::Coefficient, 0.0, 1.0)],
     couples_joints: false,
     touches: Touches::FRICTION,
     search: Search::From(|typical| vec![vec![0.1 * typical.friction_v / typical.load_nm]]),
@@ -27,6 +27,12 @@ pub(super) const DEFINITION: Definition = Definition {
     build: |joint, values| {
         Box::new(LoadFriction { joint: usize::from(joint) - 1, coefficient_v_per_nm: values[0] })
     },
+};
+
+/// On an arm of any kind, whose commands may be newtons or amperes.
+pub(super) const OF_ARM: Definition = Definition {
+    parameters: &[Parameter::new("coefficient_V_per_Nm", Kind::Coefficient, 0.0, 1000.0)],
+    ..DEFINITION
 };
 
 #[derive(Clone, Debug)]

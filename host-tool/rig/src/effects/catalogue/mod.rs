@@ -52,7 +52,7 @@ const STANDARD: [&Definition; 20] = [
 ];
 
 /// Those that are others on an arm of any kind.
-const OF_ARM: [&Definition; 8] = [
+const OF_ARM: [&Definition; 9] = [
     &payload::OF_ARM,
     &base_tilt::OF_ARM,
     &quadratic_drag::OF_ARM,
@@ -61,6 +61,7 @@ const OF_ARM: [&Definition; 8] = [
     &dac_offset::OF_ARM,
     &dead_zone::OF_ARM,
     &saturation::OF_ARM,
+    &load_friction::OF_ARM,
 ];
 
 /// Those that only an arm of any kind has: what measured machines demand beyond the board's robot.
