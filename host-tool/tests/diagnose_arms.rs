@@ -104,6 +104,21 @@ fn another_home_position_of_a_pendulum_is_named_as_a_lean() {
     assert!((found.abs() / 0.03 - 1.0).abs() < 0.1, "{found}");
 }
 
+/// All of a joint's parameters off by one factor cost five deviations each; its noise, in volts as they were
+/// sent, is the same whatever the motor makes of a volt.
+#[test]
+fn a_motor_that_gives_more_of_every_command_is_named_on_one_joint() {
+    let report = diagnosed(&recorded(
+        &rotary_joint(),
+        500.0,
+        15.0,
+        &["torque_constant:1:relative_error=0.15"],
+    ))
+    .report;
+    names(&report, "torque_constant", 1, ("relative_error", 0.15), 0.1);
+    assert!(report.causes[0].share > 0.9, "{}", report.causes[0].share);
+}
+
 /// The log under driven noise is told three times too noisy, and must not make up for the others.
 #[test]
 fn drag_that_leaves_less_than_two_millivolts_is_named() {

@@ -32,7 +32,11 @@ criteria! {
         first_play_steps: usize = 4,
         /// Most effects that are searched although others promised more, once those are refused.
         overlooked: usize = 10,
-        /// Steps of their search.
+        /// Most that are sought as if every row said something of its own, and refitted with the first,
+        by_independent_rows: usize = 5,
+        /// where so many neighbouring rows or more say the same.
+        lasting_rows: f64 = 5.0,
+        /// Steps of a search for those that others promised more than.
         overlooked_steps: usize = 3,
         /// How often a search for backlash restarts from near where it ended.
         restarts: usize = 3,

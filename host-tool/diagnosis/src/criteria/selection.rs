@@ -6,7 +6,7 @@ criteria! {
     /// Which candidates are added to the model, and when that ends.
     SelectionCriteria {
         /// Most effects that are added.
-        most_effects: usize = 8,
+        most_effects: usize = 10,
         /// Most candidates that are refitted at a time.
         finalists: usize = 6,
         /// How often the next ones are refitted where none of those before is accepted.
@@ -33,6 +33,8 @@ criteria! {
         /// Part of what is left above the noise of the joints it acts on that an effect must take
         /// away: less may be the method's own,
         least_of_excess: f64 = 0.08,
+        /// or this part of what is left of one log, where other causes leave more of others,
+        least_of_log_excess: f64 = 0.3,
         /// unless it takes away this part of the prior penalty.
         least_of_prior_penalty: f64 = 0.2,
         /// An effect is refused if it makes parameters implausible and their prior penalty so many

@@ -13,6 +13,9 @@ pub struct Earlier<'a> {
     joints: &'a [JointSlopes],
     /// Place there of each place of the other model.
     places: Vec<Option<usize>>,
+    /// Motor gain there in parts of that of the other model, by joint: slopes are in volts of the command as
+    /// it was sent.
+    gains: Vec<f64>,
 }
 
 impl<'a> Earlier<'a> {
@@ -32,12 +35,19 @@ impl<'a> Earlier<'a> {
         let same = |expected: &Expected| same(expected.unknown, other.0, near.0);
         let place_of = |unknown: Unknown| near.1.iter().position(|e| e.unknown == unknown);
         let places = other.1.iter().map(|expected| place_of(same(expected)?)).collect();
-        Self { joints, places }
+        let gain = |joint: usize| near.0.motor_gain(joint) / other.0.motor_gain(joint);
+        let gains = (0..near.0.plant.joints()).map(gain).collect();
+        Self { joints, places, gains }
     }
 
     /// Whether a place has its slopes here.
     pub fn has(&self, place: usize) -> bool {
         self.places.get(place).is_some_and(Option::is_some)
+    }
+
+    /// By what a joint's columns are to be multiplied.
+    pub fn gain(&self, joint: usize) -> f64 {
+        self.gains.get(joint).copied().unwrap_or(1.0)
     }
 
     /// A joint's columns, with their places in the other model.

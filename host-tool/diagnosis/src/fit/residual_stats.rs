@@ -17,6 +17,8 @@ pub struct ResidualStats {
     /// Sum of the squared deviations of refitted parameters from the model as given, in standard
     /// deviations of the prior.
     pub prior_penalty: f64,
+    /// How many of these parameters the logs tell.
+    pub told: usize,
 }
 
 /// What a model leaves of one joint.
@@ -39,12 +41,21 @@ impl ResidualStats {
             over_encoder_noise: joints.iter().map(over_steps).fold(f64::INFINITY, f64::min),
             ratios: joints.into_iter().map(|joint| joint.ratios).collect(),
             prior_penalty: prior_penalty(linear, &evidence.criteria.fit),
+            told: told(linear, evidence.criteria.fit.told_part),
         }
     }
 
     /// Whether nothing is left that asks for a cause.
     pub fn is_clean(&self, criteria: &FitCriteria) -> bool {
-        self.excess == 0.0 && self.prior_penalty < criteria.unexplained_prior_penalty
+        self.excess == 0.0 && !self.asks_for_cause(criteria)
+    }
+
+    /// Whether parameters are further off than what is known of them lets expect: a sum of as many squared
+    /// deviations as the logs tell, n, has the mean n and the variance 2 n.
+    pub fn asks_for_cause(&self, criteria: &FitCriteria) -> bool {
+        let told = self.told as f64;
+        let chance = told + criteria.unexplained_deviations * (2.0 * told).sqrt();
+        self.prior_penalty > criteria.unexplained_prior_penalty.min(chance)
     }
 
     /// Whether the parameters are too far from what is known of them to be those of the robot.
@@ -79,15 +90,20 @@ fn of_joint(evidence: &Evidence, joint: usize, residual_v: &Rows) -> OfJoint {
 /// Squared deviations of those parameters that logs like these determine. One alone, a rotor's inertia
 /// say that makes up for friction of another law, does not make another robot.
 fn prior_penalty(linear: &Linearisation, criteria: &FitCriteria) -> f64 {
-    let counts = |unknown: Unknown| {
-        !unknown.shapes_friction()
-            && !matches!(unknown, Unknown::Effect { .. } | Unknown::Table { .. })
-    };
-    linear
-        .expected
-        .iter()
-        .filter(|e| counts(e.unknown))
+    let of_arm = linear.expected.iter().filter(|e| is_of_arm(e.unknown));
+    of_arm
         .map(|e| ((e.unknown.get(&linear.hypothesis) - e.mean) / e.deviation).powi(2))
         .map(|square| square.min(criteria.most_penalty_of_one))
         .sum()
+}
+
+/// How many of them are known to this part of what was known beforehand.
+fn told(linear: &Linearisation, part: f64) -> usize {
+    let of_arm = linear.expected.iter().enumerate().filter(|(_, e)| is_of_arm(e.unknown));
+    of_arm.filter(|(place, e)| linear.deviation(*place) < part * e.deviation).count()
+}
+
+/// Whether a parameter is the arm's own, and known of it beforehand.
+fn is_of_arm(unknown: Unknown) -> bool {
+    !unknown.shapes_friction() && !matches!(unknown, Unknown::Effect { .. } | Unknown::Table { .. })
 }

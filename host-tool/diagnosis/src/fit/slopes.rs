@@ -96,7 +96,12 @@ fn joined(slopes: JointSlopes, earlier: &Earlier) -> JointSlopes {
     let both: Vec<_> = own.chain(kept).collect();
     let places = both.iter().map(|(place, _)| **place).collect();
     let columns: Vec<_> = both.into_iter().map(|(_, column)| column).collect();
-    JointSlopes { joint: slopes.joint, places, matrix: DMatrix::from_columns(&columns) }
+    let mut matrix = DMatrix::from_columns(&columns);
+    let (own, gain) = (slopes.places.len(), earlier.gain(slopes.joint));
+    if gain != 1.0 {
+        matrix.columns_range_mut(own..).scale_mut(gain);
+    }
+    JointSlopes { joint: slopes.joint, places, matrix }
 }
 
 /// What the joints of the rig have in a stretch.
@@ -149,7 +154,12 @@ fn own_slopes(
             Some((place, evidence.weighted(s, joint, &slope)))
         }
     };
-    wanted.iter().filter_map(column).collect()
+    let gain = trial.motor_gain(joint);
+    let as_sent = |(place, mut column): Column| {
+        column.iter_mut().for_each(|row| *row /= gain);
+        (place, column)
+    };
+    wanted.iter().filter_map(column).map(as_sent).collect()
 }
 
 /// Slopes that come several at a time, once asked for.

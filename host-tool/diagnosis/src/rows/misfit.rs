@@ -55,6 +55,17 @@ impl Misfit {
         self
     }
 
+    /// The same size as if every row said something of its own.
+    pub fn independent(mut self) -> Self {
+        self.pieces.iter_mut().flatten().for_each(|piece| piece.correlation = 1.0);
+        self
+    }
+
+    /// The most neighbouring rows of a joint in a log that say the same.
+    pub fn longest(&self) -> f64 {
+        self.pieces.iter().flatten().map(|piece| piece.correlation).fold(1.0, f64::max)
+    }
+
     /// Rows weighted by this misfit.
     pub fn weigh(&self, evidence: &Evidence) -> Evidence {
         evidence.with_train_weights(|joint, s| self.weights(joint, s).collect())

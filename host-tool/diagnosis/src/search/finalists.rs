@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use super::candidate::Candidate;
 use super::candidates::{candidates, places_open, starts};
+use super::independent_rows::by_independent_rows;
 use super::policy::is_more_than;
 use super::promise::Start;
 use super::refit::{Finalist, refitted};
@@ -22,6 +23,8 @@ pub struct Contest<'a> {
     promising: Vec<Candidate>,
     /// Batches that may still be refitted.
     batches: usize,
+    /// Whether those sought by independent rows were refitted too.
+    widened: bool,
     /// Those that were refitted, the best first.
     pub finalists: Vec<Finalist>,
 }
@@ -34,7 +37,7 @@ impl<'a> Contest<'a> {
         let without = now.refitted_objective();
         promising.retain(|candidate| candidate.train < without);
         let batches = subject.criteria.selection.batches + 1;
-        Self { subject, before, now, promising, batches, finalists: Vec::new() }
+        Self { subject, before, now, promising, batches, widened: false, finalists: Vec::new() }
     }
 
     /// Refits the next batch; whether there was one.
@@ -47,11 +50,40 @@ impl<'a> Contest<'a> {
             0 => overlooked(self.subject, self.before, self.now, &self.finalists),
             _ => next_batch(&mut self.promising, self.now.refitted_objective(), self.subject),
         };
-        self.finalists.extend(refitted(self.subject, self.before, self.now, batch));
-        rank(self.before, &mut self.finalists);
-        simpler_first(&mut self.finalists, self.subject.criteria.selection.least_log_likelihood);
+        let more = refitted(self.subject, self.before, self.now, batch);
+        self.take(more);
         true
     }
+
+    /// Refits those that are sought as if every row said something of its own, once; whether there were any.
+    pub fn widen(&mut self) -> bool {
+        if self.widened {
+            return false;
+        }
+        self.widened = true;
+        let more = by_independent_rows(self.subject, self.before, self.now);
+        let any = !more.is_empty();
+        self.take(more);
+        any
+    }
+
+    fn take(&mut self, more: Vec<Finalist>) {
+        self.finalists.extend(more);
+        rank(self.before, &mut self.finalists);
+        each_once(&mut self.finalists);
+        simpler_first(&mut self.finalists, self.subject.criteria.selection.least_log_likelihood);
+    }
+}
+
+/// Keeps the first of those that are one effect with other values.
+fn each_once(finalists: &mut Vec<Finalist>) {
+    let mut kept: Vec<Finalist> = Vec::new();
+    for finalist in finalists.drain(..) {
+        if !kept.iter().any(|other| other.effect.is_same_cause(&finalist.effect)) {
+            kept.push(finalist);
+        }
+    }
+    *finalists = kept;
 }
 
 /// Puts an effect behind a simpler one that it contains, where it gains hardly more than that.

@@ -68,6 +68,7 @@ impl JointRows {
             ranges: evidence.ranges(joint),
             train: linear.train_rows(joint),
         };
+        let gain = linear.hypothesis.motor_gain(joint);
         for (s, stretch) in evidence.stretches.iter().enumerate() {
             let filter = evidence.filter(joint, s);
             for k in filter.instants(stretch.len()) {
@@ -84,7 +85,8 @@ impl JointRows {
                     stretch.period_s,
                 ),
             };
-            rows.carrier.extend(evidence.weighted(s, joint, &signal));
+            let as_sent: Vec<f64> = signal.iter().map(|carrier| carrier / gain).collect();
+            rows.carrier.extend(evidence.weighted(s, joint, &as_sent));
             let nyquist_hz = (0.5 / stretch.period_s) as usize;
             rows.gains.push((0..=nyquist_hz).map(|f| filter.gain(f as f64)).collect());
         }

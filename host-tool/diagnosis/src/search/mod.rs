@@ -5,6 +5,7 @@ pub mod candidates;
 pub mod finalists;
 pub mod found;
 pub mod harmonics;
+pub mod independent_rows;
 pub mod objection;
 pub mod play;
 pub mod policy;

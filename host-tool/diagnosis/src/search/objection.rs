@@ -2,7 +2,7 @@
 
 use super::policy::{gain, left_on_v2};
 use crate::criteria::Criteria;
-use crate::fit::excess::excess_v2;
+use crate::fit::excess::{excess_by_stretch_v2, excess_v2};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::residual_stats::ResidualStats;
 use files::Role;
@@ -100,20 +100,29 @@ fn takes_noise(before: &ResidualStats, after: &ResidualStats, criteria: &Criteri
         && before.over_encoder_noise < policy.near_encoder_noise
 }
 
-/// Whether a good part of what is left goes, on some joint.
+/// Whether a good part of what is left goes, on some joint: of all its logs, or of one, for what another cause
+/// leaves of one kind of motion may be most of all that is left.
 fn reduces_excess(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
-    let least = criteria.selection.least_of_excess;
+    let policy = &criteria.selection;
+    let goes =
+        |least: f64| move |(from, to): (&f64, &f64)| *from > 0.0 && *to < (1.0 - least) * from;
     let of_joints =
         |model: &FittedModel| excess_v2(&model.evidence, &model.left_out_v, Role::Train);
-    let (from, to) = (of_joints(before), of_joints(after));
-    from.iter().zip(&to).any(|(from, to)| *from > 0.0 && *to < (1.0 - least) * from)
+    let own_square = criteria.fit.own_ratio.powi(2);
+    let of_logs = |model: &FittedModel| -> Vec<f64> {
+        let (evidence, left) = (&model.evidence, &model.left_out_v);
+        excess_by_stretch_v2(evidence, left, Role::Train, own_square).concat()
+    };
+    let (all, one) = (goes(policy.least_of_excess), goes(policy.least_of_log_excess));
+    of_joints(before).iter().zip(&of_joints(after)).any(all)
+        || of_logs(before).iter().zip(&of_logs(after)).any(one)
 }
 
 /// Whether the effect brings parameters back to what is known of them: by a good part of their penalty,
-/// of which other effects hold the rest, and by more than what any effect must gain.
+/// of which other effects hold the rest, and by as much as makes half of what any effect must gain.
 fn restores_prior(before: &ResidualStats, after: &ResidualStats, criteria: &Criteria) -> bool {
     let policy = &criteria.selection;
-    let least = (policy.least_of_prior_penalty * before.prior_penalty)
-        .max(2.0 * policy.least_log_likelihood);
+    let least =
+        (policy.least_of_prior_penalty * before.prior_penalty).max(policy.least_log_likelihood);
     before.prior_penalty - after.prior_penalty > least
 }

@@ -20,7 +20,7 @@ pub fn is_done(gap: &ResidualStats, left: &ResidualStats, criteria: &Criteria) -
     let (fit, policy) = (&criteria.fit, &criteria.selection);
     let nearly = left.worst() < policy.done_ratio
         && left.excess < policy.done_part * gap.excess
-        && left.prior_penalty < fit.unexplained_prior_penalty;
+        && !left.asks_for_cause(fit);
     let near = left.prior_penalty < 2.0 * policy.least_log_likelihood;
     (left.excess == 0.0 && near) || nearly
 }

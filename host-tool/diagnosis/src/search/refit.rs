@@ -8,6 +8,7 @@ use super::restart::without_play;
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
+use crate::rows::evidence::Evidence;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 
 /// A candidate that is refitted with everything else.
@@ -40,19 +41,24 @@ pub fn refitted(
     now: &Linearisation,
     batch: Vec<Candidate>,
 ) -> Vec<Finalist> {
-    let known = subject.known_effects.len();
     let refit = |candidate: Candidate| {
-        let from = |linear: &Linearisation| {
-            let mut start = linear.hypothesis.clone();
-            if let Some(place) = start.spring_replaced_by(&candidate.effect, known) {
-                start.effects.remove(place);
-            }
-            finalist(subject, before, linear, start.with(candidate.effect.clone()))
-        };
+        let from =
+            |linear| finalist(subject, before, (&before.evidence, linear), &candidate.effect);
         let found = better(from(now), || from(&before.linear), subject)?;
         Some(converged(subject, before, found))
     };
     batch.into_par_iter().filter_map(refit).collect()
+}
+
+/// The same from a model on rows with other weights, then by what each leaves itself.
+pub fn refitted_from(
+    subject: &Subject,
+    before: &FittedModel,
+    from: (&Evidence, &Linearisation),
+    batch: &[Candidate],
+) -> Vec<Finalist> {
+    let refit = |candidate: &Candidate| finalist(subject, before, from, &candidate.effect);
+    batch.par_iter().filter_map(refit).collect()
 }
 
 /// A finalist refitted from the parameters as given, and where it does not gain enough so, the better of
@@ -93,15 +99,19 @@ fn converged(subject: &Subject, before: &FittedModel, found: Finalist) -> Finali
 fn finalist(
     subject: &Subject,
     before: &FittedModel,
-    now: &Linearisation,
-    start: Hypothesis,
+    (evidence, now): (&Evidence, &Linearisation),
+    effect: &EffectInstance,
 ) -> Option<Finalist> {
     let steps = subject.criteria.selection.finalist_steps;
     let of = |start: Hypothesis| {
-        let model = FittedModel::fitted_near(now, &before.evidence, subject, start, steps)?;
+        let model = FittedModel::fitted_near(now, evidence, subject, start, steps)?;
         Finalist::of(before, model)
     };
-    let found = of(start)?;
+    let mut start = now.hypothesis.clone();
+    if let Some(place) = start.spring_replaced_by(effect, subject.known_effects.len()) {
+        start.effects.remove(place);
+    }
+    let found = of(start.with(effect.clone()))?;
     if found.is_physical(subject) {
         return Some(found);
     }

@@ -3,6 +3,7 @@
 
 use super::finalists::Contest;
 use super::found::{Added, Rival, Selection};
+use super::independent_rows::fitted_by_independent_rows;
 use super::objection::objection;
 use super::policy::{gain, is_done, is_physical};
 use super::refit::Finalist;
@@ -71,19 +72,54 @@ impl Search<'_> {
         let mut contest = Contest::of(self.subject, &self.last, &start);
         let mut lost: Vec<EffectInstance> = Vec::new();
         while contest.advance() {
-            let is_new = |finalist: &&Finalist| !lost.contains(&finalist.effect);
-            let mut open = contest.finalists.iter().filter(is_new);
-            let won = open
-                .find_map(|best| Some((best.effect.clone(), self.finished_and_accepted(best)?)));
+            let mut won = self.winner(&contest.finalists, &lost);
+            if won.as_ref().is_none_or(|(_, model)| self.leaves_much(model)) && contest.widen() {
+                won = self.better_winner(&contest.finalists, &lost, won);
+            }
             if let Some((effect, finished)) = won {
                 let mut rivals = contest.finalists;
-                rivals.retain(|finalist| finalist.effect != effect);
+                rivals.retain(|finalist| !finalist.effect.is_same_cause(&effect));
                 self.add(&effect, finished, rivals);
                 return Round::Added;
             }
             lost = contest.finalists.iter().map(|finalist| finalist.effect.clone()).collect();
         }
         Round::Refused(contest.finalists)
+    }
+
+    /// The best finalist that is accepted, of those that have not lost yet, its fit carried on to its end.
+    fn winner(
+        &self,
+        finalists: &[Finalist],
+        lost: &[EffectInstance],
+    ) -> Option<(EffectInstance, FittedModel)> {
+        let mut open = finalists.iter().filter(|finalist| !lost.contains(&finalist.effect));
+        open.find_map(|best| Some((best.effect.clone(), self.finished_and_accepted(best)?)))
+    }
+
+    /// The best of more finalists, among which the winner so far is; that one where it is still the first.
+    fn better_winner(
+        &self,
+        finalists: &[Finalist],
+        lost: &[EffectInstance],
+        won: Option<(EffectInstance, FittedModel)>,
+    ) -> Option<(EffectInstance, FittedModel)> {
+        let is_first = |(effect, _): &(EffectInstance, FittedModel)| {
+            finalists.first().is_some_and(|first| first.effect == *effect)
+        };
+        if won.as_ref().is_some_and(is_first) {
+            return won;
+        }
+        let now = self.winner(finalists, lost);
+        let gains_more = |(_, model): &(EffectInstance, FittedModel)| {
+            won.as_ref().is_none_or(|(_, so_far)| model.gain_over(so_far) > 0.0)
+        };
+        if now.as_ref().is_some_and(gains_more) { now } else { won }
+    }
+
+    /// Whether a model leaves what asks for another effect.
+    fn leaves_much(&self, model: &FittedModel) -> bool {
+        !is_done(&self.last.stats, &model.stats, &self.subject.criteria)
     }
 
     /// Adds an effect with the values that it is known by, if it is accepted.
@@ -174,6 +210,10 @@ fn finished(subject: &Subject, model: FittedModel) -> FittedModel {
     let play = with_play(subject, &best).filter(|play| is_all_physical(subject, play));
     best = play.unwrap_or(best);
     best = best.settled(subject);
+    let anew = fitted_by_independent_rows(subject, &best, steps);
+    let is_better =
+        |anew: &FittedModel| anew.gain_over(&best) > 0.0 && is_all_physical(subject, anew);
+    best = anew.filter(is_better).unwrap_or(best);
     for _ in 0..subject.criteria.search.restarts {
         match restarted(subject, &best) {
             Some(better) => best = better,

@@ -99,7 +99,9 @@ fn promise(subject: &Subject, before: &FittedModel, table: &Table, joint: usize)
     let mut columns: Vec<RowChange> = vec![evidence.no_change(); table.knots.len()];
     for (s, stretch) in evidence.stretches[..evidence.train_stretches()].iter().enumerate() {
         let trial = Trial::of(stretch, &before.linear.hypothesis, &evidence.criteria.fit);
-        for (column, hat) in columns.iter_mut().zip(table_hats(&trial, table, joint)) {
+        let gain = trial.motor_gain(joint);
+        for (column, mut hat) in columns.iter_mut().zip(table_hats(&trial, table, joint)) {
+            hat.iter_mut().for_each(|value| *value /= gain);
             column[joint].get_or_insert_default().extend(evidence.weighted(s, joint, &hat));
         }
     }

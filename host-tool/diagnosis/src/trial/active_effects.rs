@@ -81,8 +81,13 @@ impl<'a> ActiveEffects<'a> {
         drive_v
     }
 
+    /// Torque that the motor of a joint gives of every command, in parts of what its torque constant says.
+    pub fn motor_gain(&self, joint: usize) -> f64 {
+        self.effects.iter().map(|effect| effect.motor_gain(joint)).product()
+    }
+
     /// How much of the commands reaches each motor, rms by rms about their means: what is added to them is
-    /// no part of them.
+    /// no part of them, nor is what a motor's torque constant makes of them.
     pub fn command_gain(&self) -> Vec<f64> {
         let mut effects = self.hypothesis.built_effects();
         effects.iter_mut().for_each(|effect| effect.set_step(self.stretch.period_s));
@@ -98,7 +103,8 @@ impl<'a> ActiveEffects<'a> {
             effects.iter_mut().for_each(|e| e.change_command(&joint_state, command_v));
             (0..count).for_each(|i| reached[i].add(command_v[i]));
         }
-        sent.iter().zip(&reached).map(|(sent, reached)| reached.over(sent)).collect()
+        let over = |joint: usize| reached[joint].over(&sent[joint]) / self.motor_gain(joint);
+        (0..count).map(over).collect()
     }
 
     /// The commands over the interval after a sample [V].

@@ -94,18 +94,26 @@ impl<'a> Trial<'a> {
         }
     }
 
-    /// What the motor of a joint (from 0) gave less what was needed, at the samples [V].
+    /// What the motor of a joint (from 0) gave less what was needed, at the samples, in volts of the command
+    /// as it was sent: whatever a motor makes of a volt, noise of its command stays what it is.
     pub fn residual(&self, joint: usize) -> Vec<f64> {
         self.residual_of_net(joint, &self.net(joint))
     }
 
     /// The same, by what drives the joint less friction [V].
     pub fn residual_of_net(&self, joint: usize, net_v: &[f64]) -> Vec<f64> {
+        let mut left = self.residual_with(joint, net_v, self.needed(joint));
+        let gain = self.motor_gain(joint);
+        left.iter_mut().for_each(|left| *left /= gain);
+        left
+    }
+
+    /// What drives a joint less friction, by intervals, less what the body needs, at the samples [V].
+    pub fn residual_with(&self, joint: usize, net_v: &[f64], needed_v: &[f64]) -> Vec<f64> {
         let given = at_samples(net_v);
-        let needed = self.needed(joint);
         let lag_s = self.hypothesis.lag_s[joint];
         let slope = self.command_slope(joint);
-        (0..given.len()).map(|k| given[k] - needed[k] - lag_s * slope[k]).collect()
+        (0..given.len()).map(|k| given[k] - needed_v[k] - lag_s * slope[k]).collect()
     }
 
     /// Voltage left for the rigid body in the interval after each sample: what drives the
@@ -124,6 +132,11 @@ impl<'a> Trial<'a> {
             true => self.stretch.command_v[joint].clone(),
             false => self.drive_v.get_or_init(|| self.effects.drive_v())[joint].clone(),
         }
+    }
+
+    /// Torque that the motor of a joint gives of every command, in parts of what its torque constant says.
+    pub fn motor_gain(&self, joint: usize) -> f64 {
+        self.effects.motor_gain(joint)
     }
 
     /// How much of the commands reaches each motor, rms by rms; all of it without effects.

@@ -131,6 +131,12 @@ impl Hypothesis {
         effects
     }
 
+    /// Torque that the motor of a joint (from 0) gives of every command, in parts of what its constant says.
+    pub fn motor_gain(&self, joint: usize) -> f64 {
+        let effects = self.effects.iter().filter_map(EffectInstance::build);
+        effects.map(|effect| effect.motor_gain(joint)).product()
+    }
+
     /// Whether it is a model alone, without effects and tables.
     pub fn is_bare(&self) -> bool {
         self.effects.is_empty() && self.tables.is_empty()

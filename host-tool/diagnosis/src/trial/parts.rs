@@ -19,6 +19,8 @@ pub struct Parts {
     pub net: Vec<f64>,
     /// What the rigid body needs, by samples.
     pub needed: Vec<f64>,
+    /// Part of the torque that its constant says which the motor gives.
+    motor_gain: f64,
     /// Dynamics of the joint as if it were stiff, by samples; once a spring on it is tried.
     dynamics: OnceLock<Vec<JointDynamics>>,
 }
@@ -30,7 +32,8 @@ impl Parts {
         let friction = trial.friction(joint, trial.plant());
         let net = drive.iter().zip(&friction).map(|(drive, friction)| drive - friction).collect();
         let needed = trial.needed(joint).to_vec();
-        Self { drive, friction, net, needed, dynamics: OnceLock::new() }
+        let motor_gain = trial.motor_gain(joint);
+        Self { drive, friction, net, needed, motor_gain, dynamics: OnceLock::new() }
     }
 
     /// Change of the residual at the samples when a trial takes these parts' place.
@@ -51,6 +54,19 @@ impl Parts {
             let both = trial.needed(joint).iter().zip(&self.needed);
             change.iter_mut().zip(both).for_each(|(change, (a, b))| *change -= a - b);
         }
+        self.as_sent(change, trial, joint)
+    }
+
+    /// A change of what these parts leave of the motor's volts, in volts of the command as it was sent.
+    fn as_sent(&self, mut change: Vec<f64>, trial: &Trial, joint: usize) -> Vec<f64> {
+        let (before, after) = (self.motor_gain, trial.motor_gain(joint));
+        if before == after {
+            change.iter_mut().for_each(|change| *change /= after);
+            return change;
+        }
+        let left = trial.residual_with(joint, &self.net, &self.needed);
+        let both = change.iter_mut().zip(&left);
+        both.for_each(|(change, left)| *change = (left + *change) / after - left / before);
         change
     }
 }
@@ -182,6 +198,23 @@ mod tests {
                 assert!(definition.couples_joints || !elsewhere, "{}", definition.name);
             }
         }
+    }
+
+    #[test]
+    fn what_is_left_counts_in_volts_as_they_were_sent() {
+        let (stretch, criteria) = (stretch(), FitCriteria::default());
+        let definition = catalogue().by_name("torque_constant").unwrap();
+        let effect = EffectInstance { definition, joint: 2, values: vec![-0.4] };
+        let (bare, with) = (hypothesis(&[]), hypothesis(&[&effect]));
+        let (bare, with) =
+            (Trial::of(&stretch, &bare, &criteria), Trial::of(&stretch, &with, &criteria));
+        let (drive, left) = (bare.drive(1), bare.residual(1));
+        for (k, changed) in with.residual(1).into_iter().enumerate() {
+            let command_v = at_samples(&drive)[k];
+            let as_sent_v = command_v - (command_v - left[k]) / 0.6;
+            assert!((changed - as_sent_v).abs() < 1e-9, "{changed} rather than {as_sent_v}");
+        }
+        assert_eq!(with.command_gain(), [1.0, 1.0, 1.0]);
     }
 
     #[test]

@@ -193,7 +193,7 @@ impl Held {
     /// A fitted model brought back to within the doubt about the model as given: what that can
     /// explain, and no more.
     pub fn of(subject: &Subject, model: &FittedModel) -> Self {
-        let far = model.stats.prior_penalty > subject.criteria.fit.unexplained_prior_penalty;
+        let far = model.stats.asks_for_cause(&subject.criteria.fit);
         let held = far.then(|| fit_held(&model.evidence, subject, &model.linear)).flatten();
         let linear = held.unwrap_or_else(|| model.linear.clone());
         let rows = residual_rows(&model.evidence, &linear.hypothesis);

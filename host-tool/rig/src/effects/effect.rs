@@ -36,6 +36,12 @@ pub trait Effect: Debug + Send {
     /// Changes the voltages on their way from the converter to the motors.
     fn change_command(&mut self, _state: &JointState, _command_v: &mut [f64]) {}
 
+    /// Torque that the motor of a joint (from 0) gives of every command, in parts of what its torque constant
+    /// says.
+    fn motor_gain(&self, _joint: usize) -> f64 {
+        1.0
+    }
+
     /// Whether it needs [`JointState::load_nm`].
     fn feels_load(&self) -> bool {
         false

@@ -46,4 +46,8 @@ impl Effect for TorqueConstant {
     fn change_command(&mut self, _: &JointState, command_v: &mut [f64]) {
         command_v[self.joint] *= torque_constant_factor(self.relative_error);
     }
+
+    fn motor_gain(&self, joint: usize) -> f64 {
+        if joint == self.joint { torque_constant_factor(self.relative_error) } else { 1.0 }
+    }
 }

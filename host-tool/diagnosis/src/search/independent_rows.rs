@@ -1,0 +1,68 @@
+//! Candidates sought, and refitted at first, as if every row said something of its own.
+//!
+//! What a model leaves while several causes are missing lasts long, and rows that say the same count as one.
+//! A log of which most is left then has hardly a say in what is sought, and no candidate promises much: a
+//! cause that would take most of it stays unseen. Sought by rows that all count, it is seen; whether it
+//! pays is judged by what it leaves then itself, like that of any other finalist.
+
+use super::candidate::Candidate;
+use super::candidates::candidates;
+use super::refit::{Finalist, refitted, refitted_from};
+use crate::fit::fitted_model::FittedModel;
+use crate::fit::linearisation::Linearisation;
+use crate::logs::subject::Subject;
+use crate::rows::evidence::Evidence;
+
+/// Rows of the size that a model leaves, each for itself, and a model linearised on them.
+struct IndependentRows {
+    evidence: Evidence,
+    linear: Linearisation,
+}
+
+impl IndependentRows {
+    /// Those of what the model `before` leaves, for the same model as it is in `now`; none where its rows are
+    /// all but independent.
+    fn of(subject: &Subject, before: &FittedModel, now: &Linearisation) -> Option<Self> {
+        let misfit = before.misfit();
+        (misfit.longest() >= subject.criteria.search.lasting_rows).then_some(())?;
+        let evidence = misfit.independent().weigh(&before.evidence);
+        let (model, open) = (now.hypothesis.clone(), now.expected.clone());
+        let linear = Linearisation::of(&evidence, model, open)?;
+        Some(Self { evidence, linear })
+    }
+
+    /// The best candidates. Springs between motor and link are not among them: they smooth, and take some of
+    /// whatever is left.
+    fn candidates(&self, subject: &Subject) -> Vec<Candidate> {
+        let without = self.linear.refitted_objective();
+        let mut found = candidates(&self.linear, &self.evidence, subject);
+        found.retain(|candidate| candidate.train < without && !candidate.effect.is_spring());
+        found.truncate(subject.criteria.search.by_independent_rows);
+        found
+    }
+}
+
+/// The best effects beside those of the model `before`, sought from where it is linearised in `now`, refitted.
+pub fn by_independent_rows(
+    subject: &Subject,
+    before: &FittedModel,
+    now: &Linearisation,
+) -> Vec<Finalist> {
+    let Some(rows) = IndependentRows::of(subject, before, now) else { return Vec::new() };
+    let found = rows.candidates(subject);
+    let mut all = refitted_from(subject, before, (&rows.evidence, &rows.linear), &found);
+    all.extend(refitted(subject, before, now, found));
+    all
+}
+
+/// A model fitted anew as if every row said something of its own, then by what it leaves; none where its rows
+/// are all but independent.
+pub fn fitted_by_independent_rows(
+    subject: &Subject,
+    model: &FittedModel,
+    steps: usize,
+) -> Option<FittedModel> {
+    let rows = IndependentRows::of(subject, model, &model.linear)?;
+    let start = model.linear.hypothesis.clone();
+    Some(FittedModel::fitted(&rows.evidence, subject, start, steps)?.settled(subject))
+}
