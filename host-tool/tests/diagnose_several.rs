@@ -35,7 +35,7 @@ fn trace(rig: &Rig, plan: &Plan, seed: u64) -> Trace {
     Trace::of_log(recording.log, plan.entry("csv"), COUNTS_PER_TURN)
 }
 
-/// The reference robot's file with every base parameter and friction off by a tenth or so, one up, one down.
+/// The reference robot's file with base parameters up to 14 % off, some up, some down.
 fn far_off() -> RobotFile {
     let mut robot = reference_robot();
     let off = |k: usize| 1.0 + 0.14 * (2.4 * k as f64).sin();

@@ -29,6 +29,8 @@ fn is_possible(kind: ArmKind, joints: usize, effect: &Definition) -> bool {
     }
     // Without gravity no posture differs from another.
     let shows_by_gravity = ["encoder_offset", "load_friction"].contains(&effect.name);
-    let is_without_gravity = shows_by_gravity && kind == ArmKind::LinearJoint;
-    !(is_of_joint || is_without_gravity)
+    // A scale along the axis has no shaft: a wave per 2 pi metres over half a metre is another scale.
+    let shows_by_turning = effect.name == "encoder_eccentricity";
+    let is_nothing = (shows_by_gravity || shows_by_turning) && kind == ArmKind::LinearJoint;
+    !(is_of_joint || is_nothing)
 }

@@ -85,10 +85,8 @@ criteria! {
         /// Prior penalty, in squared deviations, from which parameters ask for a cause: some thirty
         /// parameters that are known to their deviation make thirty.
         unexplained_prior_penalty: f64 = 60.0,
-        /// Or one so many standard deviations above its mean, where the logs tell fewer parameters,
+        /// Or one so many standard deviations above its mean, where the logs tell fewer parameters.
         unexplained_deviations: f64 = 4.0,
-        /// which is to know them to this part of what was known of them.
-        told_part: f64 = 0.5,
         /// Prior penalty beyond which a model is no longer the one given: parameters some ten
         /// deviations off, a quarter of their values.
         implausible_prior_penalty: f64 = 240.0,

@@ -32,12 +32,12 @@ criteria! {
         first_play_steps: usize = 4,
         /// Most effects that are searched although others promised more, once those are refused.
         overlooked: usize = 10,
-        /// Most that are sought as if every row said something of its own, and refitted with the first,
-        by_independent_rows: usize = 5,
-        /// where so many neighbouring rows or more say the same.
-        lasting_rows: f64 = 5.0,
-        /// Steps of a search for those that others promised more than.
+        /// Steps of their search.
         overlooked_steps: usize = 3,
+        /// Most effects that are sought as if every row said something of its own, beside the others,
+        by_independent_rows: usize = 5,
+        /// where so many neighbouring rows or more say the same: less is what filters and friction leave.
+        lasting_rows: f64 = 5.0,
         /// How often a search for backlash restarts from near where it ended.
         restarts: usize = 3,
         /// How many of the starts of such a search are followed up.

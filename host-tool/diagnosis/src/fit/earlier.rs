@@ -32,11 +32,17 @@ impl<'a> Earlier<'a> {
         if springs(near.0) != springs(other.0) {
             return Self::default();
         }
-        let same = |expected: &Expected| same(expected.unknown, other.0, near.0);
+        let gain = |joint: usize| near.0.motor_gain(joint) / other.0.motor_gain(joint);
+        let gains: Vec<f64> = (0..near.0.plant.joints()).map(gain).collect();
+        let scales = |unknown: Unknown| match shaped_joint(unknown, other.0) {
+            Some(joint) => gains[joint] == 1.0,
+            None => true,
+        };
+        let same = |expected: &Expected| {
+            scales(expected.unknown).then(|| same(expected.unknown, other.0, near.0))?
+        };
         let place_of = |unknown: Unknown| near.1.iter().position(|e| e.unknown == unknown);
         let places = other.1.iter().map(|expected| place_of(same(expected)?)).collect();
-        let gain = |joint: usize| near.0.motor_gain(joint) / other.0.motor_gain(joint);
-        let gains = (0..near.0.plant.joints()).map(gain).collect();
         Self { joints, places, gains }
     }
 
@@ -58,6 +64,18 @@ impl<'a> Earlier<'a> {
             Some((place, slopes.matrix.columns(column, 1)))
         };
         Some(self.places.iter().enumerate().filter_map(column).collect())
+    }
+}
+
+/// The joint (from 0) of whose command a lag or an effect may shape a part: what that changes, in volts as
+/// sent, is not what the motor makes of them.
+fn shaped_joint(unknown: Unknown, hypothesis: &Hypothesis) -> Option<usize> {
+    match unknown {
+        Unknown::Lag(joint) => Some(joint),
+        Unknown::Effect { index, .. } => {
+            usize::from(hypothesis.effects[index].joint).checked_sub(1)
+        }
+        _ => None,
     }
 }
 

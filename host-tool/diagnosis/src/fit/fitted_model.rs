@@ -77,6 +77,14 @@ impl FittedModel {
         Some(if after.gain_over(&before) < 0.0 { before } else { after })
     }
 
+    /// The same model on rows that are weighted by what it leaves of them itself, whatever they were weighted
+    /// by; `None` where the numbers do not work out.
+    pub fn on_own_rows(self) -> Option<Self> {
+        let own = self.misfit().weigh(&self.evidence);
+        let linear = self.linear.reweighted(&self.evidence, &own)?;
+        Some(Self::of(own, linear))
+    }
+
     /// The same with weights and fit in agreement: a model with an effect more, whose rows are
     /// weighted anew, must not gain by that alone.
     pub fn settled(self, subject: &Subject) -> Self {

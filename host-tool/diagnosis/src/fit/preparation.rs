@@ -126,9 +126,10 @@ fn noise(subject: &Subject, stretches: &[Stretch], hypothesis: &Hypothesis) -> N
     noise
 }
 
-/// The smallest inertia that a joint (from 0) has in a stretch [V s^2/rad].
+/// The smallest inertia that a joint (from 0) has in a stretch, in volts as sent [V s^2/rad].
 fn lightest(stretch: &Stretch, hypothesis: &Hypothesis, joint: usize) -> f64 {
     let plant = &hypothesis.plant;
     let path = Path { motion: &stretch.motion, postures: &stretch.postures };
-    smallest_inertia(&plant.body, joint, path) / plant.torque_constant_nm_per_v[joint]
+    let torque_constant = plant.torque_constant_nm_per_v[joint] * hypothesis.motor_gain(joint);
+    smallest_inertia(&plant.body, joint, path) / torque_constant
 }

@@ -17,8 +17,9 @@ pub struct ResidualStats {
     /// Sum of the squared deviations of refitted parameters from the model as given, in standard
     /// deviations of the prior.
     pub prior_penalty: f64,
-    /// How many of these parameters the logs tell.
-    pub told: usize,
+    /// What that is expected to be where the model is as far off as it is thought to be: a parameter that the
+    /// logs tell counts one, one that they do not tell nothing.
+    pub expected_penalty: f64,
 }
 
 /// What a model leaves of one joint.
@@ -41,7 +42,7 @@ impl ResidualStats {
             over_encoder_noise: joints.iter().map(over_steps).fold(f64::INFINITY, f64::min),
             ratios: joints.into_iter().map(|joint| joint.ratios).collect(),
             prior_penalty: prior_penalty(linear, &evidence.criteria.fit),
-            told: told(linear, evidence.criteria.fit.told_part),
+            expected_penalty: expected_penalty(linear),
         }
     }
 
@@ -50,11 +51,11 @@ impl ResidualStats {
         self.excess == 0.0 && !self.asks_for_cause(criteria)
     }
 
-    /// Whether parameters are further off than what is known of them lets expect: a sum of as many squared
-    /// deviations as the logs tell, n, has the mean n and the variance 2 n.
+    /// Whether parameters are further off than what is known of them lets expect: a sum of n squared normal
+    /// deviations has the mean n and the variance 2 n.
     pub fn asks_for_cause(&self, criteria: &FitCriteria) -> bool {
-        let told = self.told as f64;
-        let chance = told + criteria.unexplained_deviations * (2.0 * told).sqrt();
+        let mean = self.expected_penalty.max(1.0);
+        let chance = mean + criteria.unexplained_deviations * (2.0 * mean).sqrt();
         self.prior_penalty > criteria.unexplained_prior_penalty.min(chance)
     }
 
@@ -97,10 +98,11 @@ fn prior_penalty(linear: &Linearisation, criteria: &FitCriteria) -> f64 {
         .sum()
 }
 
-/// How many of them are known to this part of what was known beforehand.
-fn told(linear: &Linearisation, part: f64) -> usize {
+/// Its mean over models that are off as their prior says: the fit moves a parameter by the part of its prior
+/// variance that the logs take away, 1 - (deviation after / deviation before)^2.
+fn expected_penalty(linear: &Linearisation) -> f64 {
     let of_arm = linear.expected.iter().enumerate().filter(|(_, e)| is_of_arm(e.unknown));
-    of_arm.filter(|(place, e)| linear.deviation(*place) < part * e.deviation).count()
+    of_arm.map(|(place, e)| 1.0 - (linear.deviation(place) / e.deviation).powi(2).min(1.0)).sum()
 }
 
 /// Whether a parameter is the arm's own, and known of it beforehand.

@@ -144,7 +144,7 @@ fn own_slopes(
         }
     };
     let mut known = Known { hats: vec![None; hypothesis.tables.len()], friction: None };
-    let column = |&(place, e): &(usize, &Expected)| match e.unknown {
+    let mut column = |&(place, e): &(usize, &Expected)| match e.unknown {
         Unknown::Base(k) => base[k].clone().map(|mut column| {
             evidence.weigh(s, joint, &mut column);
             (place, column)
@@ -155,11 +155,14 @@ fn own_slopes(
         }
     };
     let gain = trial.motor_gain(joint);
-    let as_sent = |(place, mut column): Column| {
-        column.iter_mut().for_each(|row| *row /= gain);
-        (place, column)
+    let as_sent = |wanted: &(usize, &Expected)| {
+        let (place, mut column) = column(wanted)?;
+        if !matches!(wanted.1.unknown, Unknown::Lag(_)) {
+            column.iter_mut().for_each(|row| *row /= gain);
+        }
+        Some((place, column))
     };
-    wanted.iter().filter_map(column).map(as_sent).collect()
+    wanted.iter().filter_map(as_sent).collect()
 }
 
 /// Slopes that come several at a time, once asked for.

@@ -62,7 +62,7 @@ impl Misfit {
     }
 
     /// The most neighbouring rows of a joint in a log that say the same.
-    pub fn longest(&self) -> f64 {
+    pub fn longest_correlation(&self) -> f64 {
         self.pieces.iter().flatten().map(|piece| piece.correlation).fold(1.0, f64::max)
     }
 

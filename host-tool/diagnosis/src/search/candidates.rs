@@ -20,7 +20,17 @@ pub fn candidates(
     evidence: &Evidence,
     subject: &Subject,
 ) -> Vec<Candidate> {
-    let starts: Vec<Vec<Start>> = places_open(subject, &linear.hypothesis.effects)
+    candidates_at(&places_open(subject, &linear.hypothesis.effects), linear, evidence, subject)
+}
+
+/// The same of these effects and joints.
+pub(super) fn candidates_at(
+    places: &[(&'static Definition, u8)],
+    linear: &Linearisation,
+    evidence: &Evidence,
+    subject: &Subject,
+) -> Vec<Candidate> {
+    let starts: Vec<Vec<Start>> = places
         .par_iter()
         .map(|&(definition, joint)| starts(linear, evidence, subject, definition, joint))
         .collect();

@@ -70,20 +70,19 @@ impl<'a> Contest<'a> {
     fn take(&mut self, more: Vec<Finalist>) {
         self.finalists.extend(more);
         rank(self.before, &mut self.finalists);
-        each_once(&mut self.finalists);
         simpler_first(&mut self.finalists, self.subject.criteria.selection.least_log_likelihood);
     }
 }
 
-/// Keeps the first of those that are one effect with other values.
-fn each_once(finalists: &mut Vec<Finalist>) {
+/// The first of those that are one effect with other values: fits of one cause from several starts.
+pub fn each_once(finalists: Vec<Finalist>) -> Vec<Finalist> {
     let mut kept: Vec<Finalist> = Vec::new();
-    for finalist in finalists.drain(..) {
+    for finalist in finalists {
         if !kept.iter().any(|other| other.effect.is_same_cause(&finalist.effect)) {
             kept.push(finalist);
         }
     }
-    *finalists = kept;
+    kept
 }
 
 /// Puts an effect behind a simpler one that it contains, where it gains hardly more than that.

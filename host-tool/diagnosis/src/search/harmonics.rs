@@ -68,7 +68,11 @@ impl JointRows {
             ranges: evidence.ranges(joint),
             train: linear.train_rows(joint),
         };
-        let gain = linear.hypothesis.motor_gain(joint);
+        // What adds to a motor's volts, or to its friction, counts in volts as sent; the command is sent itself.
+        let gain = match carrier {
+            Carrier::Command => 1.0,
+            Carrier::Unity | Carrier::Friction => linear.hypothesis.motor_gain(joint),
+        };
         for (s, stretch) in evidence.stretches.iter().enumerate() {
             let filter = evidence.filter(joint, s);
             for k in filter.instants(stretch.len()) {

@@ -6,12 +6,14 @@
 //! pays is judged by what it leaves then itself, like that of any other finalist.
 
 use super::candidate::Candidate;
-use super::candidates::candidates;
+use super::candidates::{candidates_at, places_open};
 use super::refit::{Finalist, refitted, refitted_from};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
+use crate::trial::hypothesis::EffectInstance;
+use rig::effects::Definition;
 
 /// Rows of the size that a model leaves, each for itself, and a model linearised on them.
 struct IndependentRows {
@@ -20,11 +22,11 @@ struct IndependentRows {
 }
 
 impl IndependentRows {
-    /// Those of what the model `before` leaves, for the same model as it is in `now`; none where its rows are
-    /// all but independent.
+    /// Those of what the model `before` leaves, for the same model as it is in `now`; none where
+    /// hardly any rows say the same (`lasting_rows`).
     fn of(subject: &Subject, before: &FittedModel, now: &Linearisation) -> Option<Self> {
         let misfit = before.misfit();
-        (misfit.longest() >= subject.criteria.search.lasting_rows).then_some(())?;
+        (misfit.longest_correlation() >= subject.criteria.search.lasting_rows).then_some(())?;
         let evidence = misfit.independent().weigh(&before.evidence);
         let (model, open) = (now.hypothesis.clone(), now.expected.clone());
         let linear = Linearisation::of(&evidence, model, open)?;
@@ -34,12 +36,20 @@ impl IndependentRows {
     /// The best candidates. Springs between motor and link are not among them: they smooth, and take some of
     /// whatever is left.
     fn candidates(&self, subject: &Subject) -> Vec<Candidate> {
+        let mut places = places_open(subject, &self.linear.hypothesis.effects);
+        places.retain(|(definition, _)| !is_spring(definition));
+        let mut found = candidates_at(&places, &self.linear, &self.evidence, subject);
         let without = self.linear.refitted_objective();
-        let mut found = candidates(&self.linear, &self.evidence, subject);
-        found.retain(|candidate| candidate.train < without && !candidate.effect.is_spring());
+        found.retain(|candidate| candidate.train < without);
         found.truncate(subject.criteria.search.by_independent_rows);
         found
     }
+}
+
+/// Whether an effect is a spring between motor and link, whatever its values.
+fn is_spring(definition: &'static Definition) -> bool {
+    let values = definition.parameters.iter().map(|parameter| parameter.highest).collect();
+    EffectInstance { definition, joint: 1, values }.is_spring()
 }
 
 /// The best effects beside those of the model `before`, sought from where it is linearised in `now`, refitted.
@@ -55,8 +65,8 @@ pub fn by_independent_rows(
     all
 }
 
-/// A model fitted anew as if every row said something of its own, then by what it leaves; none where its rows
-/// are all but independent.
+/// A model fitted anew as if every row said something of its own, then by what it leaves; none where hardly any
+/// rows say the same.
 pub fn fitted_by_independent_rows(
     subject: &Subject,
     model: &FittedModel,
@@ -64,5 +74,6 @@ pub fn fitted_by_independent_rows(
 ) -> Option<FittedModel> {
     let rows = IndependentRows::of(subject, model, &model.linear)?;
     let start = model.linear.hypothesis.clone();
-    Some(FittedModel::fitted(&rows.evidence, subject, start, steps)?.settled(subject))
+    let anew = FittedModel::fitted(&rows.evidence, subject, start, steps)?;
+    Some(anew.settled(subject))
 }

@@ -14,3 +14,4 @@ pub mod refit;
 pub mod restart;
 pub mod rivals;
 pub mod selection;
+pub mod winner;

@@ -2,7 +2,7 @@
 
 use super::policy::{gain, left_on_v2};
 use crate::criteria::Criteria;
-use crate::fit::excess::{excess_by_stretch_v2, excess_v2};
+use crate::fit::excess::{LeftOfLog, excess_v2, left_by_log};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::residual_stats::ResidualStats;
 use files::Role;
@@ -103,19 +103,25 @@ fn takes_noise(before: &ResidualStats, after: &ResidualStats, criteria: &Criteri
 /// Whether a good part of what is left goes, on some joint: of all its logs, or of one, for what another cause
 /// leaves of one kind of motion may be most of all that is left.
 fn reduces_excess(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
-    let policy = &criteria.selection;
-    let goes =
-        |least: f64| move |(from, to): (&f64, &f64)| *from > 0.0 && *to < (1.0 - least) * from;
+    let least = criteria.selection.least_of_excess;
     let of_joints =
         |model: &FittedModel| excess_v2(&model.evidence, &model.left_out_v, Role::Train);
+    let (from, to) = (of_joints(before), of_joints(after));
+    let goes = from.iter().zip(&to).any(|(from, to)| *from > 0.0 && *to < (1.0 - least) * from);
+    goes || reduces_one_log(before, after, criteria)
+}
+
+/// Whether a good part of what is left above the noise of one log goes, where that is more than the method's own.
+fn reduces_one_log(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
+    let least = criteria.selection.least_of_log_excess;
     let own_square = criteria.fit.own_ratio.powi(2);
-    let of_logs = |model: &FittedModel| -> Vec<f64> {
-        let (evidence, left) = (&model.evidence, &model.left_out_v);
-        excess_by_stretch_v2(evidence, left, Role::Train, own_square).concat()
+    let of_logs =
+        |model: &FittedModel| left_by_log(&model.evidence, &model.left_out_v, Role::Train);
+    let goes = |(from, to): (&LeftOfLog, &LeftOfLog)| {
+        let above = |left: &LeftOfLog| left.square_v2 - left.noise_v2;
+        from.square_v2 > own_square * from.noise_v2 && above(to) < (1.0 - least) * above(from)
     };
-    let (all, one) = (goes(policy.least_of_excess), goes(policy.least_of_log_excess));
-    of_joints(before).iter().zip(&of_joints(after)).any(all)
-        || of_logs(before).iter().zip(&of_logs(after)).any(one)
+    of_logs(before).iter().zip(&of_logs(after)).any(goes)
 }
 
 /// Whether the effect brings parameters back to what is known of them: by a good part of their penalty,

@@ -102,18 +102,10 @@ impl<'a> Trial<'a> {
 
     /// The same, by what drives the joint less friction [V].
     pub fn residual_of_net(&self, joint: usize, net_v: &[f64]) -> Vec<f64> {
-        let mut left = self.residual_with(joint, net_v, self.needed(joint));
-        let gain = self.motor_gain(joint);
-        left.iter_mut().for_each(|left| *left /= gain);
-        left
-    }
-
-    /// What drives a joint less friction, by intervals, less what the body needs, at the samples [V].
-    pub fn residual_with(&self, joint: usize, net_v: &[f64], needed_v: &[f64]) -> Vec<f64> {
-        let given = at_samples(net_v);
-        let lag_s = self.hypothesis.lag_s[joint];
+        let (given, needed) = (at_samples(net_v), self.needed(joint));
+        let (gain, lag_s) = (self.motor_gain(joint), self.hypothesis.lag_s[joint]);
         let slope = self.command_slope(joint);
-        (0..given.len()).map(|k| given[k] - needed_v[k] - lag_s * slope[k]).collect()
+        (0..given.len()).map(|k| (given[k] - needed[k]) / gain - lag_s * slope[k]).collect()
     }
 
     /// Voltage left for the rigid body in the interval after each sample: what drives the
@@ -139,7 +131,8 @@ impl<'a> Trial<'a> {
         self.effects.motor_gain(joint)
     }
 
-    /// How much of the commands reaches each motor, rms by rms; all of it without effects.
+    /// How much of the commands reaches each motor, rms by rms, torque constants apart; all of it without
+    /// effects.
     pub fn command_gain(&self) -> Vec<f64> {
         match self.hypothesis.is_bare() {
             true => vec![1.0; self.plant().joints()],

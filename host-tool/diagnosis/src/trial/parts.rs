@@ -9,7 +9,7 @@ use crate::logs::intervals::at_samples;
 use rig::effects::{Table, Touches};
 
 /// The equation of a joint over a stretch, on the log's clock [V].
-#[derive(Clone, Default)]
+#[derive(Clone)]
 pub struct Parts {
     /// What drives the joint, by intervals.
     pub drive: Vec<f64>,
@@ -23,6 +23,14 @@ pub struct Parts {
     motor_gain: f64,
     /// Dynamics of the joint as if it were stiff, by samples; once a spring on it is tried.
     dynamics: OnceLock<Vec<JointDynamics>>,
+}
+
+/// Those of a joint that is not there.
+impl Default for Parts {
+    fn default() -> Self {
+        let (drive, friction, net, needed) = Default::default();
+        Self { drive, friction, net, needed, motor_gain: 1.0, dynamics: OnceLock::new() }
+    }
 }
 
 impl Parts {
@@ -64,8 +72,9 @@ impl Parts {
             change.iter_mut().for_each(|change| *change /= after);
             return change;
         }
-        let left = trial.residual_with(joint, &self.net, &self.needed);
-        let both = change.iter_mut().zip(&left);
+        let given = at_samples(&self.net);
+        let left = given.iter().zip(&self.needed).map(|(given, needed)| given - needed);
+        let both = change.iter_mut().zip(left);
         both.for_each(|(change, left)| *change = (left + *change) / after - left / before);
         change
     }
