@@ -10,7 +10,7 @@ use recordings::ArmCampaign;
 use servo::recorded::{Recording, Truth, record};
 use servo::report::report;
 use servo::synthetic::{links_of, pendulum, six_axes};
-use servo::whole_arm::Whole;
+use servo::whole_effect::Whole;
 use servo::{Outcome, Settings, prepared};
 
 /// Where a load of 0.1 kg is in the last link, whose own centre is at (0.03, 0, 0) [m].

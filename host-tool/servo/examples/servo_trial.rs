@@ -9,7 +9,7 @@ use diagnosis::Report;
 use servo::recorded::{Recording, Truth, record};
 use servo::report::report;
 use servo::synthetic::{links_of, pendulum, six_axes};
-use servo::whole_arm::Whole;
+use servo::whole_effect::Whole;
 use servo::{Outcome, ServoJoint, Settings, prepared};
 
 /// What is hidden: its name in reports, and how it changes a joint.

@@ -15,7 +15,7 @@
 //! | [`contact`], [`goal_clip`], [`prepared`] | seconds that are no free motion, found and cut |
 //! | [`candidates`], [`cogging_orders`], [`cross`], [`joint_model`], [`selection`] | effects on one joint |
 //! | [`pooled`], [`common_fit`] | servos of one type, load friction in common |
-//! | [`whole_arm`], [`whole_normal`], [`whole_cause`] | a payload, a force, a base that leans |
+//! | [`whole_effect`], [`whole_fit`], [`whole_normal`], [`whole_cause`] | a payload, a force, a base that leans |
 //! | [`confirm`], [`verdict`], [`joint_effects`], [`outcome`] | what stands on logs that chose nothing |
 //! | [`effect_table`], [`whole_table`], [`model_file`], [`identified`] | what goes into model files |
 //! | [`report`] and those behind it | `report.json` |
@@ -71,8 +71,9 @@ pub mod step;
 pub mod synthetic;
 mod turned;
 pub mod verdict;
-pub mod whole_arm;
 pub mod whole_cause;
+pub mod whole_effect;
+pub mod whole_fit;
 pub mod whole_normal;
 pub mod whole_table;
 

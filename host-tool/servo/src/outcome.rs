@@ -16,8 +16,8 @@ use crate::settings::Settings;
 use crate::spread::spread;
 use crate::turned;
 use crate::verdict::JointCause;
-use crate::whole_arm::left;
 use crate::whole_cause::{WholeCause, find};
+use crate::whole_fit::left;
 
 /// What a diagnosis found.
 #[derive(Clone, Debug)]

@@ -8,7 +8,8 @@ use crate::judged::Judged;
 use crate::prepared::Prepared;
 use crate::settings::Settings;
 use crate::spread::spread;
-use crate::whole_arm::{Whole, WholeFit, fit_plain, fit_whole};
+use crate::whole_effect::Whole;
+use crate::whole_fit::{WholeFit, fit_plain, fit_whole};
 use model::chain::SerialChain;
 
 /// An effect of the whole arm that was tried.

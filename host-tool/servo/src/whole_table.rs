@@ -4,7 +4,7 @@ use files::EffectTable;
 use model::chain::SerialChain;
 
 use crate::error::ServoError;
-use crate::whole_arm::Whole;
+use crate::whole_effect::Whole;
 
 /// An effect's parameters by the catalogue's names: name, values, whether they are a vector.
 pub fn parameters(effect: Whole, values: &[f64]) -> Vec<(&'static str, Vec<f64>, bool)> {

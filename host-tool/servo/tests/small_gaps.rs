@@ -6,7 +6,7 @@ use servo::prepared::{Prepared, joints};
 use servo::recorded::{Recording, Truth, record};
 use servo::report::report;
 use servo::synthetic::{links_of, six_axes};
-use servo::whole_arm::Whole;
+use servo::whole_effect::Whole;
 use servo::{Outcome, ServoJoint, Settings};
 
 /// Six motions to fit to and three held out, as blind trials have them.
