@@ -215,7 +215,7 @@ impl Searched {
         if self.fault.is_some() {
             return None;
         }
-        let last = &self.selection.last;
+        let last = &self.selection.last.by_all_rows();
         if let Some(relative) = doubt::wider(subject, last) {
             return Some((relative, None));
         }
@@ -227,14 +227,16 @@ impl Searched {
         free.doubt(prior.widest);
         let near = &self.selection.refitted.linear.hypothesis;
         let wide = Self::of(&free, stretches.to_vec(), Some(near), progress).ok()?;
-        let gains_more = wide.selection.last.gain_over(last) > prior.least_gain;
+        let wide_last = wide.selection.last.by_all_rows();
+        let gains_more = wide_last.gain_over(last) > prior.least_gain;
         if wide.fault.is_some() || wide.selection.added.is_empty() || !gains_more {
             return None;
         }
-        match doubt::seen(subject, &wide.selection.last) {
+        match doubt::seen(subject, &wide_last) {
             Some(relative) => Some((relative, None)),
-            None => doubt::had_hidden(subject, last, &wide.selection.last)
-                .then_some((prior.widest, Some(wide))),
+            None => {
+                doubt::had_hidden(subject, last, &wide_last).then_some((prior.widest, Some(wide)))
+            }
         }
     }
 }

@@ -35,6 +35,9 @@ criteria! {
         speed_classes: [f64; 4] = [0.04, 0.1, 0.25, 0.6],
         /// A class of a log takes its size from so many rows of the whole log too.
         pooled_rows: f64 = 30.0,
+        /// Most rows of a log that say something of their own about what is systematic: a law of friction that
+        /// is not the machine's is wrong alike in every swing, and a log has some hundred.
+        most_systematic_rows: f64 = 200.0,
         /// Fewest rows of a log that count as independent.
         fewest_independent_rows: usize = 20,
         /// Sample periods that differ by a smaller part are one rate.

@@ -85,6 +85,15 @@ impl FittedModel {
         Some(Self::of(own, linear))
     }
 
+    /// The same model on rows that all count, where what it leaves was taken to be systematic.
+    pub fn by_all_rows(&self) -> Self {
+        let mut all = self.clone();
+        if std::mem::take(&mut all.evidence.systematic) {
+            return all.clone().on_own_rows().unwrap_or(all);
+        }
+        all
+    }
+
     /// The same with weights and fit in agreement: a model with an effect more, whose rows are
     /// weighted anew, must not gain by that alone.
     pub fn settled(self, subject: &Subject) -> Self {

@@ -137,7 +137,7 @@ fn of_rivals(
 /// Effects that the search added and the confirming logs do not confirm.
 fn unconfirmed(subject: &Subject, judgement: &Judgement) -> Vec<Alternative> {
     let alternative = |(effect, worth, probability): &(EffectInstance, _, f64)| {
-        let worth: &crate::verdict::confirmed::Worth = worth;
+        let worth: &crate::verdict::worth::Worth = worth;
         Alternative {
             effect: effect.definition.name.into(),
             joint: subject.outer_joint(effect.joint),

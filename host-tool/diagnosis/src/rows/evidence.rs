@@ -25,6 +25,9 @@ pub struct Evidence {
     train: usize,
     /// The thresholds by which models are compared.
     pub criteria: Criteria,
+    /// Whether what a model leaves beyond noise counts as systematic: the same again and again, of which a
+    /// log says no more however many rows it has.
+    pub systematic: bool,
     /// Rows of the regressor along the measured motion, by stretch and joint, once asked for [V per
     /// unit of the base parameter].
     regressors: Arc<[Vec<OnceLock<Columns>>]>,
@@ -73,6 +76,7 @@ impl Evidence {
             floors_v,
             steps_v,
             criteria: criteria.clone(),
+            systematic: false,
             weights: Default::default(),
         };
         evidence.weights = (0..count).map(|joint| evidence.weights_of_noise(joint)).collect();
@@ -112,6 +116,14 @@ impl Evidence {
             }
         }
         evidence
+    }
+
+    /// The part of a log's rows of a joint that lie in a stretch: samples that are missing part a log.
+    pub fn part_of_log(&self, joint: usize, s: usize) -> f64 {
+        let log = self.stretches[s].log;
+        let of_log = (0..self.stretches.len()).filter(|other| self.stretches[*other].log == log);
+        let rows: usize = of_log.map(|s| self.row_count(joint, s)).sum();
+        self.row_count(joint, s) as f64 / rows.max(1) as f64
     }
 
     /// The same rows of stretches that are changed, but begin where they began; each keeps its

@@ -25,29 +25,29 @@ pub fn select(
     let gap = refitted.stats.clone();
     let mut search = Search { subject, gap, last: refitted.clone(), rivals: Vec::new() };
     known.iter().for_each(|effect| search.add_known(effect));
-    let mut refused = Vec::new();
-    for round in 0..subject.criteria.selection.most_effects {
-        progress(&format!("trying every effect on every joint, round {}", round + 1));
-        if is_done(&refitted.stats, &search.last.stats, &subject.criteria) {
-            break;
-        }
-        match search.round() {
-            Round::Added => {}
-            Round::Refused(finalists) => {
-                refused = finalists;
-                break;
-            }
-        }
+    let mut refused = search.searched(0, progress);
+    if refused.is_some()
+        && let Some((further, others)) = search.by_systematic_misfit(progress)
+    {
+        (search, refused) = (further, others.or(refused));
     }
-    // Rounds go on by independent rows where a fit to them was kept; what is found counts by what it leaves.
-    search.last = search.last.clone().on_own_rows().unwrap_or(search.last);
-    let before = search.last.clone();
     progress("comparing each cause with its rivals");
-    search.prune();
     let added = search.compared();
-    let refused =
-        refused.into_iter().map(|finalist| Rival::refused(finalist, &before, subject)).collect();
+    let refused = refused.map_or_else(Vec::new, |refused| refused.rivals(subject));
     Selection { refitted, last: search.last, added, refused }
+}
+
+/// Candidates that were not accepted, and the model that they were tried in.
+struct Refused {
+    finalists: Vec<Finalist>,
+    before: FittedModel,
+}
+
+impl Refused {
+    fn rivals(self, subject: &Subject) -> Vec<Rival> {
+        let rival = |finalist| Rival::refused(finalist, &self.before, subject);
+        self.finalists.into_iter().map(rival).collect()
+    }
 }
 
 /// How a round ends.
@@ -69,6 +69,51 @@ pub(super) struct Search<'a> {
 }
 
 impl Search<'_> {
+    /// Adds effects as long as what is left asks for one and one is accepted, and takes out those, from the place
+    /// `first` on, that later ones make needless; what was refused in the end, where one was asked for.
+    fn searched(&mut self, first: usize, progress: &dyn Fn(&str)) -> Option<Refused> {
+        let finalists = self.rounds(progress);
+        // Rounds go on by independent rows where a fit to them was kept; what is found counts by what it leaves.
+        if let Some(own) = self.last.clone().on_own_rows() {
+            self.last = own;
+        }
+        let before = self.last.clone();
+        self.prune(first);
+        finalists.map(|finalists| Refused { finalists, before })
+    }
+
+    fn rounds(&mut self, progress: &dyn Fn(&str)) -> Option<Vec<Finalist>> {
+        let criteria = &self.subject.criteria;
+        for round in self.rivals.len()..criteria.selection.most_effects {
+            progress(&format!("trying every effect on every joint, round {}", round + 1));
+            if is_done(&self.gap, &self.last.stats, criteria) {
+                return None;
+            }
+            match self.round() {
+                Round::Added => {}
+                Round::Refused(finalists) => return Some(finalists),
+            }
+        }
+        None
+    }
+
+    /// The search carried on with what is left taken to be systematic; none where that adds nothing.
+    ///
+    /// Once no effect pays, most of what is left is of friction that nobody's formula has. A log in which it
+    /// looks white then holds the model as with a thousand rows, and another in which it lasts gives way: an
+    /// effect that takes nearly all of that one does not pay for a hair's breadth of the first.
+    fn by_systematic_misfit(&self, progress: &dyn Fn(&str)) -> Option<(Self, Option<Refused>)> {
+        progress("taking what is left to be systematic");
+        let mut start = self.last.clone();
+        start.evidence.systematic = true;
+        let last = start.on_own_rows()?.settled(self.subject);
+        let (gap, rivals) = (self.gap.clone(), self.rivals.clone());
+        let mut further = Self { subject: self.subject, gap, last, rivals };
+        // What paid by rows that all count is not taken out by rows of which few do.
+        let refused = further.searched(self.rivals.len(), progress);
+        (further.rivals.len() > self.rivals.len()).then_some((further, refused))
+    }
+
     /// Adds the best effect that is accepted. Where there is none, what was refused.
     fn round(&mut self) -> Round {
         let Some(start) = with_given_parameters(self.subject, &self.last) else {
@@ -112,11 +157,11 @@ impl Search<'_> {
         self.rivals.push(rivals);
     }
 
-    /// Takes out effects that others, added later, make needless: an offset goes once the spring
-    /// is found that it stood for.
-    fn prune(&mut self) {
+    /// Takes out effects from the place `first` on that others, added later, make needless: an offset goes once
+    /// the spring is found that it stood for.
+    fn prune(&mut self, first: usize) {
         let known = self.subject.known_effects.len();
-        let mut index = 0;
+        let mut index = first;
         while self.rivals.len() > 1 && index < self.rivals.len() {
             match self.without(known + index) {
                 Some(without)

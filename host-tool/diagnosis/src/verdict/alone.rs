@@ -1,7 +1,8 @@
 //! What a cause is worth if no other is named: causes that overlap share what they take by the order in
 //! which they are added.
 
-use super::confirmed::{Confirmation, Held, Worth};
+use super::confirmed::{Confirmation, Held};
+use super::worth::Worth;
 use crate::fit::fitted_model::FittedModel;
 use crate::trial::hypothesis::EffectInstance;
 

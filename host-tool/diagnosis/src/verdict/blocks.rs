@@ -13,23 +13,34 @@ pub struct Blocks(Vec<Vec<f64>>);
 
 impl Blocks {
     /// Of what models leave [V], and of noise, rms in a stretch by joint [V].
-    ///
-    /// What an effect explains may lie in a second of the logs, a command at its limit say. Blocks are
-    /// as short as it takes to have what the first two models differ by in several of them, for blocks
-    /// drawn again would miss it else.
     pub fn of(
         evidence: &Evidence,
         joints: &[usize],
         models: &[&Rows],
         noise_v: impl Fn(usize, usize) -> f64,
     ) -> Self {
+        Self::in_units(evidence, joints, models, noise_v, |_| 1.0)
+    }
+
+    /// The same with each joint in a unit of its own [V].
+    ///
+    /// What an effect explains may lie in a second of the logs, a command at its limit say. Blocks are
+    /// as short as it takes to have what the first two models differ by in several of them, for blocks
+    /// drawn again would miss it else.
+    pub fn in_units(
+        evidence: &Evidence,
+        joints: &[usize],
+        models: &[&Rows],
+        noise_v: impl Fn(usize, usize) -> f64,
+        unit_v: impl Fn(usize) -> f64,
+    ) -> Self {
         let criteria = &evidence.criteria.verdict;
         let mut block_s = criteria.block_s;
-        let mut blocks = Self::as_long_as(block_s, evidence, joints, models, &noise_v);
+        let mut blocks = Self::as_long_as(block_s, evidence, joints, models, (&noise_v, &unit_v));
         while blocks.differing() < criteria.differing_blocks && block_s > criteria.shortest_block_s
         {
             block_s *= 0.5;
-            blocks = Self::as_long_as(block_s, evidence, joints, models, &noise_v);
+            blocks = Self::as_long_as(block_s, evidence, joints, models, (&noise_v, &unit_v));
         }
         blocks
     }
@@ -39,10 +50,11 @@ impl Blocks {
         evidence: &Evidence,
         joints: &[usize],
         models: &[&Rows],
-        noise_v: &impl Fn(usize, usize) -> f64,
+        (noise_v, unit_v): (&impl Fn(usize, usize) -> f64, &impl Fn(usize) -> f64),
     ) -> Self {
         let mut blocks = Vec::new();
         for &joint in joints {
+            let per_unit = unit_v(joint).powi(-2);
             for (s, range) in evidence.ranges(joint).into_iter().enumerate() {
                 if evidence.stretches[s].role != Role::Holdout {
                     continue;
@@ -54,7 +66,7 @@ impl Blocks {
                     let square = |rows: &[f64]| rows.iter().map(|row| row * row).sum::<f64>();
                     let left = models.iter().map(|model| square(&model[joint][rows.clone()]));
                     let noise_v2 = rows.len() as f64 * noise_v(joint, s).powi(2);
-                    left.chain([noise_v2]).collect()
+                    left.chain([noise_v2]).map(|v2| v2 * per_unit).collect()
                 }));
             }
         }

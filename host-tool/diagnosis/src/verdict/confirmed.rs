@@ -1,6 +1,7 @@
 //! What causes are worth on the logs that chose nothing.
 
 use super::blocks::Blocks;
+use super::worth::Worth;
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::gauss_newton::fit_held;
 use crate::fit::linearisation::Linearisation;
@@ -18,7 +19,8 @@ pub struct Confirmation<'a> {
     pub refitted: Held,
     /// The model with all causes.
     pub full: Held,
-    /// The model without each of its causes; the refitted one where there is but one.
+    /// The model without each of its causes, by rows that weigh as with it: the refitted one where there is but one
+    /// and they weigh so.
     pub without: Vec<Held>,
     /// Noise of a joint's rows in every stretch, rms [V], by joint.
     noise_v: Vec<Vec<f64>>,
@@ -31,24 +33,6 @@ pub struct Held {
     pub linear: Linearisation,
     /// What it leaves of all rows [V].
     pub residual_v: Rows,
-}
-
-/// A cause's worth on the confirming logs, with 95 % intervals.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Worth {
-    /// Part of the gap's squares above the noise; all of it where the model leaves more without this
-    /// one of several causes than without any.
-    pub share: f64,
-    /// Its interval.
-    pub share_interval: [f64; 2],
-    /// Part of what is left above the noise without it.
-    pub part_of_left: f64,
-    /// Its interval.
-    pub part_interval: [f64; 2],
-    /// 1 - rms with it / rms without it.
-    pub shrinkage: f64,
-    /// Its interval.
-    pub shrinkage_interval: [f64; 2],
 }
 
 impl<'a> Confirmation<'a> {
@@ -64,7 +48,8 @@ impl<'a> Confirmation<'a> {
         let held = |model: &FittedModel| Held::of(subject, model);
         let full = held(last);
         let without = match added {
-            [_] => vec![refitted.clone()],
+            // By the same weights: what else the weights change is not the cause's.
+            [_] if !last.evidence.systematic => vec![refitted.clone()],
             several => several.iter().map(|added| held(&added.without)).collect(),
         };
         Self { subject, refitted, full, without, noise_v }
@@ -113,27 +98,25 @@ impl<'a> Confirmation<'a> {
         let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
         let joints = self.joints_judged(last, effect, without_v);
         let blocks = Blocks::of(&last.evidence, &joints, &models, noise_v);
-        let draws = self.subject.criteria.verdict.draws;
-        let least_excess = self.subject.criteria.verdict.least_excess;
-        let share = |sums: &[f64]| match sums {
-            [without, with, gap, noise] => {
-                let excess = (gap - noise).max(least_excess * noise).max(f64::MIN_POSITIVE);
-                ((without - with) / excess).min(1.0)
-            }
-            _ => 0.0,
+        Worth::of(&blocks, &self.subject.criteria.verdict)
+    }
+
+    /// The worth of the cause at this place among those added, by which it is judged: joints count in units of
+    /// what is left on each. A cause of the whole robot may take nearly all of one joint's gap, and little beside
+    /// what another joint leaves.
+    pub fn weighed_worth(&self, last: &FittedModel, index: usize) -> Worth {
+        let effect = &last.linear.hypothesis.effects[self.subject.known_effects.len() + index];
+        let (without_v, with_v) = (&self.without[index].residual_v, &self.full.residual_v);
+        let joints = self.joints_judged(last, effect, without_v);
+        let models = [without_v, with_v, &self.refitted.residual_v];
+        let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
+        let unit_v = |joint: usize| {
+            let blocks = Blocks::of(&last.evidence, &[joint], &[with_v], noise_v);
+            // A joint that stands still leaves less than noise, or nothing.
+            blocks.figure(1, |sums| sums[0].max(sums[1]).sqrt()).0.max(f64::MIN_POSITIVE)
         };
-        let shrinkage = |sums: &[f64]| match sums {
-            [without, with, ..] if *without > 0.0 => 1.0 - (with / without).sqrt(),
-            _ => 0.0,
-        };
-        let part = |sums: &[f64]| match sums {
-            [without, with, _, noise] if without > noise => (without - with) / (without - noise),
-            _ => 0.0,
-        };
-        let (part_of_left, part_interval) = blocks.figure(draws, part);
-        let (share, share_interval) = blocks.figure(draws, share);
-        let (shrinkage, shrinkage_interval) = blocks.figure(draws, shrinkage);
-        Worth { share, share_interval, part_of_left, part_interval, shrinkage, shrinkage_interval }
+        let blocks = Blocks::in_units(&last.evidence, &joints, &models, noise_v, unit_v);
+        Worth::of(&blocks, &self.subject.criteria.verdict)
     }
 
     /// Whether a model with tables leaves little of the gap: what remains is at the noise or drawn.

@@ -1,6 +1,7 @@
 //! Which causes are named, how sure they are, and what the verdict is in one word.
 
-use super::confirmed::{Confirmation, Worth};
+use super::confirmed::Confirmation;
+use super::worth::Worth;
 use crate::criteria::VerdictCriteria;
 use crate::fit::fitted_model::FittedModel;
 use crate::result::Verdict;

@@ -1,8 +1,9 @@
 //! Effects taken out of a model one after the other, as long as one is not confirmed.
 
-use super::confirmed::{Confirmation, Held, Worth};
+use super::confirmed::{Confirmation, Held};
 use super::decision::{is_named, is_no_gap, is_sound, probability};
 use super::misfit::joints_of_another;
+use super::worth::Worth;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
 use crate::search::found::{Added, Rival, Selection};
@@ -10,8 +11,16 @@ use crate::search::selection::update_gains;
 use crate::tables::ceiling::reaches_ceiling;
 use crate::trial::hypothesis::EffectInstance;
 
-/// An effect's worth and the probability that it is a cause.
-pub type Judged = (Worth, f64);
+/// What an effect amounts to.
+#[derive(Clone, Copy, Debug)]
+pub struct Judged {
+    /// Its worth as it is told.
+    pub worth: Worth,
+    /// Its worth by which it is judged, joints in units of what is left on each.
+    pub weighed: Worth,
+    /// The probability that it is a cause.
+    pub probability: f64,
+}
 
 /// The model of a selection, less and less of it.
 pub struct Elimination<'a> {
@@ -60,7 +69,9 @@ impl<'a> Elimination<'a> {
         let confirmation = Confirmation::of(subject, self.held.clone(), last, added, noise_v);
         let judged = |(index, added): (usize, &Added)| {
             let worth = confirmation.worth(last, index);
-            (worth, probability(added, &worth, &subject.criteria.verdict))
+            let weighed = confirmation.weighed_worth(last, index);
+            let probability = probability(added, &weighed, &subject.criteria.verdict);
+            Judged { worth, weighed, probability }
         };
         let judged = added.iter().enumerate().map(judged).collect();
         (confirmation, judged)
@@ -70,7 +81,8 @@ impl<'a> Elimination<'a> {
     pub fn unlikely(&self, confirmation: &Confirmation, judged: &[Judged]) -> Option<usize> {
         let least = self.subject.criteria.verdict.least_probability;
         let fails = |index: &usize| {
-            judged[*index].1 < least || !self.can_be(confirmation, *index, &judged[*index].0)
+            judged[*index].probability < least
+                || !self.can_be(confirmation, *index, &judged[*index].worth)
         };
         self.smallest(judged, fails)
     }
@@ -78,11 +90,11 @@ impl<'a> Elimination<'a> {
     /// The smallest effect that is not likely to be a cause.
     pub fn least_likely(&self, judged: &[Judged]) -> Option<usize> {
         let least = self.subject.criteria.verdict.least_probability;
-        self.smallest(judged, |index| judged[*index].1 < least)
+        self.smallest(judged, |index| judged[*index].probability < least)
     }
 
     fn smallest(&self, judged: &[Judged], fails: impl Fn(&usize) -> bool) -> Option<usize> {
-        let share = |index: &usize| judged[*index].0.share;
+        let share = |index: &usize| judged[*index].weighed.share;
         let indices = (0..self.added.len()).filter(fails);
         indices.min_by(|a, b| share(a).total_cmp(&share(b)))
     }
@@ -94,21 +106,22 @@ impl<'a> Elimination<'a> {
         let explained = confirmation.explained(&self.last);
         let no_gap = is_no_gap(&self.refitted, &self.last, confirmation, criteria);
         let fails = |index: &usize| {
-            let (worth, probability) = &judged[*index];
+            let Judged { worth, weighed, probability } = &judged[*index];
             let without = &self.added[*index].without;
             !self.can_be(confirmation, *index, worth)
-                || !is_named(*probability, worth, explained, no_gap, criteria)
+                || worth.share <= 0.0
+                || !is_named(*probability, weighed, explained, no_gap, criteria)
                 || !reaches_ceiling(self.subject, without, &self.last, self.place(*index))
         };
         (0..self.added.len()).filter(fails).collect()
     }
 
     /// Takes an effect out and refits the model; false where that cannot be fitted.
-    pub fn take_out(&mut self, index: usize, (worth, probability): Judged) -> bool {
+    pub fn take_out(&mut self, index: usize, judged: Judged) -> bool {
         let Some((effect, model)) = self.without(index) else { return false };
-        self.unconfirmed.push((effect, worth, probability));
+        self.unconfirmed.push((effect, judged.worth, judged.probability));
         self.added.remove(index);
-        self.last = model;
+        self.last = if self.added.is_empty() { self.refitted.clone() } else { model };
         update_gains(self.subject, &self.last, &mut self.added);
         true
     }

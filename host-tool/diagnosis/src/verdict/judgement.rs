@@ -1,7 +1,8 @@
 //! The causes that are named, with what they are worth, and what else was tried.
 
-use super::confirmed::{Confirmation, Worth};
-use super::elimination::Elimination;
+use super::confirmed::Confirmation;
+use super::elimination::{Elimination, Judged};
+use super::worth::Worth;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
 use crate::search::found::{Added, Rival, Selection};
@@ -86,7 +87,8 @@ impl<'a> Judgement<'a> {
 }
 
 impl Named {
-    fn of((added, (worth, probability)): (Added, (Worth, f64))) -> Self {
+    fn of((added, judged): (Added, Judged)) -> Self {
+        let Judged { worth, probability, .. } = judged;
         Self { added, worth, probability }
     }
 }

@@ -9,3 +9,4 @@ pub mod elimination;
 pub mod judgement;
 pub mod misfit;
 pub mod told;
+pub mod worth;

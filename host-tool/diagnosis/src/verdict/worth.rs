@@ -1,0 +1,47 @@
+//! What a cause is worth by what models leave with and without it.
+
+use super::blocks::Blocks;
+use crate::criteria::VerdictCriteria;
+
+/// A cause's worth on the confirming logs, with 95 % intervals.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Worth {
+    /// Part of the gap's squares above the noise; all of it where the model leaves more without this
+    /// one of several causes than without any.
+    pub share: f64,
+    /// Its interval.
+    pub share_interval: [f64; 2],
+    /// Part of what is left above the noise without it.
+    pub part_of_left: f64,
+    /// Its interval.
+    pub part_interval: [f64; 2],
+    /// 1 - rms with it / rms without it.
+    pub shrinkage: f64,
+    /// Its interval.
+    pub shrinkage_interval: [f64; 2],
+}
+
+impl Worth {
+    /// Of blocks of what three models leave: without the cause, with it, and without any.
+    pub fn of(blocks: &Blocks, criteria: &VerdictCriteria) -> Self {
+        let share = |sums: &[f64]| match sums {
+            [without, with, gap, noise] => {
+                let excess = (gap - noise).max(criteria.least_excess * noise);
+                ((without - with) / excess.max(f64::MIN_POSITIVE)).min(1.0)
+            }
+            _ => 0.0,
+        };
+        let shrinkage = |sums: &[f64]| match sums {
+            [without, with, ..] if *without > 0.0 => 1.0 - (with / without).sqrt(),
+            _ => 0.0,
+        };
+        let part = |sums: &[f64]| match sums {
+            [without, with, _, noise] if without > noise => (without - with) / (without - noise),
+            _ => 0.0,
+        };
+        let (part_of_left, part_interval) = blocks.figure(criteria.draws, part);
+        let (share, share_interval) = blocks.figure(criteria.draws, share);
+        let (shrinkage, shrinkage_interval) = blocks.figure(criteria.draws, shrinkage);
+        Self { share, share_interval, part_of_left, part_interval, shrinkage, shrinkage_interval }
+    }
+}
