@@ -37,3 +37,20 @@ fn what_the_diverse_trial_does_not_take_is_named() {
     let said = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
     assert!(said.contains("--only"), "{said}");
 }
+
+/// Case 4: friction by Maxwell slip, and small effects everywhere. Drag on joint 3 takes eight tenths of the rms
+/// that one log has left there, while another, which looks white at twice its noise, loses a twentieth.
+#[test]
+fn a_small_effect_beside_friction_of_another_law_is_named() {
+    let directory = tempfile::tempdir().unwrap();
+    let mut command = Command::cargo_bin("rrr").unwrap();
+    command.args(["blind-trial", "--diverse", "--first", "4", "--cases", "1", "--seed", "57231"]);
+    command.args(["--duration-scale", "0.5", "--out"]).arg(directory.path()).assert().success();
+    let lines = std::fs::read_to_string(directory.path().join("diverse-trial.jsonl")).unwrap();
+    let case: serde_json::Value = serde_json::from_str(lines.lines().next().unwrap()).unwrap();
+    let drag = case["claims"].as_array().unwrap().iter().find(|c| c["effect"] == "quadratic_drag");
+    let drag = drag.unwrap_or_else(|| panic!("no drag in {}", case["claims"]));
+    assert_eq!(drag["joint"], 3);
+    let coefficient = drag["parameters"]["coefficient_V_s2_per_rad2"].as_f64().unwrap();
+    assert!((coefficient / 2.04e-3 - 1.0).abs() < 0.1, "{coefficient}");
+}

@@ -73,6 +73,12 @@ impl Blocks {
         Self(blocks)
     }
 
+    /// Of squares made by hand.
+    #[cfg(test)]
+    pub fn made(squares_v2: Vec<Vec<f64>>) -> Self {
+        Self(squares_v2)
+    }
+
     /// In how many blocks the first two models differ: (sum d)^2 / sum d^2.
     fn differing(&self) -> f64 {
         let difference = |block: &Vec<f64>| match block[..] {

@@ -45,3 +45,27 @@ impl Worth {
         Self { share, share_interval, part_of_left, part_interval, shrinkage, shrinkage_interval }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Criteria;
+
+    /// Ten blocks of each of two joints: one that is quiet but for a cause, which takes nearly all of it, and one
+    /// on which it does nothing, with what is left and the noise in units of both.
+    fn blocks(quiet_unit_v2: f64, loud_unit_v2: f64) -> Blocks {
+        let quiet = [1.0e-4, 0.12e-4, 1.0e-4, 0.1e-4].map(|v2| v2 / quiet_unit_v2);
+        let loud =
+            |k: usize| [40.0, 39.9 + 0.02 * k as f64, 40.0, 1.0].map(|v2| v2 * 1e-4 / loud_unit_v2);
+        Blocks::made((0..10).flat_map(|k| [quiet.to_vec(), loud(k).to_vec()]).collect())
+    }
+
+    #[test]
+    fn a_cause_that_takes_all_of_a_quiet_joint_counts_beside_a_loud_one() {
+        let criteria = Criteria::default().verdict;
+        let in_volts = Worth::of(&blocks(1.0, 1.0), &criteria);
+        let in_units = Worth::of(&blocks(0.12e-4, 40.0e-4), &criteria);
+        assert!(in_volts.share < 0.05, "{in_volts:?}");
+        assert!(in_units.share > 0.7 && in_units.share_interval[0] > 0.5, "{in_units:?}");
+    }
+}
