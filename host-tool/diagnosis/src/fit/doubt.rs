@@ -65,12 +65,18 @@ fn typical_deviation(subject: &Subject, free: &FittedModel) -> Option<f64> {
     let deviation = |(place, expected): (usize, &Expected)| {
         let is_told = free.linear.deviation(place) < expected.deviation;
         let value = expected.unknown.get(&free.linear.hypothesis);
-        (is_of_model(expected.unknown) && is_told)
+        (is_of_model(expected.unknown) && is_told && is_in_proportion(expected, subject))
             .then(|| ((value - expected.mean) / expected.deviation).abs())
     };
     let mut deviations: Vec<f64> = narrow.iter().enumerate().filter_map(deviation).collect();
     deviations.sort_by(f64::total_cmp);
     deviations.get(deviations.len() / 2).map(|median| median / MEDIAN_OF_NORMAL)
+}
+
+/// Whether the doubt about a parameter is mostly one in parts of itself: one near zero, whose doubt is in parts of
+/// the largest of its kind, moves little however far the model is off, and says nothing of it.
+fn is_in_proportion(expected: &Expected, subject: &Subject) -> bool {
+    expected.deviation < 2.0 * subject.criteria.prior.relative * expected.mean.abs()
 }
 
 /// Masses, Coulomb and viscous friction: what a model file tells of any machine.
