@@ -4,6 +4,7 @@
 use super::fitted_model::FittedModel;
 use super::gauss_newton::open_in;
 use super::unknowns::{Expected, Unknown, expected};
+use crate::criteria::PriorCriteria;
 use crate::logs::subject::Subject;
 
 /// Median of a normal variable's absolute value, in its standard deviations.
@@ -61,11 +62,12 @@ pub fn had_hidden(subject: &Subject, last: &FittedModel, found: &FittedModel) ->
 /// How far a typical parameter of a model fitted with little prior is from the model as given, in
 /// standard deviations of its prior, of those that logs tell better than that.
 fn typical_deviation(subject: &Subject, free: &FittedModel) -> Option<f64> {
+    let prior = &subject.criteria.prior;
     let narrow = expected(subject, free.evidence.stretches[0].sampled_s);
     let deviation = |(place, expected): (usize, &Expected)| {
         let is_told = free.linear.deviation(place) < expected.deviation;
         let value = expected.unknown.get(&free.linear.hypothesis);
-        (is_of_model(expected.unknown) && is_told && is_in_proportion(expected, subject))
+        (is_of_model(expected.unknown) && is_told && is_in_proportion(expected, prior))
             .then(|| ((value - expected.mean) / expected.deviation).abs())
     };
     let mut deviations: Vec<f64> = narrow.iter().enumerate().filter_map(deviation).collect();
@@ -75,11 +77,28 @@ fn typical_deviation(subject: &Subject, free: &FittedModel) -> Option<f64> {
 
 /// Whether the doubt about a parameter is mostly one in parts of itself: one near zero, whose doubt is in parts of
 /// the largest of its kind, moves little however far the model is off, and says nothing of it.
-fn is_in_proportion(expected: &Expected, subject: &Subject) -> bool {
-    expected.deviation < 2.0 * subject.criteria.prior.relative * expected.mean.abs()
+fn is_in_proportion(expected: &Expected, prior: &PriorCriteria) -> bool {
+    expected.deviation < 2.0 * prior.relative * expected.mean.abs()
 }
 
 /// Masses, Coulomb and viscous friction: what a model file tells of any machine.
 fn is_of_model(unknown: Unknown) -> bool {
     matches!(unknown, Unknown::Base(_) | Unknown::Friction { .. }) && !unknown.shapes_friction()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Criteria;
+
+    #[test]
+    fn a_parameter_near_zero_says_nothing_of_the_doubt() {
+        let prior = Criteria::default().prior;
+        let expected =
+            |mean: f64, deviation: f64| Expected { unknown: Unknown::Base(0), mean, deviation };
+        assert!(is_in_proportion(&expected(1.1, 0.033), &prior));
+        assert!(is_in_proportion(&expected(-0.4, 0.012), &prior));
+        assert!(!is_in_proportion(&expected(0.0046, 5e-4), &prior));
+        assert!(!is_in_proportion(&expected(0.0, 1e-4), &prior));
+    }
 }
