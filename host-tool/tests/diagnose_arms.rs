@@ -167,7 +167,7 @@ fn a_geared_arm_as_its_model_has_no_gap() {
 }
 
 #[test]
-fn single_causes_of_a_geared_arm_are_named_with_joint_and_size() {
+fn a_load_and_friction_of_a_geared_arm_are_named_with_joint_and_size() {
     let cases: &[Case] = &[
         ("payload:mass_kg=0.5,com_m=0.05 0 0.1", "payload", 0, ("mass_kg", 0.5), 0.1),
         (
@@ -184,6 +184,15 @@ fn single_causes_of_a_geared_arm_are_named_with_joint_and_size() {
             ("relative_asymmetry", 0.2),
             0.15,
         ),
+    ];
+    for &(hidden, effect, joint, size, within) in cases {
+        names(&of_six_joints(&[hidden]), effect, joint, size, within);
+    }
+}
+
+#[test]
+fn what_drives_of_a_geared_arm_do_is_named_with_joint_and_size() {
+    let cases: &[Case] = &[
         (
             "torque_constant:2:relative_error=0.12",
             "torque_constant",
