@@ -43,6 +43,13 @@ fn names(report: &Report, effect: &str, joint: u8, size: (&str, f64), within: f6
     assert!((found / size.1 - 1.0).abs() < within, "{found} rather than {}", size.1);
 }
 
+/// Each is the one cause that is named of its arm.
+fn all_are_named(diagnosed: fn(&[&str]) -> Report, cases: &[Case]) {
+    for &(hidden, effect, joint, size, within) in cases {
+        names(&diagnosed(&[hidden]), effect, joint, size, within);
+    }
+}
+
 #[test]
 fn a_pendulum_as_its_model_has_no_gap() {
     let report = of_pendulum(&[]);
@@ -84,9 +91,7 @@ fn single_causes_of_a_pendulum_are_named_with_joint_and_size() {
             0.1,
         ),
     ];
-    for &(hidden, effect, joint, size, within) in cases {
-        names(&of_pendulum(&[hidden]), effect, joint, size, within);
-    }
+    all_are_named(of_pendulum, cases);
 }
 
 /// All of a planar pendulum turns against gravity, by its first joint's zero or by its base: one thing
@@ -185,9 +190,7 @@ fn a_load_and_friction_of_a_geared_arm_are_named_with_joint_and_size() {
             0.15,
         ),
     ];
-    for &(hidden, effect, joint, size, within) in cases {
-        names(&of_six_joints(&[hidden]), effect, joint, size, within);
-    }
+    all_are_named(of_six_joints, cases);
 }
 
 #[test]
@@ -202,9 +205,7 @@ fn what_drives_of_a_geared_arm_do_is_named_with_joint_and_size() {
         ),
         ("delay:5:delay_s=0.0018", "delay", 5, ("delay_s", 0.0018), 0.15),
     ];
-    for &(hidden, effect, joint, size, within) in cases {
-        names(&of_six_joints(&[hidden]), effect, joint, size, within);
-    }
+    all_are_named(of_six_joints, cases);
 }
 
 #[test]

@@ -103,17 +103,20 @@ impl<'a> Confirmation<'a> {
 
     /// The worth of the cause at this place among those added, by which it is judged: joints count in units of
     /// what is left on each. A cause of the whole robot may take nearly all of one joint's gap, and little beside
-    /// what another joint leaves.
-    pub fn weighed_worth(&self, last: &FittedModel, index: usize) -> Worth {
+    /// what another joint leaves. `told` is its worth in volts, which on one joint is the same.
+    pub fn weighed_worth(&self, last: &FittedModel, index: usize, told: Worth) -> Worth {
         let effect = &last.linear.hypothesis.effects[self.subject.known_effects.len() + index];
         let (without_v, with_v) = (&self.without[index].residual_v, &self.full.residual_v);
         let joints = self.joints_judged(last, effect, without_v);
+        if joints.len() == 1 {
+            return told;
+        }
         let models = [without_v, with_v, &self.refitted.residual_v];
         let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
         let unit_v = |joint: usize| {
             let blocks = Blocks::of(&last.evidence, &[joint], &[with_v], noise_v);
             // A joint that stands still leaves less than noise, or nothing.
-            blocks.figure(1, |sums| sums[0].max(sums[1]).sqrt()).0.max(f64::MIN_POSITIVE)
+            blocks.figure(1, |sums| sums[0].max(sums[1]).sqrt()).0.max(1e-100)
         };
         let blocks = Blocks::in_units(&last.evidence, &joints, &models, noise_v, unit_v);
         Worth::of(&blocks, &self.subject.criteria.verdict)

@@ -69,7 +69,7 @@ impl<'a> Elimination<'a> {
         let confirmation = Confirmation::of(subject, self.held.clone(), last, added, noise_v);
         let judged = |(index, added): (usize, &Added)| {
             let worth = confirmation.worth(last, index);
-            let weighed = confirmation.weighed_worth(last, index);
+            let weighed = confirmation.weighed_worth(last, index, worth);
             let probability = probability(added, &weighed, &subject.criteria.verdict);
             Judged { worth, weighed, probability }
         };
