@@ -30,6 +30,7 @@ pub mod report;
 mod result;
 pub mod rows;
 pub mod search;
+mod searched;
 #[cfg(any(test, feature = "synthetic"))]
 pub mod synthetic;
 pub mod tables;
@@ -44,17 +45,13 @@ pub use posterior::Posterior;
 pub use report::sentence::sentence;
 pub use result::*;
 
-use fit::{doubt, preparation};
-use logs::stretch::Stretch;
+use fit::preparation;
 use logs::subject::Subject;
 use logs::usable::Usable;
-use model_faults::FoundFault;
 use recordings::{ArmCampaign, Campaign, StepError, Trace};
 use report::assembly::Assembly;
 use rig::effects::Catalogue;
-use rows::evidence::Evidence;
-use search::found::Selection;
-use search::selection;
+use searched::{Free, Searched};
 use tables::remaining::with_remaining_tables;
 use verdict::confirmed::Held;
 use verdict::judgement::Judgement;
@@ -140,19 +137,20 @@ fn diagnosed(
 ) -> Result<Diagnosis, DiagnosisError> {
     let Usable { stretches, mut remarks } = Usable::of(traces, &subject)?;
     let mut searched = Searched::of(&subject, stretches.clone(), None, progress)?;
-    if let Some((relative, found)) = searched.wider_doubt(&subject, &stretches, progress) {
-        remarks.push(format!(
-            "the parameters of the model are further off than {:.1} %: the doubt about them was taken \
-             as {:.0} %, as by --model-doubt {relative:.2}; identify the model anew, and more can be said",
-            100.0 * subject.criteria.prior.relative,
-            100.0 * relative
-        ));
-        subject.doubt(relative);
-        let near = searched.selection.refitted.linear.hypothesis.clone();
-        searched = match found {
-            Some(found) => found,
-            None => Searched::of(&subject, stretches, Some(&near), progress)?,
-        };
+    match searched.with_free_parameters(&subject, &stretches, progress) {
+        Some(Free::Doubt(relative)) => {
+            remarks.push(format!(
+                "the parameters of the model are further off than {:.1} %: the doubt about them was taken \
+                 as {:.0} %, as by --model-doubt {relative:.2}; identify the model anew, and more can be said",
+                100.0 * subject.criteria.prior.relative,
+                100.0 * relative
+            ));
+            subject.doubt(relative);
+            let near = searched.selection.refitted.linear.hypothesis.clone();
+            searched = Searched::of(&subject, stretches, Some(&near), progress)?;
+        }
+        Some(Free::Causes(found)) => searched = *found,
+        None => {}
     }
     let Searched { evidence, selection, fault } = searched;
     let subject = &subject;
@@ -171,72 +169,4 @@ fn diagnosed(
         fault,
     };
     Ok(assembly.diagnosis(file, remarks))
-}
-
-/// What a search finds by one doubt about the model.
-struct Searched {
-    evidence: Evidence,
-    selection: Selection,
-    fault: Option<FoundFault>,
-}
-
-impl Searched {
-    fn of(
-        subject: &Subject,
-        stretches: Vec<Stretch>,
-        near: Option<&trial::hypothesis::Hypothesis>,
-        progress: &dyn Fn(&str),
-    ) -> Result<Self, StepError> {
-        progress("refitting the model");
-        let (evidence, refitted) = preparation::prepared(subject, stretches, near)?;
-        let selection = selection::select(subject, refitted, &[], progress);
-        progress("trying whether the model itself is at fault");
-        let fault = model_faults::find(subject, &evidence, &selection.refitted, &selection.last);
-        let Some(found) = fault else { return Ok(Self { evidence, selection, fault: None }) };
-        let effects = found.fault.as_effects(subject);
-        let with =
-            |effects| selection::select(subject, selection.refitted.clone(), effects, progress);
-        let said = (!effects.is_empty()).then(|| with(&effects[..]));
-        let (selection, fault) = match said.filter(|said| said.holds(&effects)) {
-            Some(said) => (said, None),
-            None => (selection.without_effects(), Some(found)),
-        };
-        Ok(Self { evidence, selection, fault })
-    }
-
-    /// A wider doubt that the logs show, with the causes found or, where much is left, with those that
-    /// are found once parameters are all but free; and what was found by that doubt, if it was tried.
-    fn wider_doubt(
-        &self,
-        subject: &Subject,
-        stretches: &[Stretch],
-        progress: &dyn Fn(&str),
-    ) -> Option<(f64, Option<Self>)> {
-        if self.fault.is_some() {
-            return None;
-        }
-        let last = &self.selection.last.by_all_rows();
-        if let Some(relative) = doubt::wider(subject, last) {
-            return Some((relative, None));
-        }
-        let prior = &subject.criteria.prior;
-        if last.stats.worst() <= prior.much_left {
-            return None;
-        }
-        let mut free = subject.clone();
-        free.doubt(prior.widest);
-        let near = &self.selection.refitted.linear.hypothesis;
-        let wide = Self::of(&free, stretches.to_vec(), Some(near), progress).ok()?;
-        let wide_last = wide.selection.last.by_all_rows();
-        let gains_more = wide_last.gain_over(last) > prior.least_gain;
-        if wide.fault.is_some() || wide.selection.added.is_empty() || !gains_more {
-            return None;
-        }
-        match doubt::seen(subject, &wide_last) {
-            Some(relative) => Some((relative, None)),
-            None => {
-                doubt::had_hidden(subject, last, &wide_last).then_some((prior.widest, Some(wide)))
-            }
-        }
-    }
 }

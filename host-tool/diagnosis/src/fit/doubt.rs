@@ -50,15 +50,6 @@ fn likeliest(subject: &Subject, free: &FittedModel) -> Option<f64> {
     (best > 0).then(|| doubt(best))
 }
 
-/// Whether causes that were found once parameters were all but free explain more than those of the last
-/// model of a search by the doubt that there is, too: parameters that were held had hidden them.
-pub fn had_hidden(subject: &Subject, last: &FittedModel, found: &FittedModel) -> bool {
-    let start = found.linear.hypothesis.clone();
-    let steps = subject.criteria.fit.refit_steps;
-    let held = FittedModel::fitted(&last.evidence, subject, start, steps);
-    held.is_some_and(|held| held.gain_over(last) > subject.criteria.prior.least_gain)
-}
-
 /// How far a typical parameter of a model fitted with little prior is from the model as given, in
 /// standard deviations of its prior, of those that logs tell better than that.
 fn typical_deviation(subject: &Subject, free: &FittedModel) -> Option<f64> {

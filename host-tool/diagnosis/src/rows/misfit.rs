@@ -47,9 +47,16 @@ impl Misfit {
         self
     }
 
-    /// The same size as if every row said something of its own.
+    /// The same size, alike in all logs of a joint, as if every row said something of its own.
     pub fn independent(mut self) -> Self {
-        self.pieces.iter_mut().flatten().for_each(Piece::make_independent);
+        for pieces in &mut self.pieces {
+            let (squares, rows) = pieces.iter().fold((0.0, 0.0), |(squares, rows), piece| {
+                let (own, count) = piece.squares();
+                (squares + own, rows + count)
+            });
+            let square_v2 = squares / f64::max(rows, 1.0);
+            pieces.iter_mut().for_each(|piece| piece.make_independent(square_v2));
+        }
         self
     }
 

@@ -53,8 +53,15 @@ impl Piece {
         self.correlation * self.repeated
     }
 
-    /// The same size with all rows independent.
-    pub fn make_independent(&mut self) {
+    /// Squares of what is left [V^2], and of how many rows.
+    pub fn squares(&self) -> (f64, f64) {
+        let squares = self.square_v2.iter().zip(&self.count).map(|(v2, n)| v2 * n).sum();
+        (squares, self.count.iter().sum())
+    }
+
+    /// All rows of this mean square [V^2], and independent.
+    pub fn make_independent(&mut self, square_v2: f64) {
+        self.square_v2.fill(square_v2);
         (self.correlation, self.repeated) = (1.0, 1.0);
     }
 

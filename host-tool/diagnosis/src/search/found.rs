@@ -43,7 +43,33 @@ pub struct Rival {
     pub objection: Option<Objection>,
 }
 
+/// An effect that is known before a search, and what else was tried in its place.
+pub struct Known {
+    /// The effect.
+    pub effect: EffectInstance,
+    /// Its rivals.
+    pub rivals: Vec<Finalist>,
+}
+
+impl Known {
+    /// An effect without rivals.
+    pub fn alone(effect: EffectInstance) -> Self {
+        Self { effect, rivals: Vec::new() }
+    }
+}
+
 impl Selection {
+    /// The effects that were added, for another search.
+    pub fn known(&self, subject: &Subject) -> Vec<Known> {
+        let effects = &self.last.linear.hypothesis.effects[subject.known_effects.len()..];
+        let finalist = |Rival { effect, gain, model, .. }: Rival| Finalist { effect, model, gain };
+        let known = |(added, effect): (&Added, &EffectInstance)| Known {
+            effect: effect.clone(),
+            rivals: added.rivals.iter().cloned().map(finalist).collect(),
+        };
+        self.added.iter().zip(effects).map(known).collect()
+    }
+
     /// Whether all of these effects are in the last model.
     pub fn holds(&self, effects: &[EffectInstance]) -> bool {
         let same = |a: &EffectInstance, b: &EffectInstance| {

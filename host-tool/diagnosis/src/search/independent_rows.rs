@@ -1,9 +1,11 @@
-//! Candidates sought, and refitted at first, as if every row said something of its own.
+//! Candidates sought, and refitted at first, as if every row of a joint said as much, and something of its own.
 //!
-//! What a model leaves while several causes are missing lasts long, and rows that say the same count as one.
-//! A log of which most is left then has hardly a say in what is sought, and no candidate promises much: a
-//! cause that would take most of it stays unseen. Sought by rows that all count, it is seen; whether it
-//! pays is judged by what it leaves then itself, like that of any other finalist.
+//! What a model leaves while several causes are missing lasts long and is largest in one log; rows that say
+//! the same count as one, and each by how much is left there. That log then has hardly a say in what is
+//! sought: a cause that would take most of it promises little, and a fit that starts with it goes back.
+//! Weights that follow what is left have several minima, as in robust regression, and need several
+//! starts. Sought by rows that all count alike, such a cause is seen; whether it pays is judged by what it
+//! leaves then itself, like that of any other finalist.
 
 use super::candidate::Candidate;
 use super::candidates::{candidates_at, places_open};

@@ -2,7 +2,7 @@
 //! as the policy accepts one; then each is tried without, and against its rivals.
 
 use super::finalists::{Contest, each_once};
-use super::found::{Added, Rival, Selection};
+use super::found::{Added, Known, Rival, Selection};
 use super::objection::objection;
 use super::policy::{gain, is_done};
 use super::refit::Finalist;
@@ -19,12 +19,12 @@ use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 pub fn select(
     subject: &Subject,
     refitted: FittedModel,
-    known: &[EffectInstance],
+    known: Vec<Known>,
     progress: &dyn Fn(&str),
 ) -> Selection {
     let gap = refitted.stats.clone();
     let mut search = Search { subject, gap, last: refitted.clone(), rivals: Vec::new() };
-    known.iter().for_each(|effect| search.add_known(effect));
+    known.into_iter().for_each(|known| search.add_known(known));
     let mut refused = search.searched(0, progress);
     if refused.is_some()
         && let Some((further, others)) = search.by_systematic_misfit(progress)
@@ -136,13 +136,13 @@ impl Search<'_> {
     }
 
     /// Adds an effect with the values that it is known by, if it is accepted.
-    fn add_known(&mut self, effect: &EffectInstance) {
+    fn add_known(&mut self, Known { effect, rivals }: Known) {
         let hypothesis = self.last.linear.hypothesis.clone().with(effect.clone());
         let with = self.fitted(hypothesis).map(|with| with.settled(self.subject));
         let accepted =
             |with: &FittedModel| objection(&self.last, with, &self.subject.criteria).is_none();
         if let Some(with) = with.filter(accepted) {
-            self.add(effect, with, Vec::new());
+            self.add(&effect, with, rivals);
         }
     }
 

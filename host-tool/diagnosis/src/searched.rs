@@ -1,0 +1,123 @@
+//! What a search finds by one doubt about the model, and what its logs say of that doubt.
+
+use crate::fit::doubt;
+use crate::fit::fitted_model::FittedModel;
+use crate::fit::preparation::prepared;
+use crate::logs::stretch::Stretch;
+use crate::logs::subject::Subject;
+use crate::model_faults::{self, FoundFault};
+use crate::rows::evidence::Evidence;
+use crate::search::found::{Known, Selection};
+use crate::search::selection::select;
+use crate::trial::hypothesis::{EffectInstance, Hypothesis};
+use recordings::StepError;
+
+/// What a search finds by one doubt about the model.
+pub struct Searched {
+    /// The rows.
+    pub evidence: Evidence,
+    /// The effects that were added.
+    pub selection: Selection,
+    /// A fault of the model itself.
+    pub fault: Option<FoundFault>,
+}
+
+/// What shows once the model's parameters are all but free.
+pub enum Free {
+    /// They are further off than was thought: a typical one by this part of itself.
+    Doubt(f64),
+    /// They are not, but held they had hidden causes.
+    Causes(Box<Searched>),
+}
+
+impl Searched {
+    /// Searches stretches of logs; the refit starts from the model as given and, where there is one, from a model
+    /// `near` by.
+    ///
+    /// # Errors
+    /// Logs that leave no rows.
+    pub fn of(
+        subject: &Subject,
+        stretches: Vec<Stretch>,
+        near: Option<&Hypothesis>,
+        progress: &dyn Fn(&str),
+    ) -> Result<Self, StepError> {
+        progress("refitting the model");
+        let (evidence, refitted) = prepared(subject, stretches, near)?;
+        let selection = select(subject, refitted, Vec::new(), progress);
+        progress("trying whether the model itself is at fault");
+        let fault = model_faults::find(subject, &evidence, &selection.refitted, &selection.last);
+        let Some(found) = fault else { return Ok(Self { evidence, selection, fault: None }) };
+        let effects = found.fault.as_effects(subject);
+        let with = |effects: &[EffectInstance]| {
+            let known = effects.iter().cloned().map(Known::alone).collect();
+            select(subject, selection.refitted.clone(), known, progress)
+        };
+        let said = (!effects.is_empty()).then(|| with(&effects));
+        let (selection, fault) = match said.filter(|said| said.holds(&effects)) {
+            Some(said) => (said, None),
+            None => (selection.without_effects(), Some(found)),
+        };
+        Ok(Self { evidence, selection, fault })
+    }
+
+    /// A wider doubt that the logs show with the causes found or, where much is left, with those that are found
+    /// once parameters are all but free; or those causes.
+    pub fn with_free_parameters(
+        &self,
+        subject: &Subject,
+        stretches: &[Stretch],
+        progress: &dyn Fn(&str),
+    ) -> Option<Free> {
+        if self.fault.is_some() {
+            return None;
+        }
+        let last = &self.selection.last.by_all_rows();
+        if let Some(relative) = doubt::wider(subject, last) {
+            return Some(Free::Doubt(relative));
+        }
+        let prior = &subject.criteria.prior;
+        if last.stats.worst() <= prior.much_left {
+            return None;
+        }
+        let mut free = subject.clone();
+        free.doubt(prior.widest);
+        let near = &self.selection.refitted.linear.hypothesis;
+        let wide = Self::of(&free, stretches.to_vec(), Some(near), progress).ok()?;
+        let wide_last = wide.selection.last.by_all_rows();
+        let gains_more = wide_last.gain_over(last) > prior.least_gain;
+        if wide.fault.is_some() || wide.selection.added.is_empty() || !gains_more {
+            return None;
+        }
+        match doubt::seen(subject, &wide_last) {
+            Some(relative) => Some(Free::Doubt(relative)),
+            None => {
+                Some(Free::Causes(Box::new(self.with_causes_of(wide, subject, last, progress)?)))
+            }
+        }
+    }
+
+    /// The same search begun with the causes that it found and those of a `wide` one, by the doubt that there is; none
+    /// where the model with them does not gain over its own, `last`.
+    fn with_causes_of(
+        &self,
+        wide: Self,
+        subject: &Subject,
+        last: &FittedModel,
+        progress: &dyn Fn(&str),
+    ) -> Option<Self> {
+        let mut known = self.selection.known(subject);
+        for other in wide.selection.known(subject) {
+            if !known.iter().any(|own| own.effect.is_same_cause(&other.effect)) {
+                known.push(other);
+            }
+        }
+        let selection = select(subject, self.selection.refitted.clone(), known, progress);
+        let gain = selection.last.by_all_rows().gain_over(last);
+        (gain > subject.criteria.prior.least_gain).then(|| Self {
+            evidence: self.evidence.clone(),
+            selection,
+            fault: None,
+        })
+    }
+}
