@@ -136,7 +136,7 @@ fn diagnosed(
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnosisError> {
     let Usable { stretches, mut remarks } = Usable::of(traces, &subject)?;
-    let mut searched = Searched::of(&subject, stretches.clone(), None, progress)?;
+    let mut searched = Searched::of(&subject, stretches.clone(), None, Vec::new(), progress)?;
     match searched.with_free_parameters(&subject, &stretches, progress) {
         Some(Free::Doubt(relative)) => {
             remarks.push(format!(
@@ -146,8 +146,7 @@ fn diagnosed(
                 100.0 * relative
             ));
             subject.doubt(relative);
-            let near = searched.selection.refitted.linear.hypothesis.clone();
-            searched = Searched::of(&subject, stretches, Some(&near), progress)?;
+            searched = Searched::again(&subject, stretches, &searched.selection, progress)?;
         }
         Some(Free::Causes(found)) => searched = *found,
         None => {}

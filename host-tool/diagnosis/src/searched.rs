@@ -31,8 +31,8 @@ pub enum Free {
 }
 
 impl Searched {
-    /// Searches stretches of logs; the refit starts from the model as given and, where there is one, from a model
-    /// `near` by.
+    /// Searches stretches of logs, beginning with effects that are known; the refit starts from the model as given
+    /// and, where there is one, from a model `near` by.
     ///
     /// # Errors
     /// Logs that leave no rows.
@@ -40,11 +40,12 @@ impl Searched {
         subject: &Subject,
         stretches: Vec<Stretch>,
         near: Option<&Hypothesis>,
+        known: Vec<Known>,
         progress: &dyn Fn(&str),
     ) -> Result<Self, StepError> {
         progress("refitting the model");
         let (evidence, refitted) = prepared(subject, stretches, near)?;
-        let selection = select(subject, refitted, Vec::new(), progress);
+        let selection = select(subject, refitted, known, progress);
         progress("trying whether the model itself is at fault");
         let fault = model_faults::find(subject, &evidence, &selection.refitted, &selection.last);
         let Some(found) = fault else { return Ok(Self { evidence, selection, fault: None }) };
@@ -59,6 +60,20 @@ impl Searched {
             None => (selection.without_effects(), Some(found)),
         };
         Ok(Self { evidence, selection, fault })
+    }
+
+    /// Searches by another doubt about the model than an `earlier` search did, beginning with what that found.
+    ///
+    /// # Errors
+    /// Logs that leave no rows.
+    pub fn again(
+        subject: &Subject,
+        stretches: Vec<Stretch>,
+        earlier: &Selection,
+        progress: &dyn Fn(&str),
+    ) -> Result<Self, StepError> {
+        let near = &earlier.refitted.linear.hypothesis;
+        Self::of(subject, stretches, Some(near), earlier.known(subject), progress)
     }
 
     /// A wider doubt that the logs show with the causes found or, where much is left, with those that are found
@@ -83,7 +98,7 @@ impl Searched {
         let mut free = subject.clone();
         free.doubt(prior.widest);
         let near = &self.selection.refitted.linear.hypothesis;
-        let wide = Self::of(&free, stretches.to_vec(), Some(near), progress).ok()?;
+        let wide = Self::of(&free, stretches.to_vec(), Some(near), Vec::new(), progress).ok()?;
         let wide_last = wide.selection.last.by_all_rows();
         let gains_more = wide_last.gain_over(last) > prior.least_gain;
         if wide.fault.is_some() || wide.selection.added.is_empty() || !gains_more {

@@ -50,6 +50,8 @@ criteria! {
         /// and this part of the refitted model's excess: effects that are not linear are not removed
         /// to the last.
         done_part: f64 = 5e-4,
+        /// Where no effect pays and a log is left with so many times the noise, that is taken to be systematic.
+        systematic_ratio: f64 = 2.0,
         /// An effect that takes away less than this part of what a table over some axis of its joint
         /// does is not the cause,
         least_of_ceiling: f64 = 0.9,

@@ -11,7 +11,7 @@
 //! `most_systematic_rows` of it, whatever they look like, and only its noise is as white as it looks.
 
 use super::evidence::{Evidence, Rows};
-use super::misfit_piece::{NoiseOfRows, Piece};
+use super::misfit_piece::{NoiseOfRows, Piece, make_alike};
 use super::speed_classes::speed_edges;
 
 /// Size and correlation of what a model leaves of train logs.
@@ -47,16 +47,15 @@ impl Misfit {
         self
     }
 
-    /// The same size, alike in all logs of a joint, as if every row said something of its own.
+    /// The same size as if every row said something of its own.
     pub fn independent(mut self) -> Self {
-        for pieces in &mut self.pieces {
-            let (squares, rows) = pieces.iter().fold((0.0, 0.0), |(squares, rows), piece| {
-                let (own, count) = piece.squares();
-                (squares + own, rows + count)
-            });
-            let square_v2 = squares / f64::max(rows, 1.0);
-            pieces.iter_mut().for_each(|piece| piece.make_independent(square_v2));
-        }
+        self.pieces.iter_mut().flatten().for_each(Piece::make_independent);
+        self
+    }
+
+    /// All rows of a joint of the size that they have together.
+    pub fn alike(mut self) -> Self {
+        self.pieces.iter_mut().for_each(|pieces| make_alike(pieces));
         self
     }
 

@@ -53,15 +53,8 @@ impl Piece {
         self.correlation * self.repeated
     }
 
-    /// Squares of what is left [V^2], and of how many rows.
-    pub fn squares(&self) -> (f64, f64) {
-        let squares = self.square_v2.iter().zip(&self.count).map(|(v2, n)| v2 * n).sum();
-        (squares, self.count.iter().sum())
-    }
-
-    /// All rows of this mean square [V^2], and independent.
-    pub fn make_independent(&mut self, square_v2: f64) {
-        self.square_v2.fill(square_v2);
+    /// The same size with all rows independent.
+    pub fn make_independent(&mut self) {
         (self.correlation, self.repeated) = (1.0, 1.0);
     }
 
@@ -76,7 +69,7 @@ impl Piece {
     /// systematic, of which there are no more than `most` rows.
     fn alike(&self, floor_v2: f64, most: f64) -> f64 {
         let rows: f64 = self.count.iter().sum::<f64>().max(1.0);
-        let squares: f64 = self.square_v2.iter().zip(&self.count).map(|(v2, n)| v2 * n).sum();
+        let (squares, _) = self.squares();
         let noise = (floor_v2 * rows / squares.max(f64::MIN_POSITIVE)).min(1.0);
         let most_alike = (rows / self.correlation / most).max(1.0);
         noise + (1.0 - noise) * most_alike
@@ -90,6 +83,12 @@ impl Piece {
             count[usize::from(class)] += 1.0;
         }
         (sums, count)
+    }
+
+    /// Squares of what is left [V^2], and of how many rows.
+    fn squares(&self) -> (f64, f64) {
+        let squares = self.square_v2.iter().zip(&self.count).map(|(v2, n)| v2 * n).sum();
+        (squares, self.count.iter().sum())
     }
 
     fn whitened(&self, residual_v: &[f64]) -> Vec<f64> {
@@ -107,6 +106,15 @@ impl Piece {
         };
         sums.iter().zip(&count).map(of_class).sum()
     }
+}
+
+/// Gives all rows of some pieces the size that they have together.
+pub fn make_alike(pieces: &mut [Piece]) {
+    let all: Vec<(f64, f64)> = pieces.iter().map(Piece::squares).collect();
+    let squares: f64 = all.iter().map(|(squares, _)| squares).sum();
+    let rows: f64 = all.iter().map(|(_, rows)| rows).sum();
+    let square_v2 = squares / rows.max(1.0);
+    pieces.iter_mut().for_each(|piece| piece.square_v2.fill(square_v2));
 }
 
 /// Noise of rows.
@@ -168,5 +176,19 @@ mod tests {
         assert!((piece(4.0 * floor_v2, 2.0).alike(floor_v2, 200.0) - 4.0).abs() < 1e-9);
         // Rows that last longer than that are few already.
         assert_eq!(piece(4.0 * floor_v2, 100.0).alike(floor_v2, 200.0), 1.0);
+    }
+
+    #[test]
+    fn rows_that_are_alike_have_one_size_and_as_many_squares() {
+        let piece = |square_v2: [f64; 2], count: [f64; 2]| Piece {
+            square_v2: square_v2.to_vec(),
+            count: count.to_vec(),
+            ..Piece::default()
+        };
+        let mut pieces = [piece([100.0, 50.0], [10.0, 20.0]), piece([1.0, 2.0], [30.0, 40.0])];
+        make_alike(&mut pieces);
+        assert!(pieces.iter().flat_map(|piece| &piece.square_v2).all(|v2| *v2 == 21.1));
+        let squares: f64 = pieces.iter().map(|piece| piece.squares().0).sum();
+        assert!((squares - 2110.0).abs() < 1e-9, "{squares}");
     }
 }

@@ -59,7 +59,8 @@ impl Known {
 }
 
 impl Selection {
-    /// The effects that were added, for another search.
+    /// The effects that were added, for another search: those that gain least first, which by another doubt about
+    /// the model may be needless.
     pub fn known(&self, subject: &Subject) -> Vec<Known> {
         let effects = &self.last.linear.hypothesis.effects[subject.known_effects.len()..];
         let finalist = |Rival { effect, gain, model, .. }: Rival| Finalist { effect, model, gain };
@@ -67,7 +68,9 @@ impl Selection {
             effect: effect.clone(),
             rivals: added.rivals.iter().cloned().map(finalist).collect(),
         };
-        self.added.iter().zip(effects).map(known).collect()
+        let mut all: Vec<(&Added, &EffectInstance)> = self.added.iter().zip(effects).collect();
+        all.sort_by(|a, b| a.0.gain.total_cmp(&b.0.gain));
+        all.into_iter().map(known).collect()
     }
 
     /// Whether all of these effects are in the last model.

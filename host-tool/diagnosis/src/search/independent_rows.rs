@@ -1,11 +1,11 @@
-//! Candidates sought, and refitted at first, as if every row of a joint said as much, and something of its own.
+//! Candidates sought, and refitted at first, as if every row said something of its own.
 //!
 //! What a model leaves while several causes are missing lasts long and is largest in one log; rows that say
 //! the same count as one, and each by how much is left there. That log then has hardly a say in what is
 //! sought: a cause that would take most of it promises little, and a fit that starts with it goes back.
-//! Weights that follow what is left have several minima, as in robust regression, and need several
-//! starts. Sought by rows that all count alike, such a cause is seen; whether it pays is judged by what it
-//! leaves then itself, like that of any other finalist.
+//! Weights that follow what is left have several minima, as in robust regression, and need several starts:
+//! rows that all count, by what is left of their log, and rows that all count alike. Whether a candidate pays is
+//! judged by what it leaves then itself, like that of any other finalist.
 
 use super::candidate::Candidate;
 use super::candidates::{candidates_at, places_open};
@@ -14,6 +14,7 @@ use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
+use crate::rows::misfit::Misfit;
 use crate::trial::hypothesis::EffectInstance;
 use rig::effects::Definition;
 
@@ -27,9 +28,23 @@ impl IndependentRows {
     /// Those of what the model `before` leaves, for the same model as it is in `now`; none where
     /// hardly any rows say the same (`lasting_rows`).
     fn of(subject: &Subject, before: &FittedModel, now: &Linearisation) -> Option<Self> {
+        Self::weighed(subject, before, now, Misfit::independent)
+    }
+
+    /// The same, all of the size that a joint's rows have together.
+    fn alike(subject: &Subject, before: &FittedModel, now: &Linearisation) -> Option<Self> {
+        Self::weighed(subject, before, now, |misfit| misfit.alike().independent())
+    }
+
+    fn weighed(
+        subject: &Subject,
+        before: &FittedModel,
+        now: &Linearisation,
+        counted: impl Fn(Misfit) -> Misfit,
+    ) -> Option<Self> {
         let misfit = before.misfit();
         (misfit.longest_correlation() >= subject.criteria.search.lasting_rows).then_some(())?;
-        let evidence = misfit.independent().weigh(&before.evidence);
+        let evidence = counted(misfit).weigh(&before.evidence);
         let (model, open) = (now.hypothesis.clone(), now.expected.clone());
         let linear = Linearisation::of(&evidence, model, open)?;
         Some(Self { evidence, linear })
@@ -63,19 +78,29 @@ pub fn by_independent_rows(
     let Some(rows) = IndependentRows::of(subject, before, now) else { return Vec::new() };
     let found = rows.candidates(subject);
     let mut all = refitted_from(subject, before, (&rows.evidence, &rows.linear), &found);
+    if let Some(alike) = IndependentRows::alike(subject, before, now) {
+        all.extend(refitted_from(subject, before, (&alike.evidence, &alike.linear), &found));
+    }
     all.extend(refitted(subject, before, now, found));
     all
 }
 
-/// A model fitted anew as if every row said something of its own, then by what it leaves; none where hardly any
-/// rows say the same.
+/// A model fitted anew as if every row said something of its own, then by what it leaves, from the better of
+/// both starts; none where hardly any rows say the same.
 pub fn fitted_by_independent_rows(
     subject: &Subject,
     model: &FittedModel,
     steps: usize,
 ) -> Option<FittedModel> {
-    let rows = IndependentRows::of(subject, model, &model.linear)?;
-    let start = model.linear.hypothesis.clone();
-    let anew = FittedModel::fitted(&rows.evidence, subject, start, steps)?;
-    Some(anew.settled(subject))
+    let fitted = |rows: IndependentRows| {
+        let start = model.linear.hypothesis.clone();
+        FittedModel::fitted(&rows.evidence, subject, start, steps)
+    };
+    let own = IndependentRows::of(subject, model, &model.linear).and_then(fitted);
+    let alike = IndependentRows::alike(subject, model, &model.linear).and_then(fitted);
+    let best = match (own, alike) {
+        (Some(own), Some(alike)) if alike.gain_over(&own) > 0.0 => Some(alike),
+        (own, alike) => own.or(alike),
+    };
+    best.map(|best| best.settled(subject))
 }

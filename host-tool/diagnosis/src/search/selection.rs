@@ -24,7 +24,7 @@ pub fn select(
 ) -> Selection {
     let gap = refitted.stats.clone();
     let mut search = Search { subject, gap, last: refitted.clone(), rivals: Vec::new() };
-    known.into_iter().for_each(|known| search.add_known(known));
+    search.begin_with(known);
     let mut refused = search.searched(0, progress);
     if refused.is_some()
         && let Some((further, others)) = search.by_systematic_misfit(progress)
@@ -101,8 +101,12 @@ impl Search<'_> {
     ///
     /// Once no effect pays, most of what is left is of friction that nobody's formula has. A log in which it
     /// looks white then holds the model as with a thousand rows, and another in which it lasts gives way: an
-    /// effect that takes nearly all of that one does not pay for a hair's breadth of the first.
+    /// effect that takes nearly all of that one does not pay for a hair's breadth of the first. Near the noise
+    /// there is none of this.
     fn by_systematic_misfit(&self, progress: &dyn Fn(&str)) -> Option<(Self, Option<Refused>)> {
+        if self.last.stats.worst() < self.subject.criteria.selection.systematic_ratio {
+            return None;
+        }
         progress("taking what is left to be systematic");
         let mut start = self.last.clone();
         start.evidence.systematic = true;
@@ -135,14 +139,22 @@ impl Search<'_> {
         Round::Refused(each_once(contest.finalists))
     }
 
-    /// Adds an effect with the values that it is known by, if it is accepted.
-    fn add_known(&mut self, Known { effect, rivals }: Known) {
-        let hypothesis = self.last.linear.hypothesis.clone().with(effect.clone());
-        let with = self.fitted(hypothesis).map(|with| with.settled(self.subject));
-        let accepted =
-            |with: &FittedModel| objection(&self.last, with, &self.subject.criteria).is_none();
-        if let Some(with) = with.filter(accepted) {
-            self.add(&effect, with, rivals);
+    /// Adds all effects that are known, with the values that they are known by, and takes out those that do not
+    /// pay beside the others: several may pay only together.
+    fn begin_with(&mut self, known: Vec<Known>) {
+        if known.is_empty() {
+            return;
+        }
+        let mut hypothesis = self.last.linear.hypothesis.clone();
+        hypothesis.effects.extend(known.iter().map(|known| known.effect.clone()));
+        let Some(with) = self.fitted(hypothesis).map(|with| with.settled(self.subject)) else {
+            return;
+        };
+        let without = std::mem::replace(&mut self.last, with);
+        self.rivals = known.into_iter().map(|known| known.rivals).collect();
+        self.prune(0);
+        if objection(&without, &self.last, &self.subject.criteria).is_some() {
+            (self.last, self.rivals) = (without, Vec::new());
         }
     }
 
