@@ -138,7 +138,7 @@ fn diagnosed(
     let Usable { stretches, mut remarks } = Usable::of(traces, &subject)?;
     let mut searched = Searched::of(&subject, stretches.clone(), None, Vec::new(), progress)?;
     match searched.with_free_parameters(&subject, &stretches, progress) {
-        Some(Free::Doubt(relative)) => {
+        Some(Free::Doubt(relative, known)) => {
             remarks.push(format!(
                 "the parameters of the model are further off than {:.1} %: the doubt about them was taken \
                  as {:.0} %, as by --model-doubt {relative:.2}; identify the model anew, and more can be said",
@@ -146,7 +146,8 @@ fn diagnosed(
                 100.0 * relative
             ));
             subject.doubt(relative);
-            searched = Searched::again(&subject, stretches, &searched.selection, progress)?;
+            let near = searched.selection.refitted.linear.hypothesis.clone();
+            searched = Searched::of(&subject, stretches, Some(&near), known, progress)?;
         }
         Some(Free::Causes(found)) => searched = *found,
         None => {}

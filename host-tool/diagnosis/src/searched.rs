@@ -24,9 +24,10 @@ pub struct Searched {
 
 /// What shows once the model's parameters are all but free.
 pub enum Free {
-    /// They are further off than was thought: a typical one by this part of itself.
-    Doubt(f64),
-    /// They are not, but held they had hidden causes.
+    /// They are further off than was thought: the doubt by which the logs are likeliest, in parts of them, and the
+    /// causes that tell it.
+    Doubt(f64, Vec<Known>),
+    /// They are not, but held they had hidden causes: a search begun with those.
     Causes(Box<Searched>),
 }
 
@@ -62,22 +63,8 @@ impl Searched {
         Ok(Self { evidence, selection, fault })
     }
 
-    /// Searches by another doubt about the model than an `earlier` search did, beginning with what that found.
-    ///
-    /// # Errors
-    /// Logs that leave no rows.
-    pub fn again(
-        subject: &Subject,
-        stretches: Vec<Stretch>,
-        earlier: &Selection,
-        progress: &dyn Fn(&str),
-    ) -> Result<Self, StepError> {
-        let near = &earlier.refitted.linear.hypothesis;
-        Self::of(subject, stretches, Some(near), earlier.known(subject), progress)
-    }
-
     /// A wider doubt that the logs show with the causes found or, where much is left, with those that are found
-    /// once parameters are all but free; or those causes.
+    /// once parameters are all but free; or a search begun with those causes.
     pub fn with_free_parameters(
         &self,
         subject: &Subject,
@@ -89,7 +76,7 @@ impl Searched {
         }
         let last = &self.selection.last.by_all_rows();
         if let Some(relative) = doubt::wider(subject, last) {
-            return Some(Free::Doubt(relative));
+            return Some(Free::Doubt(relative, self.selection.known(subject)));
         }
         let prior = &subject.criteria.prior;
         if last.stats.worst() <= prior.much_left {
@@ -105,7 +92,7 @@ impl Searched {
             return None;
         }
         match doubt::seen(subject, &wide_last) {
-            Some(relative) => Some(Free::Doubt(relative)),
+            Some(relative) => Some(Free::Doubt(relative, wide.selection.known(subject))),
             None => {
                 Some(Free::Causes(Box::new(self.with_causes_of(wide, subject, last, progress)?)))
             }
@@ -123,7 +110,7 @@ impl Searched {
     ) -> Option<Self> {
         let mut known = self.selection.known(subject);
         for other in wide.selection.known(subject) {
-            if !known.iter().any(|own| own.effect.is_same_cause(&other.effect)) {
+            if !known.iter().any(|own| own.excludes(&other)) {
                 known.push(other);
             }
         }

@@ -11,7 +11,7 @@
 //! `most_systematic_rows` of it, whatever they look like, and only its noise is as white as it looks.
 
 use super::evidence::{Evidence, Rows};
-use super::misfit_piece::{NoiseOfRows, Piece, make_alike};
+use super::misfit_piece::{NoiseOfRows, Piece, pool};
 use super::speed_classes::speed_edges;
 
 /// Size and correlation of what a model leaves of train logs.
@@ -54,8 +54,8 @@ impl Misfit {
     }
 
     /// All rows of a joint of the size that they have together.
-    pub fn alike(mut self) -> Self {
-        self.pieces.iter_mut().for_each(|pieces| make_alike(pieces));
+    pub fn pooled(mut self) -> Self {
+        self.pieces.iter_mut().for_each(|pieces| pool(pieces));
         self
     }
 

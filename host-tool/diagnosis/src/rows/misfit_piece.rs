@@ -108,13 +108,14 @@ impl Piece {
     }
 }
 
-/// Gives all rows of some pieces the size that they have together.
-pub fn make_alike(pieces: &mut [Piece]) {
+/// Gives all rows of some pieces the size that they have together. Without rows that have weight they keep theirs.
+pub fn pool(pieces: &mut [Piece]) {
     let all: Vec<(f64, f64)> = pieces.iter().map(Piece::squares).collect();
     let squares: f64 = all.iter().map(|(squares, _)| squares).sum();
     let rows: f64 = all.iter().map(|(_, rows)| rows).sum();
-    let square_v2 = squares / rows.max(1.0);
-    pieces.iter_mut().for_each(|piece| piece.square_v2.fill(square_v2));
+    if rows > 0.0 {
+        pieces.iter_mut().for_each(|piece| piece.square_v2.fill(squares / rows));
+    }
 }
 
 /// Noise of rows.
@@ -179,16 +180,19 @@ mod tests {
     }
 
     #[test]
-    fn rows_that_are_alike_have_one_size_and_as_many_squares() {
+    fn rows_that_are_pooled_have_one_size_and_as_many_squares() {
         let piece = |square_v2: [f64; 2], count: [f64; 2]| Piece {
             square_v2: square_v2.to_vec(),
             count: count.to_vec(),
             ..Piece::default()
         };
         let mut pieces = [piece([100.0, 50.0], [10.0, 20.0]), piece([1.0, 2.0], [30.0, 40.0])];
-        make_alike(&mut pieces);
+        pool(&mut pieces);
         assert!(pieces.iter().flat_map(|piece| &piece.square_v2).all(|v2| *v2 == 21.1));
         let squares: f64 = pieces.iter().map(|piece| piece.squares().0).sum();
         assert!((squares - 2110.0).abs() < 1e-9, "{squares}");
+        let mut at_rest = [piece([4e-6, 4e-6], [0.0, 0.0])];
+        pool(&mut at_rest);
+        assert_eq!(at_rest[0].square_v2, [4e-6, 4e-6]);
     }
 }

@@ -43,34 +43,41 @@ pub struct Rival {
     pub objection: Option<Objection>,
 }
 
-/// An effect that is known before a search, and what else was tried in its place.
+/// An effect that is known before a search.
+#[derive(Clone)]
 pub struct Known {
     /// The effect.
     pub effect: EffectInstance,
-    /// Its rivals.
-    pub rivals: Vec<Finalist>,
+    /// What it gained where it was found.
+    pub gain: f64,
+    /// What else was tried in its place.
+    pub rivals: Vec<EffectInstance>,
 }
 
 impl Known {
-    /// An effect without rivals.
+    /// An effect that nothing was tried against.
     pub fn alone(effect: EffectInstance) -> Self {
-        Self { effect, rivals: Vec::new() }
+        Self { effect, gain: 0.0, rivals: Vec::new() }
+    }
+
+    /// Whether a model holds one of two effects: they are one cause, or springs on one joint.
+    pub fn excludes(&self, other: &Self) -> bool {
+        let (own, other) = (&self.effect, &other.effect);
+        let both_springs = own.is_spring() && other.is_spring() && own.joint == other.joint;
+        both_springs || own.is_same_cause(other)
     }
 }
 
 impl Selection {
-    /// The effects that were added, for another search: those that gain least first, which by another doubt about
-    /// the model may be needless.
+    /// The effects that were added, for another search.
     pub fn known(&self, subject: &Subject) -> Vec<Known> {
         let effects = &self.last.linear.hypothesis.effects[subject.known_effects.len()..];
-        let finalist = |Rival { effect, gain, model, .. }: Rival| Finalist { effect, model, gain };
         let known = |(added, effect): (&Added, &EffectInstance)| Known {
             effect: effect.clone(),
-            rivals: added.rivals.iter().cloned().map(finalist).collect(),
+            gain: added.gain,
+            rivals: added.rivals.iter().map(|rival| rival.effect.clone()).collect(),
         };
-        let mut all: Vec<(&Added, &EffectInstance)> = self.added.iter().zip(effects).collect();
-        all.sort_by(|a, b| a.0.gain.total_cmp(&b.0.gain));
-        all.into_iter().map(known).collect()
+        self.added.iter().zip(effects).map(known).collect()
     }
 
     /// Whether all of these effects are in the last model.

@@ -32,8 +32,8 @@ impl IndependentRows {
     }
 
     /// The same, all of the size that a joint's rows have together.
-    fn alike(subject: &Subject, before: &FittedModel, now: &Linearisation) -> Option<Self> {
-        Self::weighed(subject, before, now, |misfit| misfit.alike().independent())
+    fn pooled(subject: &Subject, before: &FittedModel, now: &Linearisation) -> Option<Self> {
+        Self::weighed(subject, before, now, |misfit| misfit.pooled().independent())
     }
 
     fn weighed(
@@ -78,7 +78,7 @@ pub fn by_independent_rows(
     let Some(rows) = IndependentRows::of(subject, before, now) else { return Vec::new() };
     let found = rows.candidates(subject);
     let mut all = refitted_from(subject, before, (&rows.evidence, &rows.linear), &found);
-    if let Some(alike) = IndependentRows::alike(subject, before, now) {
+    if let Some(alike) = IndependentRows::pooled(subject, before, now) {
         all.extend(refitted_from(subject, before, (&alike.evidence, &alike.linear), &found));
     }
     all.extend(refitted(subject, before, now, found));
@@ -97,7 +97,7 @@ pub fn fitted_by_independent_rows(
         FittedModel::fitted(&rows.evidence, subject, start, steps)
     };
     let own = IndependentRows::of(subject, model, &model.linear).and_then(fitted);
-    let alike = IndependentRows::alike(subject, model, &model.linear).and_then(fitted);
+    let alike = IndependentRows::pooled(subject, model, &model.linear).and_then(fitted);
     let best = match (own, alike) {
         (Some(own), Some(alike)) if alike.gain_over(&own) > 0.0 => Some(alike),
         (own, alike) => own.or(alike),

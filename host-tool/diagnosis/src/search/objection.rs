@@ -5,6 +5,7 @@ use crate::criteria::Criteria;
 use crate::fit::excess::{LeftOfLog, excess_v2, left_by_log};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::residual_stats::ResidualStats;
+use crate::trial::hypothesis::EffectInstance;
 use files::Role;
 
 /// Why a model with an effect more is refused.
@@ -42,18 +43,30 @@ impl Objection {
     }
 }
 
-/// What speaks against a model with an effect more, `None` where it is accepted: it explains what was
+/// What speaks against a model with an effect more, its last, `None` where it is accepted: it explains what was
 /// left out better, and neither by implausible parameters nor by taking noise for motion.
 pub fn objection(
     before: &FittedModel,
     after: &FittedModel,
     criteria: &Criteria,
 ) -> Option<Objection> {
+    let last = after.linear.hypothesis.effects.last();
+    objection_to(last, before, after, criteria)
+}
+
+/// The same of another of the effects of the model `after`, which the one `before` does not have.
+pub fn objection_to(
+    effect: Option<&EffectInstance>,
+    before: &FittedModel,
+    after: &FittedModel,
+    criteria: &Criteria,
+) -> Option<Objection> {
     let (from, to) = (&before.stats, &after.stats);
     let is_new = !is_exchange(before, after);
-    if after.ends_with_spring() && (from.excess <= 0.0 || takes_noise(from, to, criteria)) {
+    let spring = effect.filter(|effect| effect.is_spring());
+    if spring.is_some() && (from.excess <= 0.0 || takes_noise(from, to, criteria)) {
         Some(Objection::Noise)
-    } else if is_new && !may_be_spring(before, after, criteria) {
+    } else if is_new && spring.is_some_and(|spring| smooths(spring, before, after, criteria)) {
         Some(Objection::Smoothing)
     } else if makes_implausible(from, to, criteria) {
         Some(Objection::Implausible)
@@ -69,14 +82,16 @@ pub fn objection(
     }
 }
 
-/// Whether an effect that is a spring between motor and link takes most of what is left on its joint:
-/// one that takes less only smooths something else, and hides it.
-fn may_be_spring(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
-    let Some(effect) = after.linear.hypothesis.effects.last().filter(|e| e.is_spring()) else {
-        return true;
-    };
-    let (from, to) = (left_on_v2(before, effect.joint), left_on_v2(after, effect.joint));
-    to < (1.0 - criteria.verdict.least_by_backlash) * from
+/// Whether a spring between motor and link takes less than most of what is left on its joint: one like this
+/// smooths something else, and hides it.
+fn smooths(
+    spring: &EffectInstance,
+    before: &FittedModel,
+    after: &FittedModel,
+    criteria: &Criteria,
+) -> bool {
+    let (from, to) = (left_on_v2(before, spring.joint), left_on_v2(after, spring.joint));
+    to >= (1.0 - criteria.verdict.least_by_backlash) * from
 }
 
 /// Whether one effect took the place of another, as a better spring does: then to explain better is

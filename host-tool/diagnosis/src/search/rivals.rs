@@ -57,7 +57,7 @@ impl Search<'_> {
         let policy = &self.subject.criteria.selection;
         let finalists = self.rivals[index].iter().take(policy.rivals);
         let mut tried: Vec<EffectInstance> = self.on_other_joints(effect);
-        tried.extend(finalists.map(|finalist| finalist.effect.clone()));
+        tried.extend(finalists.cloned());
         let mut rivals: Vec<Rival> =
             tried.into_par_iter().filter_map(|rival| self.in_place(place, rival)).collect();
         let least = policy.least_log_likelihood;

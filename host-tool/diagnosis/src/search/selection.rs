@@ -1,10 +1,11 @@
-//! The search: effects are added to the model one after the other, each the best of all, as long
-//! as the policy accepts one; then each is tried without, and against its rivals.
+//! The search: to a model and the effects that are known already others are added one after the other, each the
+//! best of all, as long as the policy accepts one; then each is tried without, and against its rivals.
 
 use super::finalists::{Contest, each_once};
 use super::found::{Added, Known, Rival, Selection};
-use super::objection::objection;
-use super::policy::{gain, is_done};
+use super::independent_rows::fitted_by_independent_rows;
+use super::objection::objection_to;
+use super::policy::{gain, is_done, is_physical};
 use super::refit::Finalist;
 use super::winner::Winner;
 use crate::fit::fitted_model::FittedModel;
@@ -64,8 +65,8 @@ pub(super) struct Search<'a> {
     /// What the refitted model leaves.
     gap: ResidualStats,
     pub(super) last: FittedModel,
-    /// Finalists that lost against each of the effects added.
-    pub(super) rivals: Vec<Vec<Finalist>>,
+    /// What lost against each of the effects added.
+    pub(super) rivals: Vec<Vec<EffectInstance>>,
 }
 
 impl Search<'_> {
@@ -129,9 +130,11 @@ impl Search<'_> {
             if let Some(winner) =
                 Winner::of(self.subject, &self.gap, &self.last, &mut contest, &lost)
             {
-                let mut rivals = each_once(contest.finalists);
-                rivals.retain(|finalist| !finalist.effect.is_same_cause(&winner.effect));
-                self.add(&winner.effect, winner.model, rivals);
+                let rivals = each_once(contest.finalists).into_iter();
+                let others = rivals
+                    .map(|finalist| finalist.effect)
+                    .filter(|effect| !effect.is_same_cause(&winner.effect));
+                self.add(&winner.effect, winner.model, others.collect());
                 return Round::Added;
             }
             lost = contest.finalists.iter().map(|finalist| finalist.effect.clone()).collect();
@@ -140,26 +143,51 @@ impl Search<'_> {
     }
 
     /// Adds all effects that are known, with the values that they are known by, and takes out those that do not
-    /// pay beside the others: several may pay only together.
-    fn begin_with(&mut self, known: Vec<Known>) {
-        if known.is_empty() {
-            return;
+    /// pay beside the others, those that gain least first: several may pay only together.
+    fn begin_with(&mut self, mut known: Vec<Known>) {
+        known.sort_by(|a, b| a.gain.total_cmp(&b.gain));
+        let most = self.subject.criteria.selection.most_effects;
+        known.drain(..known.len().saturating_sub(most));
+        let own = self.subject.known_effects.len();
+        let mut with = self.together(&known);
+        if let Some(model) = &with {
+            let effects = &model.linear.hypothesis.effects[own..];
+            let physical: Vec<bool> = effects
+                .iter()
+                .map(|effect| is_physical(effect, self.subject, &model.evidence))
+                .collect();
+            if physical.contains(&false) {
+                let mut stays = physical.into_iter();
+                known.retain(|_| stays.next().unwrap_or(false));
+                with = self.together(&known);
+            }
         }
-        let mut hypothesis = self.last.linear.hypothesis.clone();
-        hypothesis.effects.extend(known.iter().map(|known| known.effect.clone()));
-        let Some(with) = self.fitted(hypothesis).map(|with| with.settled(self.subject)) else {
-            return;
-        };
+        let Some(with) = with else { return };
         let without = std::mem::replace(&mut self.last, with);
         self.rivals = known.into_iter().map(|known| known.rivals).collect();
         self.prune(0);
-        if objection(&without, &self.last, &self.subject.criteria).is_some() {
+        let effects = &self.last.linear.hypothesis.effects;
+        let alone = effects.last().filter(|_| self.rivals.len() == 1);
+        if objection_to(alone, &without, &self.last, &self.subject.criteria).is_some() {
             (self.last, self.rivals) = (without, Vec::new());
         }
     }
 
+    /// The model with all these effects, fitted to its end; none without effects.
+    fn together(&self, known: &[Known]) -> Option<FittedModel> {
+        if known.is_empty() {
+            return None;
+        }
+        let mut hypothesis = self.last.linear.hypothesis.clone();
+        hypothesis.effects.extend(known.iter().map(|known| known.effect.clone()));
+        let with = self.fitted(hypothesis)?.settled(self.subject);
+        let steps = self.subject.criteria.selection.accepted_steps;
+        let anew = fitted_by_independent_rows(self.subject, &with, steps);
+        Some(anew.filter(|anew| anew.gain_over(&with) > 0.0).unwrap_or(with))
+    }
+
     /// Adds an effect that won over its rivals.
-    fn add(&mut self, effect: &EffectInstance, finished: FittedModel, rivals: Vec<Finalist>) {
+    fn add(&mut self, effect: &EffectInstance, finished: FittedModel, rivals: Vec<EffectInstance>) {
         let known = self.subject.known_effects.len();
         let before = &self.last.linear.hypothesis;
         if let Some(place) = before.spring_replaced_by(effect, known) {
@@ -176,15 +204,19 @@ impl Search<'_> {
         let mut index = first;
         while self.rivals.len() > 1 && index < self.rivals.len() {
             match self.without(known + index) {
-                Some(without)
-                    if objection(&without, &self.last, &self.subject.criteria).is_some() =>
-                {
+                Some(without) if self.objects_to(known + index, &without) => {
                     self.last = without;
                     self.rivals.remove(index);
                 }
                 _ => index += 1,
             }
         }
+    }
+
+    /// Whether something speaks against the effect at this place, by what the model leaves without it.
+    fn objects_to(&self, place: usize, without: &FittedModel) -> bool {
+        let effect = &self.last.linear.hypothesis.effects[place];
+        objection_to(Some(effect), without, &self.last, &self.subject.criteria).is_some()
     }
 
     /// The model without one of its effects, refitted.
