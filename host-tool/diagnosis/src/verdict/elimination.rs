@@ -99,21 +99,55 @@ impl<'a> Elimination<'a> {
         indices.min_by(|a, b| share(a).total_cmp(&share(b)))
     }
 
-    /// Effects that are likely but not named: too small, or less than what something along their axis
-    /// could explain.
+    /// Effects that are likely but not named.
     pub fn not_named(&self, confirmation: &Confirmation, judged: &[Judged]) -> Vec<usize> {
+        (0..self.added.len())
+            .filter(|index| self.is_unnamed(confirmation, judged, *index))
+            .collect()
+    }
+
+    /// Whether an effect that is likely is not named: too small, or less than what something along its axis could
+    /// explain.
+    fn is_unnamed(&self, confirmation: &Confirmation, judged: &[Judged], index: usize) -> bool {
         let criteria = &self.subject.criteria.verdict;
         let explained = confirmation.explained(&self.last);
         let no_gap = is_no_gap(&self.refitted, &self.last, confirmation, criteria);
-        let fails = |index: &usize| {
-            let Judged { worth, weighed, probability } = &judged[*index];
-            let without = &self.added[*index].without;
-            !self.can_be(confirmation, *index, worth)
-                || worth.share <= 0.0
-                || !is_named(*probability, weighed, explained, no_gap, criteria)
-                || !reaches_ceiling(self.subject, without, &self.last, self.place(*index))
-        };
-        (0..self.added.len()).filter(fails).collect()
+        let Judged { worth, weighed, probability } = &judged[index];
+        let without = &self.added[index].without;
+        !self.can_be(confirmation, index, worth)
+            || worth.share <= 0.0
+            || !is_named(*probability, weighed, explained, no_gap, criteria)
+            || !reaches_ceiling(self.subject, without, &self.last, self.place(index))
+    }
+
+    /// Takes out effects that are not named, the smallest first, as long as they are not named without those before
+    /// either: several small ones may share what one of them takes alone. `told` keeps step with the
+    /// effects, and has what those are worth that are named now.
+    pub fn take_out_small(
+        &mut self,
+        confirmation: &Confirmation,
+        mut judged: Vec<Judged>,
+    ) -> Vec<Judged> {
+        let mut told = judged.clone();
+        let mut small = self.not_named(confirmation, &judged);
+        while let Some(index) = self.smallest(&judged, |index| small.contains(index)) {
+            if !self.take_out(index, judged[index]) {
+                break;
+            }
+            told.remove(index);
+            small.retain(|other| *other != index);
+            small.iter_mut().filter(|other| **other > index).for_each(|other| *other -= 1);
+            if small.is_empty() {
+                break;
+            }
+            let (now, judged_now) = self.judged();
+            judged = judged_now;
+            let (named, still): (Vec<usize>, Vec<usize>) =
+                small.into_iter().partition(|index| !self.is_unnamed(&now, &judged, *index));
+            named.into_iter().for_each(|index| told[index] = judged[index]);
+            small = still;
+        }
+        told
     }
 
     /// Takes an effect out and refits the model; false where that cannot be fitted.

@@ -49,12 +49,7 @@ impl<'a> Judgement<'a> {
             }
             (confirmation, judged) = model.judged();
         }
-        let mut small = model.not_named(&confirmation, &judged);
-        while let Some(index) = small.pop() {
-            if model.take_out(index, judged[index]) {
-                judged.remove(index);
-            }
-        }
+        judged = model.take_out_small(&confirmation, judged);
         // Without them a cause must still be likely: one that lived by another falls with it.
         let mut now;
         (confirmation, now) = model.judged();
