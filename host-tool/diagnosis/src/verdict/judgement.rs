@@ -39,7 +39,7 @@ impl<'a> Judgement<'a> {
     ///
     /// Effects that are not confirmed are taken out one after the other, the smallest first. Those that
     /// are likely but too small to be named stay until the others are judged, which would have to
-    /// explain what they explain.
+    /// explain what they explain; they go one after the other, too.
     pub fn of(subject: &'a Subject, selection: Selection, noise_v: &[Vec<f64>]) -> Self {
         let mut model = Elimination::of(subject, selection, noise_v);
         let (mut confirmation, mut judged) = model.judged();
