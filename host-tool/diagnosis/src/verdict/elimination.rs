@@ -99,52 +99,54 @@ impl<'a> Elimination<'a> {
         indices.min_by(|a, b| share(a).total_cmp(&share(b)))
     }
 
-    /// Effects that are likely but not named.
-    pub fn not_named(&self, confirmation: &Confirmation, judged: &[Judged]) -> Vec<usize> {
-        (0..self.added.len())
-            .filter(|index| self.is_unnamed(confirmation, judged, *index))
-            .collect()
-    }
-
-    /// Whether an effect that is likely is not named: too small, or less than what something along its axis could
-    /// explain.
-    fn is_unnamed(&self, confirmation: &Confirmation, judged: &[Judged], index: usize) -> bool {
+    /// Those `among` some effects that are likely but not named: too small, or less than what something along
+    /// their axis could explain.
+    fn not_named(
+        &self,
+        confirmation: &Confirmation,
+        judged: &[Judged],
+        among: impl Iterator<Item = usize>,
+    ) -> Vec<usize> {
         let criteria = &self.subject.criteria.verdict;
         let explained = confirmation.explained(&self.last);
         let no_gap = is_no_gap(&self.refitted, &self.last, confirmation, criteria);
-        let Judged { worth, weighed, probability } = &judged[index];
-        let without = &self.added[index].without;
-        !self.can_be(confirmation, index, worth)
-            || worth.share <= 0.0
-            || !is_named(*probability, weighed, explained, no_gap, criteria)
-            || !reaches_ceiling(self.subject, without, &self.last, self.place(index))
+        let fails = |index: &usize| {
+            let Judged { worth, weighed, probability } = &judged[*index];
+            let without = &self.added[*index].without;
+            !self.can_be(confirmation, *index, worth)
+                || worth.share <= 0.0
+                || !is_named(*probability, weighed, explained, no_gap, criteria)
+                || !reaches_ceiling(self.subject, without, &self.last, self.place(*index))
+        };
+        among.filter(fails).collect()
     }
 
     /// Takes out effects that are not named, the smallest first, as long as they are not named without those before
-    /// either: several small ones may share what one of them takes alone. `told` keeps step with the
-    /// effects, and has what those are worth that are named now.
+    /// either: several small ones may share what one of them takes alone. What the effects that stay are worth:
+    /// as judged beside the small ones, but those that are named only without them.
     pub fn take_out_small(
         &mut self,
         confirmation: &Confirmation,
         mut judged: Vec<Judged>,
     ) -> Vec<Judged> {
         let mut told = judged.clone();
-        let mut small = self.not_named(confirmation, &judged);
+        let mut small = self.not_named(confirmation, &judged, 0..self.added.len());
         while let Some(index) = self.smallest(&judged, |index| small.contains(index)) {
+            small.retain(|other| *other != index);
+            // One without which nothing can be fitted stays.
             if !self.take_out(index, judged[index]) {
-                break;
+                continue;
             }
             told.remove(index);
-            small.retain(|other| *other != index);
             small.iter_mut().filter(|other| **other > index).for_each(|other| *other -= 1);
             if small.is_empty() {
                 break;
             }
-            let (now, judged_now) = self.judged();
-            judged = judged_now;
-            let (named, still): (Vec<usize>, Vec<usize>) =
-                small.into_iter().partition(|index| !self.is_unnamed(&now, &judged, *index));
-            named.into_iter().for_each(|index| told[index] = judged[index]);
+            let now;
+            (now, judged) = self.judged();
+            let still = self.not_named(&now, &judged, small.iter().copied());
+            let named = small.iter().filter(|index| !still.contains(index));
+            named.for_each(|index| told[*index] = judged[*index]);
             small = still;
         }
         told
