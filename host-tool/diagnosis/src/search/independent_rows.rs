@@ -25,26 +25,22 @@ struct IndependentRows {
 }
 
 impl IndependentRows {
-    /// Those of what the model `before` leaves, for the same model as it is in `now`; none where
-    /// hardly any rows say the same (`lasting_rows`).
-    fn of(subject: &Subject, before: &FittedModel, now: &Linearisation) -> Option<Self> {
-        Self::weighed(subject, before, now, Misfit::independent)
-    }
-
-    /// The same, all of the size that a joint's rows have together.
-    fn pooled(subject: &Subject, before: &FittedModel, now: &Linearisation) -> Option<Self> {
-        Self::weighed(subject, before, now, |misfit| misfit.pooled().independent())
-    }
-
-    fn weighed(
-        subject: &Subject,
-        before: &FittedModel,
-        now: &Linearisation,
-        counted: impl Fn(Misfit) -> Misfit,
-    ) -> Option<Self> {
+    /// Those of what the model `before` leaves, for the same model as it is in `now`: of the size that is left of each
+    /// log, then of the size that a joint's rows have together; none where hardly any rows say the same
+    /// (`lasting_rows`).
+    fn starts(subject: &Subject, before: &FittedModel, now: &Linearisation) -> Vec<Self> {
         let misfit = before.misfit();
-        (misfit.longest_correlation() >= subject.criteria.search.lasting_rows).then_some(())?;
-        let evidence = counted(misfit).weigh(&before.evidence);
+        if misfit.longest_correlation() < subject.criteria.search.lasting_rows {
+            return Vec::new();
+        }
+        let own = misfit.independent();
+        let pooled = own.clone().pooled();
+        [own, pooled].iter().filter_map(|misfit| Self::of(misfit, before, now)).collect()
+    }
+
+    /// Those of the size of a misfit.
+    fn of(misfit: &Misfit, before: &FittedModel, now: &Linearisation) -> Option<Self> {
+        let evidence = misfit.weigh(&before.evidence);
         let (model, open) = (now.hypothesis.clone(), now.expected.clone());
         let linear = Linearisation::of(&evidence, model, open)?;
         Some(Self { evidence, linear })
@@ -75,18 +71,19 @@ pub fn by_independent_rows(
     before: &FittedModel,
     now: &Linearisation,
 ) -> Vec<Finalist> {
-    let Some(rows) = IndependentRows::of(subject, before, now) else { return Vec::new() };
-    let found = rows.candidates(subject);
-    let mut all = refitted_from(subject, before, (&rows.evidence, &rows.linear), &found);
-    if let Some(alike) = IndependentRows::pooled(subject, before, now) {
-        all.extend(refitted_from(subject, before, (&alike.evidence, &alike.linear), &found));
-    }
+    let starts = IndependentRows::starts(subject, before, now);
+    let Some(first) = starts.first() else { return Vec::new() };
+    let found = first.candidates(subject);
+    let from = |rows: &IndependentRows| {
+        refitted_from(subject, before, (&rows.evidence, &rows.linear), &found)
+    };
+    let mut all: Vec<Finalist> = starts.iter().flat_map(from).collect();
     all.extend(refitted(subject, before, now, found));
     all
 }
 
-/// A model fitted anew as if every row said something of its own, then by what it leaves, from the better of
-/// both starts; none where hardly any rows say the same.
+/// A model fitted anew as if every row said something of its own, then by what it leaves, from the best of
+/// these starts; none where hardly any rows say the same.
 pub fn fitted_by_independent_rows(
     subject: &Subject,
     model: &FittedModel,
@@ -96,11 +93,10 @@ pub fn fitted_by_independent_rows(
         let start = model.linear.hypothesis.clone();
         FittedModel::fitted(&rows.evidence, subject, start, steps)
     };
-    let own = IndependentRows::of(subject, model, &model.linear).and_then(fitted);
-    let alike = IndependentRows::pooled(subject, model, &model.linear).and_then(fitted);
-    let best = match (own, alike) {
-        (Some(own), Some(alike)) if alike.gain_over(&own) > 0.0 => Some(alike),
-        (own, alike) => own.or(alike),
+    let better = |best: FittedModel, next: FittedModel| {
+        if next.gain_over(&best) > 0.0 { next } else { best }
     };
+    let starts = IndependentRows::starts(subject, model, &model.linear);
+    let best = starts.into_iter().filter_map(fitted).reduce(better);
     best.map(|best| best.settled(subject))
 }
