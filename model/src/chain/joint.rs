@@ -70,10 +70,16 @@ impl<T: Real> PlacedJoint<T> {
     /// R = R0 (1 + sin q skew(a) + (1 - cos q) skew(a)^2), or slid along the axis.
     #[inline]
     pub(super) fn place(&self, q: T) -> Transform<T> {
+        self.place_with(q, || q.sin_cos())
+    }
+
+    /// The same with sine and cosine of `q`, asked for where the joint turns.
+    #[inline]
+    pub(super) fn place_with(&self, q: T, sine_cosine: impl FnOnce() -> (T, T)) -> Transform<T> {
         let origin = &self.joint.origin;
         match self.joint.kind {
             JointKind::Revolute => {
-                let (sine, cosine) = q.sin_cos();
+                let (sine, cosine) = sine_cosine();
                 let half = add_scaled(&origin.rotation, &self.turned[0], sine);
                 let rotation = add_scaled(&half, &self.turned[1], T::one() - cosine);
                 Transform { rotation, position: origin.position }

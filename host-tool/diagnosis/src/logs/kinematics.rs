@@ -1,12 +1,18 @@
 //! Angles of the joints and their derivatives along a stretch.
 
+use std::sync::Arc;
+
 use model::Posture;
+use model::Real;
 use model::chain::MAX_JOINTS;
 use rig::Plant;
 use signal::{LowPass, derivative};
 
 /// A joint's value at an instant, joint by joint; those that the rig lacks are zero.
 pub type Joints = [f64; MAX_JOINTS];
+
+/// Sines and cosines of a joint's angles at the samples.
+pub type Sines = Arc<[(f64, f64)]>;
 
 /// Angles of the joints and their derivatives, joint by joint.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -98,6 +104,20 @@ impl Kinematics {
         self.q_rad[1].iter().zip(&self.q_rad[2]).map(|(&q2, &q3)| Posture::new(q2, q3)).collect()
     }
 
+    /// Sines and cosines of all joints' angles.
+    pub fn sines(&self) -> Vec<Sines> {
+        self.q_rad.iter().map(|q_rad| sines_of(q_rad)).collect()
+    }
+
+    /// The same where those of another motion are known: of joints that stand alike in both they are shared.
+    pub fn sines_near(&self, other: &Self, sines: &[Sines]) -> Vec<Sines> {
+        let of_joint = |(joint, q_rad): (usize, &Vec<f64>)| match *q_rad == other.q_rad[joint] {
+            true => Arc::clone(&sines[joint]),
+            false => sines_of(q_rad),
+        };
+        self.q_rad.iter().enumerate().map(of_joint).collect()
+    }
+
     /// Every signal, by joints.
     pub fn all_mut(&mut self) -> impl Iterator<Item = &mut Vec<Vec<f64>>> {
         let Self { raw_rad, q_rad, qd_rad_per_s, qdd_rad_per_s2 } = self;
@@ -112,6 +132,10 @@ impl Kinematics {
         self.q_rad[joint] = smooth;
         self.raw_rad[joint] = q_rad.to_vec();
     }
+}
+
+fn sines_of(q_rad: &[f64]) -> Sines {
+    q_rad.iter().map(|q_rad| Real::sin_cos(*q_rad)).collect()
 }
 
 /// Sines and cosines along a motion, where the closed form takes them.

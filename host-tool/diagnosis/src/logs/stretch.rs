@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 
 use model::Posture;
 
-use super::kinematics::{Kinematics, Middles};
+use super::kinematics::{Kinematics, Middles, Sines};
 use super::sampling_jitter::Roughness;
 use files::Role;
 use signal::LowPass;
@@ -34,6 +34,8 @@ pub struct Stretch {
     pub command_v: Vec<Vec<f64>>,
     /// Sines and cosines of the measured motion, where the closed form takes them.
     pub postures: Vec<Posture<f64>>,
+    /// Sines and cosines of all joints' angles, which a chain takes, once asked for.
+    pub sines: OnceLock<Vec<Sines>>,
     /// Angles and velocities in the middle of the intervals, once asked for.
     pub middles: OnceLock<Middles>,
     /// Whether the commands drive the joints at high frequencies.
@@ -58,6 +60,7 @@ impl Stretch {
             motion: Kinematics::of_joints(joints),
             command_v: vec![Vec::new(); joints],
             postures: Vec::new(),
+            sines: OnceLock::new(),
             middles: OnceLock::new(),
             broadband: false,
             settled: vec![0; joints],
@@ -91,12 +94,18 @@ impl Stretch {
             },
             command_v: of(&self.command_v),
             postures: self.postures.get(range.clone()).unwrap_or_default().to_vec(),
+            sines: OnceLock::new(),
             middles: OnceLock::new(),
             settled: self.settled.iter().map(from_begin).collect(),
             unseen: self.unseen.get(range).unwrap_or_default().to_vec(),
             roughness: self.roughness.clone(),
             ..*self
         }
+    }
+
+    /// Sines and cosines of all joints' angles.
+    pub fn sines(&self) -> &[Sines] {
+        self.sines.get_or_init(|| self.motion.sines())
     }
 
     /// How many samples there are.

@@ -135,6 +135,7 @@ impl ModelFault {
             }
             Self::Lengths(_) => {}
         }
+        stretch.sines = OnceLock::new();
         stretch.middles = OnceLock::new();
         if !stretch.postures.is_empty() {
             stretch.postures = stretch.motion.postures();

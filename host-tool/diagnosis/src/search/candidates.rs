@@ -14,26 +14,26 @@ use crate::trial::hypothesis::EffectInstance;
 use rig::effects::{Definition, Search, Typical};
 use signal::rms;
 
-/// The best of every effect on every joint that is worth a search, the best first.
-pub fn candidates(
-    linear: &Linearisation,
-    evidence: &Evidence,
-    subject: &Subject,
-) -> Vec<Candidate> {
-    candidates_at(&places_open(subject, &linear.hypothesis.effects), linear, evidence, subject)
-}
-
-/// The same of these effects and joints.
-pub(super) fn candidates_at(
+/// The most promising starts of these effects and joints, the best of each first.
+pub(super) fn starts_at(
     places: &[(&'static Definition, u8)],
     linear: &Linearisation,
     evidence: &Evidence,
     subject: &Subject,
+) -> Vec<Vec<Start>> {
+    let of_place = |&(definition, joint): &(&'static Definition, u8)| {
+        starts(linear, evidence, subject, definition, joint)
+    };
+    places.par_iter().map(of_place).collect()
+}
+
+/// The best of every effect on every joint that is worth a search from these starts, the best first.
+pub(super) fn candidates(
+    starts: Vec<Vec<Start>>,
+    linear: &Linearisation,
+    evidence: &Evidence,
+    subject: &Subject,
 ) -> Vec<Candidate> {
-    let starts: Vec<Vec<Start>> = places
-        .par_iter()
-        .map(|&(definition, joint)| starts(linear, evidence, subject, definition, joint))
-        .collect();
     let effort = &evidence.criteria.search;
     // A spring lets the torque that was measured correct its link, and promises to take a good part of
     // whatever is left.
@@ -99,7 +99,7 @@ pub(crate) fn first_start(
 }
 
 /// The most promising starts of an effect, the best first.
-pub(crate) fn starts(
+fn starts(
     linear: &Linearisation,
     evidence: &Evidence,
     subject: &Subject,

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::candidate::Candidate;
-use super::candidates::{candidates, places_open, starts};
+use super::candidates::{candidates, places_open, starts_at};
 use super::independent_rows::by_independent_rows;
 use super::policy::is_more_than;
 use super::promise::Start;
@@ -11,7 +11,7 @@ use super::refit::{Finalist, refitted};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
-use rig::effects::Definition;
+use crate::trial::hypothesis::EffectInstance;
 
 /// Candidates for a place in a model, refitted batch by batch: those that promise most, then those that
 /// promise less, then those that were never searched because others promised more.
@@ -21,6 +21,8 @@ pub struct Contest<'a> {
     now: &'a Linearisation,
     /// Candidates that were not refitted yet, the best first.
     promising: Vec<Candidate>,
+    /// The best start of every effect on every joint.
+    first_starts: Vec<Start>,
     /// Batches that may still be refitted.
     batches: usize,
     /// Whether those sought by independent rows were refitted too.
@@ -33,11 +35,23 @@ impl<'a> Contest<'a> {
     /// For a place beside the effects of the model `before`; `now` is that model linearised where
     /// effects are searched from.
     pub fn of(subject: &'a Subject, before: &'a FittedModel, now: &'a Linearisation) -> Self {
-        let mut promising = candidates(now, &before.evidence, subject);
+        let places = places_open(subject, &now.hypothesis.effects);
+        let starts = starts_at(&places, now, &before.evidence, subject);
+        let first_starts = starts.iter().filter_map(|starts| starts.first()).cloned().collect();
+        let mut promising = candidates(starts, now, &before.evidence, subject);
         let without = now.refitted_objective();
         promising.retain(|candidate| candidate.train < without);
         let batches = subject.criteria.selection.batches + 1;
-        Self { subject, before, now, promising, batches, widened: false, finalists: Vec::new() }
+        Self {
+            subject,
+            before,
+            now,
+            promising,
+            first_starts,
+            batches,
+            widened: false,
+            finalists: Vec::new(),
+        }
     }
 
     /// Refits the next batch; whether there was one.
@@ -47,7 +61,7 @@ impl<'a> Contest<'a> {
         }
         self.batches = if self.promising.is_empty() { 0 } else { self.batches - 1 };
         let batch = match self.batches {
-            0 => overlooked(self.subject, self.before, self.now, &self.finalists),
+            0 => self.overlooked(),
             _ => next_batch(&mut self.promising, self.now.refitted_objective(), self.subject),
         };
         let more = refitted(self.subject, self.before, self.now, batch);
@@ -65,6 +79,28 @@ impl<'a> Contest<'a> {
         let any = !more.is_empty();
         self.take(more);
         any
+    }
+
+    /// Effects that were not searched because others promised more than they kept.
+    fn overlooked(&self) -> Vec<Candidate> {
+        let (evidence, effort) = (&self.before.evidence, &self.subject.criteria.search);
+        let is_tried = |effect: &EffectInstance| {
+            let same = |f: &Finalist| f.effect.has_place_of(effect);
+            self.finalists.iter().any(same)
+        };
+        let is_left =
+            |start: &&Start| start.gain > effort.least_promise && !is_tried(&start.effect);
+        let mut promising: Vec<&Start> = self.first_starts.iter().filter(is_left).collect();
+        promising.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+        promising.truncate(effort.overlooked);
+        let searched = |start: &Start| {
+            let first = Candidate::of(self.now, evidence, start.effect.clone()).0;
+            first.refined(self.now, evidence, effort.overlooked_steps)
+        };
+        let mut found: Vec<Candidate> = promising.into_par_iter().map(searched).collect();
+        found.sort_by(|a, b| a.train.total_cmp(&b.train));
+        found.truncate(self.subject.criteria.selection.finalists);
+        found
     }
 
     fn take(&mut self, more: Vec<Finalist>) {
@@ -110,37 +146,6 @@ fn rank(before: &FittedModel, finalists: &mut [Finalist]) {
         finalist.gain = finalist.model.log_likelihood(&common) - without;
     }
     finalists.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-}
-
-/// Effects that were not searched because others promised more than they kept.
-fn overlooked(
-    subject: &Subject,
-    before: &FittedModel,
-    now: &Linearisation,
-    tried: &[Finalist],
-) -> Vec<Candidate> {
-    let (evidence, effort) = (&before.evidence, &subject.criteria.search);
-    let is_new = |place: &(&'static Definition, u8)| {
-        let same =
-            |f: &Finalist| (f.effect.definition.name, f.effect.joint) == (place.0.name, place.1);
-        !tried.iter().any(same)
-    };
-    let first = |(definition, joint): (&'static Definition, u8)| {
-        starts(now, evidence, subject, definition, joint).into_iter().next()
-    };
-    let places: Vec<(&'static Definition, u8)> =
-        places_open(subject, &now.hypothesis.effects).into_iter().filter(is_new).collect();
-    let mut promising: Vec<Start> = places.into_par_iter().filter_map(first).collect();
-    promising.retain(|start| start.gain > effort.least_promise);
-    promising.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-    promising.truncate(effort.overlooked);
-    let searched = |start: Start| {
-        Candidate::of(now, evidence, start.effect).0.refined(now, evidence, effort.overlooked_steps)
-    };
-    let mut found: Vec<Candidate> = promising.into_par_iter().map(searched).collect();
-    found.sort_by(|a, b| a.train.total_cmp(&b.train));
-    found.truncate(subject.criteria.selection.finalists);
-    found
 }
 
 /// Takes the best of those that are left and those that promise nearly as much, and the best of every

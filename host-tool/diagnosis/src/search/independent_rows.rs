@@ -8,7 +8,7 @@
 //! judged by what it leaves then itself, like that of any other finalist.
 
 use super::candidate::Candidate;
-use super::candidates::{candidates_at, places_open};
+use super::candidates::{candidates, places_open, starts_at};
 use super::refit::{Finalist, refitted, refitted_from};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
@@ -51,7 +51,8 @@ impl IndependentRows {
     fn candidates(&self, subject: &Subject) -> Vec<Candidate> {
         let mut places = places_open(subject, &self.linear.hypothesis.effects);
         places.retain(|(definition, _)| !is_spring(definition));
-        let mut found = candidates_at(&places, &self.linear, &self.evidence, subject);
+        let starts = starts_at(&places, &self.linear, &self.evidence, subject);
+        let mut found = candidates(starts, &self.linear, &self.evidence, subject);
         let without = self.linear.refitted_objective();
         found.retain(|candidate| candidate.train < without);
         found.truncate(subject.criteria.search.by_independent_rows);

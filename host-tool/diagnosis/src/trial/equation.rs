@@ -16,7 +16,7 @@ use super::link_motion::{self, JointMotion, MeasuredTorque};
 use super::rigid_body::{Path, regressor_columns, torques};
 use crate::criteria::FitCriteria;
 use crate::logs::intervals::at_samples;
-use crate::logs::kinematics::{Kinematics, postures_for};
+use crate::logs::kinematics::{Kinematics, Sines, postures_for};
 use crate::logs::stretch::Stretch;
 use rig::Plant;
 use rig::effects::{TableAxis, Transmission};
@@ -40,6 +40,8 @@ pub struct Trial<'a> {
     link: OnceCell<Kinematics>,
     /// Sines and cosines of the links' angles, where those move otherwise than measured.
     postures: OnceCell<Vec<Posture<f64>>>,
+    /// The same by joints, as a chain takes them.
+    sines: OnceCell<Vec<Sines>>,
     /// What drives the joints in the intervals [V].
     drive_v: OnceCell<Vec<Vec<f64>>>,
     /// What the rigid body needs at the samples [V].
@@ -89,6 +91,7 @@ impl<'a> Trial<'a> {
             motor_side,
             link: OnceCell::new(),
             postures: OnceCell::new(),
+            sines: OnceCell::new(),
             drive_v: OnceCell::new(),
             needed_v: OnceCell::new(),
         }
@@ -185,7 +188,8 @@ impl<'a> Trial<'a> {
     }
 
     fn path(&self) -> Path<'_> {
-        Path { motion: self.link(), postures: self.postures() }
+        let sines = if self.plant().body.as_rrr().is_some() { &[] } else { self.sines() };
+        Path { motion: self.link(), postures: self.postures(), sines }
     }
 
     /// Change of the command per second, at the samples [V/s].
@@ -252,6 +256,17 @@ impl<'a> Trial<'a> {
         match self.moves_as_measured() {
             true => &self.stretch.postures,
             false => self.postures.get_or_init(|| postures_for(self.plant(), self.link())),
+        }
+    }
+
+    /// The same by joints.
+    fn sines(&self) -> &[Sines] {
+        let Stretch { motion, .. } = self.stretch;
+        match self.moves_as_measured() {
+            true => self.stretch.sines(),
+            false => {
+                self.sines.get_or_init(|| self.link().sines_near(motion, self.stretch.sines()))
+            }
         }
     }
 

@@ -30,12 +30,16 @@ impl EffectInstance {
         self.definition.on_one_of(MAX_JOINTS as u8, self.joint, &self.bounded()).ok()
     }
 
+    /// Whether another is the same effect on the same joint, whatever its values.
+    pub fn has_place_of(&self, other: &Self) -> bool {
+        (self.definition.name, self.joint) == (other.definition.name, other.joint)
+    }
+
     /// Whether another is the same effect with other values: on the same joint, at the same harmonic.
     pub fn is_same_cause(&self, other: &Self) -> bool {
-        let is_same = (self.definition.name, self.joint) == (other.definition.name, other.joint);
         let parameters = self.definition.parameters.iter().enumerate();
         let mut harmonics = parameters.filter(|(_, p)| p.kind == Kind::Harmonic).map(|(at, _)| at);
-        is_same && harmonics.all(|at| self.values[at] == other.values[at])
+        self.has_place_of(other) && harmonics.all(|at| self.values[at] == other.values[at])
     }
 
     /// Whether it is a wave of one order of many.

@@ -3,18 +3,21 @@
 
 use model::Posture;
 use model::base::COUNT;
+use model::chain::MAX_JOINTS;
 use model::mechanism::Rrr;
 use rig::plant::{Body, LinkedBody};
 
-use crate::logs::kinematics::{Joints, Kinematics};
+use crate::logs::kinematics::{Joints, Kinematics, Sines};
 
 /// A motion, with its sines and cosines where the closed form takes them.
 #[derive(Clone, Copy, Debug)]
 pub struct Path<'a> {
     /// The motion of the links.
     pub motion: &'a Kinematics,
-    /// Sines and cosines at its samples; none for a chain.
+    /// Sines and cosines at its samples, as the closed form takes them; none for a chain.
     pub postures: &'a [Posture<f64>],
+    /// The same by joints, where torques of a chain are asked for.
+    pub sines: &'a [Sines],
 }
 
 /// Torques that the motion needs at the samples, joint by joint [Nm].
@@ -29,11 +32,13 @@ pub fn torques(body: &Body, path: Path) -> Vec<Vec<f64>> {
                 (0..3).for_each(|joint| torques[joint].push(torque[joint]));
             }
         }
-        Body::Chain(_) => {
+        Body::Chain(linked) => {
+            let mut sines = [(0.0, 1.0); MAX_JOINTS];
             for k in 0..samples {
                 let [q, qd, qdd] = path.motion.state(k);
+                sines.iter_mut().zip(path.sines).for_each(|(at, of_joint)| *at = of_joint[k]);
                 let mut torque = Joints::default();
-                body.inverse_dynamics(&q, &qd, &qdd, &mut torque);
+                linked.chain.inverse_dynamics_with_sines(&sines, &q, &qd, &qdd, &mut torque);
                 torques.iter_mut().zip(torque).for_each(|(column, torque)| column.push(torque));
             }
         }

@@ -18,6 +18,7 @@ pub fn stretch_of(motion: Kinematics, command_v: Vec<Vec<f64>>, broadband: bool)
         period_s: PERIOD_S,
         motion,
         postures,
+        sines: Default::default(),
         middles: Default::default(),
         command_v,
         broadband,

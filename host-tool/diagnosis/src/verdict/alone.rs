@@ -1,5 +1,5 @@
-//! What a cause is worth if no other is named: causes that overlap share what they take by the order in
-//! which they are added.
+//! What a cause may be worth beside its share: causes that overlap share what they take by the order in
+//! which they are added, and a part of what is left is theirs, which their true parameters would take.
 
 use super::confirmed::{Confirmation, Held};
 use super::worth::Worth;
@@ -15,6 +15,16 @@ impl Worth {
             first.map_or(self.share_interval, |first| first.share_interval);
         let hull = [from.min(first_from), to.max(first_to)];
         Self { share_interval: hull.map(|side| side.clamp(0.0, 1.0)), ..self }
+    }
+
+    /// The same with an interval up to what the cause would take besides if all that is left went to the causes
+    /// as what they take does, once more at most: by its true parameters a cause takes most, by an estimate
+    /// of them less.
+    pub fn with_remainder(self) -> Self {
+        let taken = (1.0 - self.remainder).max(0.5);
+        let besides = self.share.max(0.0) * self.remainder / taken;
+        let [from, to] = self.share_interval;
+        Self { share_interval: [from, (to + besides).min(1.0)], ..self }
     }
 }
 
@@ -44,6 +54,7 @@ mod tests {
         Worth {
             share,
             share_interval,
+            remainder: 0.1,
             part_of_left: share,
             part_interval: share_interval,
             shrinkage: 0.1,
@@ -59,5 +70,15 @@ mod tests {
         assert_eq!(last.in_any_order(None).share_interval, [0.2, 0.4]);
         let harmful = last.in_any_order(Some(&worth(-1.0, [-2.0, 0.1])));
         assert_eq!(harmful.share_interval, [0.0, 0.4]);
+    }
+
+    #[test]
+    fn an_interval_holds_what_may_be_left_of_the_cause() {
+        let of_remainder = |remainder| Worth { remainder, ..worth(0.45, [0.4, 0.5]) };
+        let upper = |remainder| of_remainder(remainder).with_remainder().share_interval[1];
+        assert_eq!(of_remainder(0.0).with_remainder(), of_remainder(0.0));
+        assert!((upper(0.1) - 0.55).abs() < 1e-12, "{}", upper(0.1));
+        assert!((upper(0.5) - 0.95).abs() < 1e-12, "{}", upper(0.5));
+        assert_eq!(upper(1.0), 1.0);
     }
 }

@@ -67,16 +67,16 @@ impl<'a> Judgement<'a> {
         judgement
     }
 
-    /// Shares of several causes depend on the order in which they are added; `known` effects are the
-    /// model's own.
+    /// A part of what is left is the causes', and shares of several depend on the order in which they are
+    /// added; `known` effects are the model's own.
     fn widen_shares(&mut self, known: usize) {
-        if self.named.len() < 2 {
-            return;
-        }
+        let several = self.named.len() > 1;
         let effects = &self.last.linear.hypothesis.effects[known..];
         for (named, effect) in self.named.iter_mut().zip(effects) {
-            let first = self.confirmation.worth_added_first(&self.refitted, &self.last, effect);
-            named.worth = named.worth.in_any_order(first.as_ref());
+            let added_first =
+                || self.confirmation.worth_added_first(&self.refitted, &self.last, effect);
+            let first = several.then(added_first).flatten();
+            named.worth = named.worth.with_remainder().in_any_order(first.as_ref());
         }
     }
 }

@@ -11,6 +11,8 @@ pub struct Worth {
     pub share: f64,
     /// Its interval.
     pub share_interval: [f64; 2],
+    /// Part of the same that is left with all causes, between nothing and all of it.
+    pub remainder: f64,
     /// Part of what is left above the noise without it.
     pub part_of_left: f64,
     /// Its interval.
@@ -24,11 +26,16 @@ pub struct Worth {
 impl Worth {
     /// Of blocks of what three models leave: without the cause, with it, and without any.
     pub fn of(blocks: &Blocks, criteria: &VerdictCriteria) -> Self {
+        let of_gap = |part_v2: f64, gap: f64, noise: f64| {
+            let excess = (gap - noise).max(criteria.least_excess * noise);
+            (part_v2 / excess.max(f64::MIN_POSITIVE)).min(1.0)
+        };
         let share = |sums: &[f64]| match sums {
-            [without, with, gap, noise] => {
-                let excess = (gap - noise).max(criteria.least_excess * noise);
-                ((without - with) / excess.max(f64::MIN_POSITIVE)).min(1.0)
-            }
+            [without, with, gap, noise] => of_gap(without - with, *gap, *noise),
+            _ => 0.0,
+        };
+        let left = |sums: &[f64]| match sums {
+            [_, with, gap, noise] => of_gap(with - noise, *gap, *noise).max(0.0),
             _ => 0.0,
         };
         let shrinkage = |sums: &[f64]| match sums {
@@ -42,7 +49,16 @@ impl Worth {
         let (part_of_left, part_interval) = blocks.figure(criteria.draws, part);
         let (share, share_interval) = blocks.figure(criteria.draws, share);
         let (shrinkage, shrinkage_interval) = blocks.figure(criteria.draws, shrinkage);
-        Self { share, share_interval, part_of_left, part_interval, shrinkage, shrinkage_interval }
+        let (remainder, _) = blocks.figure(1, left);
+        Self {
+            share,
+            share_interval,
+            remainder,
+            part_of_left,
+            part_interval,
+            shrinkage,
+            shrinkage_interval,
+        }
     }
 }
 
