@@ -1,6 +1,6 @@
 //! A model that is fitted to the logs, and what it leaves of them.
 
-use super::gauss_newton::{fit, fit_with_friction_shape, fit_with_slopes, open_in};
+use super::gauss_newton::{fit, fit_with_slopes, open_in};
 use super::linearisation::Linearisation;
 use super::residual_stats::ResidualStats;
 use crate::logs::subject::Subject;
@@ -47,18 +47,6 @@ impl FittedModel {
     ) -> Option<Self> {
         let first = fit(evidence, subject, start, most_steps)?;
         Self::reweighted(evidence, subject, first)
-    }
-
-    /// The same with the shape of friction around standstill as it is at first.
-    pub fn fitted_from_friction_shape(
-        evidence: &Evidence,
-        subject: &Subject,
-        start: Hypothesis,
-        most_steps: usize,
-    ) -> Option<Self> {
-        let first = fit_with_friction_shape(evidence, subject, start, most_steps)?;
-        let Self { evidence, linear, .. } = Self::reweighted(evidence, subject, first)?;
-        Self::fitted(&evidence, subject, linear.hypothesis, most_steps)
     }
 
     /// The same in haste, for a model that differs in a few effects or tables from one that is

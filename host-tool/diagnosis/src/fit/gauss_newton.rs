@@ -17,28 +17,6 @@ pub fn fit(
     most_steps: usize,
 ) -> Option<Linearisation> {
     let open = open_in(evidence, subject, &start);
-    fit_open(evidence, subject, start, open, most_steps)
-}
-
-/// The same with the shape of friction around standstill as it is.
-pub fn fit_with_friction_shape(
-    evidence: &Evidence,
-    subject: &Subject,
-    start: Hypothesis,
-    most_steps: usize,
-) -> Option<Linearisation> {
-    let mut open = open_in(evidence, subject, &start);
-    open.retain(|expected| !expected.unknown.shapes_friction());
-    fit_open(evidence, subject, start, open, most_steps)
-}
-
-fn fit_open(
-    evidence: &Evidence,
-    subject: &Subject,
-    start: Hypothesis,
-    open: Vec<Expected>,
-    most_steps: usize,
-) -> Option<Linearisation> {
     let mut best = Linearisation::of(evidence, start, open.clone())?;
     for _ in 0..most_steps {
         let Some((next, _, objective)) = improved(evidence, subject, &best, &open) else { break };

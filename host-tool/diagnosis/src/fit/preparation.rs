@@ -28,22 +28,16 @@ pub fn prepared(
     let given = as_given(subject);
     let evidence = with_noise(subject, stretches, &given)?;
     let given = with_likely_bristles(&evidence, subject, given);
-    let rough =
-        fit(&evidence, subject, given.clone(), steps.first_steps).ok_or_else(undetermined)?;
+    let rough = fit(&evidence, subject, given, steps.first_steps).ok_or_else(undetermined)?;
     let evidence = with_noise(subject, evidence.stretches.to_vec(), &rough.hypothesis)?;
     let refitted = |start: Hypothesis| {
         let fitted = FittedModel::fitted(&evidence, subject, start, steps.refit_steps)?;
         Some(fitted.settled(subject))
     };
     let from_given = refitted(rough.hypothesis).ok_or_else(undetermined)?;
-    let by_shape =
-        FittedModel::fitted_from_friction_shape(&evidence, subject, given, steps.refit_steps);
-    let by_shape = by_shape.map(|model| model.settled(subject));
     let from_near = near.and_then(|near| refitted(near.clone()));
-    let better = |best: FittedModel, next: FittedModel| {
-        if next.gain_over(&best) > 0.0 { next } else { best }
-    };
-    Ok((evidence, [by_shape, from_near].into_iter().flatten().fold(from_given, better)))
+    let better = from_near.filter(|model| model.gain_over(&from_given) > 0.0);
+    Ok((evidence, better.unwrap_or(from_given)))
 }
 
 fn undetermined() -> StepError {
