@@ -45,7 +45,8 @@ pub fn left_on_v2(model: &FittedModel, joint: u8) -> f64 {
 }
 
 /// Whether a rival's model takes a good part of what an effect on a joint (0: of the whole robot) takes
-/// there of what is left without it.
+/// there of what is left without it; or gains as much of what it gains, where that is parameters' alone and
+/// nothing of the rows.
 pub fn explains_as(
     joint: u8,
     without: &FittedModel,
@@ -55,7 +56,10 @@ pub fn explains_as(
     let left_v2 = |model: &FittedModel| left_on_v2(model, joint);
     let least = without.evidence.criteria.selection.least_as_rival;
     let taken_v2 = left_v2(without) - left_v2(with);
-    left_v2(without) - left_v2(rival) >= least * taken_v2
+    match taken_v2 > 0.0 {
+        true => left_v2(without) - left_v2(rival) >= least * taken_v2,
+        false => gain(without, rival) >= least * gain(without, with),
+    }
 }
 
 /// Log-likelihood that a model gains over another.

@@ -87,7 +87,8 @@ impl Search<'_> {
         let criteria = &self.subject.criteria;
         for round in self.rivals.len()..criteria.selection.most_effects {
             progress(&format!("trying every effect on every joint, round {}", round + 1));
-            if is_done(&self.gap, &self.last.stats, criteria) {
+            // Before any is known all are tried: one may gain much where no log is left far above its noise.
+            if round > 0 && is_done(&self.gap, &self.last.stats, criteria) {
                 return None;
             }
             match self.round() {

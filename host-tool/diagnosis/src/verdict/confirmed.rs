@@ -56,7 +56,7 @@ impl<'a> Confirmation<'a> {
     }
 
     /// Joints (from 0) on which an effect acts: its own, or all of the rig.
-    fn joints_of(&self, effect: &EffectInstance) -> Vec<usize> {
+    pub fn joints_of(&self, effect: &EffectInstance) -> Vec<usize> {
         match effect.joint {
             0 => self.subject.joints.clone(),
             joint => vec![usize::from(joint) - 1],
@@ -64,20 +64,27 @@ impl<'a> Confirmation<'a> {
     }
 
     /// Joints on which an effect is judged: those on which it acts, or all of the rig where hardly more
-    /// than noise is left there without it: parameters have taken its place, and what they leave by that is
-    /// on other joints.
+    /// than noise is left there without it, or less goes there, in units of noise, than elsewhere: parameters
+    /// have taken its place, and what they leave by that is on other joints.
     fn joints_judged(
         &self,
         last: &FittedModel,
         effect: &EffectInstance,
-        without_v: &Rows,
+        [without_v, with_v]: [&Rows; 2],
     ) -> Vec<usize> {
-        let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
         let own = self.joints_of(effect);
-        let blocks = Blocks::of(&last.evidence, &own, &[without_v, without_v], noise_v);
-        let over = blocks.figure(1, |sums| sums[0] / sums[2].max(1e-300)).0;
+        let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
+        let of = |joints: &[usize], figure: fn(&[f64]) -> f64| {
+            Blocks::of(&last.evidence, joints, &[without_v, with_v], noise_v).figure(1, figure).0
+        };
+        let over = of(&own, |sums| sums[0] / sums[2].max(1e-300));
+        let goes = |joint: &usize| of(&[*joint], |sums| (sums[0] - sums[1]) / sums[2].max(1e-300));
+        let (here, elsewhere): (Vec<usize>, Vec<usize>) =
+            self.subject.joints.iter().partition(|joint| own.contains(joint));
+        let sum = |joints: &[usize]| joints.iter().map(goes).sum::<f64>();
         let least = 1.0 + self.subject.criteria.verdict.least_excess;
-        if over < least { self.subject.joints.clone() } else { own }
+        let is_elsewhere = over < least || sum(&here) < sum(&elsewhere);
+        if is_elsewhere { self.subject.joints.clone() } else { own }
     }
 
     /// The worth of the cause at this place among those added.
@@ -96,7 +103,7 @@ impl<'a> Confirmation<'a> {
     ) -> Worth {
         let models = [without_v, with_v, &self.refitted.residual_v];
         let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
-        let joints = self.joints_judged(last, effect, without_v);
+        let joints = self.joints_judged(last, effect, [without_v, with_v]);
         let blocks = Blocks::of(&last.evidence, &joints, &models, noise_v);
         Worth::of(&blocks, &self.subject.criteria.verdict)
     }
@@ -107,7 +114,7 @@ impl<'a> Confirmation<'a> {
     pub fn weighed_worth(&self, last: &FittedModel, index: usize, told: Worth) -> Worth {
         let effect = &last.linear.hypothesis.effects[self.subject.known_effects.len() + index];
         let (without_v, with_v) = (&self.without[index].residual_v, &self.full.residual_v);
-        let joints = self.joints_judged(last, effect, without_v);
+        let joints = self.joints_judged(last, effect, [without_v, with_v]);
         if joints.len() == 1 {
             return told;
         }

@@ -108,11 +108,15 @@ impl<'a> Elimination<'a> {
         among: impl Iterator<Item = usize>,
     ) -> Vec<usize> {
         let criteria = &self.subject.criteria.verdict;
-        let explained = confirmation.explained(&self.last);
+        let of_arm = confirmation.explained(&self.last);
         let no_gap = is_no_gap(&self.refitted, &self.last, confirmation, criteria);
         let fails = |index: &usize| {
             let Judged { worth, weighed, probability } = &judged[*index];
             let without = &self.added[*index].without;
+            let effect = &self.last.linear.hypothesis.effects[self.place(*index)];
+            // Where the arm has no gap, other joints are left with what noise is known by.
+            let own = || confirmation.explained_on(&self.last, &confirmation.joints_of(effect));
+            let explained = if no_gap { own() } else { of_arm };
             !self.can_be(confirmation, *index, worth)
                 || worth.share <= 0.0
                 || !is_named(*probability, weighed, explained, no_gap, criteria)
