@@ -1,7 +1,8 @@
 //! Residuals of pieces of logs that the parameters were not fitted to.
 
-use nalgebra::{Cholesky, DMatrix, DVector};
+use nalgebra::{Cholesky, DMatrix, DVector, DVectorView};
 
+use super::gram::{self, Run, runs};
 use super::joint_slopes::JointSlopes;
 use super::linearisation::Linearisation;
 use crate::rows::evidence::{Evidence, Rows};
@@ -20,18 +21,15 @@ impl Linearisation {
     /// at its end is taken as it is, and not as the slopes promise.
     pub fn left_out(&self, evidence: &Evidence) -> Rows {
         let mut rows = self.residual.clone();
-        let of_joints = self.folds(evidence);
-        let folds = evidence.criteria.selection.folds;
-        let normal = self.normal_within_slopes();
-        let changes = self.changes_without(normal, &of_joints, folds);
-        for (fold, change) in changes.into_iter().enumerate() {
-            let Some(change) = change else { continue };
-            for (slopes, fold_of) in self.joints.iter().zip(&of_joints) {
-                let own = own(slopes, &change);
-                let left_out = (0..self.train[slopes.joint]).filter(|&k| fold_of[k] == fold);
-                for k in left_out {
-                    rows[slopes.joint][k] += slopes.matrix.row(k).dot(&own.transpose());
-                }
+        let runs = self.runs(&self.folds(evidence));
+        let changes = self.changes_without(self.normal_within_slopes(), &runs, &self.of_folds);
+        for (slopes, runs) in self.joints.iter().zip(&runs) {
+            for run in runs {
+                let Some(change) = &changes[run.group] else { continue };
+                let (from, count) = (run.rows.start, run.rows.len());
+                let left_out = slopes.matrix.rows(from, count) * own(slopes, change);
+                let rows = &mut rows[slopes.joint][run.rows.clone()];
+                rows.iter_mut().zip(left_out.iter()).for_each(|(row, change)| *row += change);
             }
         }
         rows
@@ -43,11 +41,14 @@ impl Linearisation {
     /// next, and only that shows it. Logs are few, and one may hold most of what is known of a parameter,
     /// so that their deviation counts as one that is known.
     pub fn half_intervals(&self, evidence: &Evidence) -> Vec<f64> {
-        let folds = evidence.criteria.selection.folds;
-        let by_folds = self.jackknife_deviations(&self.folds(evidence), folds) * STUDENT_T;
+        let folds = self.runs(&self.folds(evidence));
+        let by_folds = self.jackknife_deviations(&folds, &self.of_folds) * STUDENT_T;
         let logs: Vec<Vec<usize>> =
             self.joints.iter().map(|slopes| evidence.logs_of_rows(slopes.joint)).collect();
-        let by_logs = self.jackknife_deviations(&logs, evidence.train_logs());
+        let logs = self.runs(&logs);
+        let of_logs =
+            gram::by_groups(&self.joints, &logs, evidence.train_logs(), self.expected.len());
+        let by_logs = self.jackknife_deviations(&logs, &of_logs);
         let wider = |place: usize| {
             let deviation = self.deviation(place).max(by_logs[place]);
             by_folds[place].max(NORMAL * deviation)
@@ -57,9 +58,13 @@ impl Linearisation {
 
     /// Standard deviations of what is open: sqrt((F - 1)/F sum(change^2)), the delete-a-group jackknife
     /// (Kott, 2001).
-    fn jackknife_deviations(&self, group_of: &[Vec<usize>], groups: usize) -> DVector<f64> {
+    fn jackknife_deviations(
+        &self,
+        runs: &[Vec<Run>],
+        products: &[DMatrix<f64>],
+    ) -> DVector<f64> {
         let changes: Vec<DVector<f64>> =
-            self.changes_without(self.normal(), group_of, groups).into_iter().flatten().collect();
+            self.changes_without(self.normal(), runs, products).into_iter().flatten().collect();
         let part = 1.0 - 1.0 / changes.len().max(1) as f64;
         let zero = DVector::zeros(self.expected.len());
         let squares = changes.iter().fold(zero, |sum, change| sum + change.component_mul(change));
@@ -79,17 +84,39 @@ impl Linearisation {
     }
 
     /// By how much the fit to all train rows but those of a group differs from the one to all, whose normal
-    /// matrix is `whole`, group by group; rows of each joint have their groups in `group_of`.
+    /// matrix is `whole`, group by group, by the products of the slopes over each group's rows.
     fn changes_without(
         &self,
         whole: DMatrix<f64>,
-        group_of: &[Vec<usize>],
-        groups: usize,
+        runs: &[Vec<Run>],
+        products: &[DMatrix<f64>],
     ) -> Vec<Option<DVector<f64>>> {
-        let Some(cholesky) = Cholesky::new(whole.clone()) else { return vec![None; groups] };
+        let Some(cholesky) = Cholesky::new(whole.clone()) else {
+            return vec![None; products.len()];
+        };
         let to_all = -cholesky.solve(&self.gradient);
-        let change = |group| Some(self.step_without(&whole, group_of, group)? - &to_all);
-        (0..groups).map(change).collect()
+        let gradients = self.gradients_without(runs, products.len());
+        let both = products.iter().zip(&gradients);
+        let change = |(products, gradient): (&DMatrix<f64>, &DVector<f64>)| {
+            Some(-Cholesky::new(&whole - products)?.solve(gradient) - &to_all)
+        };
+        both.map(change).collect()
+    }
+
+    /// Half the gradient of the objective without each group's rows.
+    fn gradients_without(&self, runs: &[Vec<Run>], groups: usize) -> Vec<DVector<f64>> {
+        let mut gradients = vec![self.gradient.clone(); groups];
+        for (slopes, runs) in self.joints.iter().zip(runs) {
+            let residual = &self.residual[slopes.joint];
+            for run in runs {
+                let right = DVectorView::from_slice(&residual[run.rows.clone()], run.rows.len());
+                let own = slopes.matrix.rows(run.rows.start, run.rows.len()).tr_mul(&right);
+                for (&place, product) in slopes.places.iter().zip(own.iter()) {
+                    gradients[run.group][place] -= product;
+                }
+            }
+        }
+        gradients
     }
 
     /// The fold of every row, joint by joint.
@@ -97,29 +124,9 @@ impl Linearisation {
         self.joints.iter().map(|slopes| evidence.folds(slopes.joint)).collect()
     }
 
-    /// The step that fits best to all train rows but those of a fold.
-    fn step_without(
-        &self,
-        whole: &DMatrix<f64>,
-        fold_of: &[Vec<usize>],
-        fold: usize,
-    ) -> Option<DVector<f64>> {
-        let (mut normal, mut gradient) = (whole.clone(), self.gradient.clone());
-        for (slopes, fold_of) in self.joints.iter().zip(fold_of) {
-            let count = self.train[slopes.joint];
-            let rows: Vec<usize> = (0..count).filter(|&k| fold_of[k] == fold).collect();
-            let matrix = slopes.matrix.select_rows(&rows);
-            let residual = &self.residual[slopes.joint];
-            let right = DVector::from_iterator(rows.len(), rows.iter().map(|&k| residual[k]));
-            let (products, own) = (matrix.tr_mul(&matrix), matrix.tr_mul(&right));
-            for (a, &place_a) in slopes.places.iter().enumerate() {
-                gradient[place_a] -= own[a];
-                for (b, &place_b) in slopes.places.iter().enumerate() {
-                    normal[(place_a, place_b)] -= products[(a, b)];
-                }
-            }
-        }
-        Some(-Cholesky::new(normal)?.solve(&gradient))
+    /// Runs of rows of one group, joint by joint.
+    fn runs(&self, group_of: &[Vec<usize>]) -> Vec<Vec<Run>> {
+        group_of.iter().map(|group_of| runs(group_of)).collect()
     }
 }
 

@@ -6,9 +6,10 @@ use std::sync::Arc;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::earlier::Earlier;
+use super::gram;
 use super::joint_slopes::JointSlopes;
 use super::normal_equations::{
-    gradient, normal, objective, products, refitted_squares, train_rows,
+    gradient, normal, objective, refitted_squares, train_rows,
 };
 use super::slopes::{changed, slopes};
 use super::unknowns::{Expected, Unknown};
@@ -32,8 +33,10 @@ pub struct Linearisation {
     pub(crate) joints: Arc<[JointSlopes]>,
     /// Half the gradient of the objective.
     pub(super) gradient: DVector<f64>,
-    /// Products of the slopes.
-    products: DMatrix<f64>,
+    /// Products of the slopes over all train rows.
+    products: Arc<DMatrix<f64>>,
+    /// The same over the rows of each fold.
+    pub(super) of_folds: Arc<[DMatrix<f64>]>,
     pub(super) normal: Cholesky<f64, Dyn>,
     /// Squares of each joint's train rows, everything open refitted by the slopes.
     refitted_squares: Vec<f64>,
@@ -73,7 +76,7 @@ impl Linearisation {
         let train = train_rows(evidence);
         let (parts, residual, joints) = slopes(evidence, &hypothesis, &expected, earlier);
         let objective = objective(&residual, &train, &hypothesis, &expected);
-        let products = products(&joints, &train, expected.len());
+        let (products, of_folds) = products(evidence, &joints, expected.len());
         let normal = Cholesky::new(normal(&products, &expected))?;
         let gradient = gradient(&joints, &residual, &train, &hypothesis, &expected);
         objective.is_finite().then_some(())?;
@@ -87,6 +90,7 @@ impl Linearisation {
             joints: joints.into(),
             gradient,
             products,
+            of_folds,
             normal,
             refitted_squares,
             train,
@@ -119,11 +123,20 @@ impl Linearisation {
         let joints: Vec<JointSlopes> =
             self.joints.iter().map(|slopes| slopes.scaled(&ratios[slopes.joint])).collect();
         let objective = objective(&residual, &self.train, &self.hypothesis, &self.expected);
-        let products = products(&joints, &self.train, self.expected.len());
+        let (products, of_folds) = products(to, &joints, self.expected.len());
         let gradient = gradient(&joints, &residual, &self.train, &self.hypothesis, &self.expected);
         let normal = Cholesky::new(normal(&products, &self.expected))?;
         let joints = joints.into();
-        Some(Self { residual, objective, products, normal, gradient, joints, ..self.clone() })
+        Some(Self {
+            residual,
+            objective,
+            products,
+            of_folds,
+            normal,
+            gradient,
+            joints,
+            ..self.clone()
+        })
     }
 
     /// The same model and slopes where something else is known of what is open; `None` where the
@@ -302,6 +315,18 @@ impl Linearisation {
         unit[place] = 1.0;
         self.normal.solve(&unit)[place].max(0.0).sqrt()
     }
+}
+
+/// Products of the slopes over all train rows, and over those of each fold.
+fn products(
+    evidence: &Evidence,
+    joints: &[JointSlopes],
+    open: usize,
+) -> (Arc<DMatrix<f64>>, Arc<[DMatrix<f64>]>) {
+    let runs: Vec<_> = joints.iter().map(|own| gram::runs(&evidence.folds(own.joint))).collect();
+    let of_folds = gram::by_groups(joints, &runs, evidence.criteria.selection.folds, open);
+    let all = of_folds.iter().fold(DMatrix::zeros(open, open), |sum, fold| sum + fold);
+    (all.into(), of_folds.into())
 }
 
 /// A joint's rows of a change; none where they do not change.

@@ -7,6 +7,7 @@ pub mod earlier;
 pub mod excess;
 pub mod fitted_model;
 pub mod gauss_newton;
+mod gram;
 pub mod joint_slopes;
 pub mod linearisation;
 mod marginal_likelihood;

@@ -37,21 +37,6 @@ pub(super) fn normal(products: &DMatrix<f64>, expected: &[Expected]) -> DMatrix<
     normal
 }
 
-/// Products of the slopes with each other.
-pub(super) fn products(joints: &[JointSlopes], train: &[usize], open: usize) -> DMatrix<f64> {
-    let mut sum = DMatrix::zeros(open, open);
-    for slopes in joints {
-        let matrix = slopes.matrix.rows_range(..train[slopes.joint]);
-        let products = matrix.tr_mul(&matrix);
-        for (a, &place_a) in slopes.places.iter().enumerate() {
-            for (b, &place_b) in slopes.places.iter().enumerate() {
-                sum[(place_a, place_b)] += products[(a, b)];
-            }
-        }
-    }
-    sum
-}
-
 /// Squares of each joint's train rows after a step.
 pub(super) fn refitted_squares(
     joints: &[JointSlopes],

@@ -87,6 +87,7 @@ impl Search<'_> {
         let criteria = &self.subject.criteria;
         for round in self.rivals.len()..criteria.selection.most_effects {
             progress(&format!("trying every effect on every joint, round {}", round + 1));
+            self.refit_from_given();
             // Before any is known all are tried: one may gain much where no log is left far above its noise.
             if round > 0 && is_done(&self.gap, &self.last.stats, criteria) {
                 return None;
@@ -97,6 +98,23 @@ impl Search<'_> {
             }
         }
         None
+    }
+
+    /// The model refitted from the parameters as given where it gains by that, as candidates are: what a better
+    /// fit alone gains is no effect's.
+    fn refit_from_given(&mut self) {
+        let subject = self.subject;
+        let Some(start) = with_given_parameters(subject, &self.last) else { return };
+        let (evidence, policy) = (&self.last.evidence, &subject.criteria.selection);
+        let given = || start.hypothesis.clone();
+        let near =
+            FittedModel::fitted_near(&start, evidence, subject, given(), policy.finalist_steps);
+        let whole = FittedModel::fitted(evidence, subject, given(), policy.accepted_steps);
+        for model in [near, whole].into_iter().flatten() {
+            if model.gain_over(&self.last) > 0.0 {
+                self.last = model.settled(subject);
+            }
+        }
     }
 
     /// The search carried on with what is left taken to be systematic; none where that adds nothing.
