@@ -16,11 +16,13 @@
 pub mod butterworth;
 pub mod derivative;
 pub mod estimation;
+mod play;
 mod rms;
 pub mod spectrum;
 pub mod spectrum_window;
 mod unwrapper;
 
 pub use butterworth::LowPass;
+pub use play::play;
 pub use rms::rms;
 pub use unwrapper::Unwrapper;

@@ -58,11 +58,7 @@ impl Linearisation {
 
     /// Standard deviations of what is open: sqrt((F - 1)/F sum(change^2)), the delete-a-group jackknife
     /// (Kott, 2001).
-    fn jackknife_deviations(
-        &self,
-        runs: &[Vec<Run>],
-        products: &[DMatrix<f64>],
-    ) -> DVector<f64> {
+    fn jackknife_deviations(&self, runs: &[Vec<Run>], products: &[DMatrix<f64>]) -> DVector<f64> {
         let changes: Vec<DVector<f64>> =
             self.changes_without(self.normal(), runs, products).into_iter().flatten().collect();
         let part = 1.0 - 1.0 / changes.len().max(1) as f64;

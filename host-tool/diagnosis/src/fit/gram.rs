@@ -59,9 +59,21 @@ fn add_products(sum: &mut DMatrix<f64>, matrix: &DMatrix<f64>, rows: &Range<usiz
     let stride = matrix.nrows();
     let from = &matrix.as_slice()[rows.start..];
     let by_rows: MatrixView<'_, f64, Dyn, Dyn, U1, Dyn> =
-        MatrixView::from_slice_with_strides_generic(from, Dyn(count), Dyn(columns), U1, Dyn(stride));
+        MatrixView::from_slice_with_strides_generic(
+            from,
+            Dyn(count),
+            Dyn(columns),
+            U1,
+            Dyn(stride),
+        );
     let by_columns: MatrixView<'_, f64, Dyn, Dyn, Dyn, U1> =
-        MatrixView::from_slice_with_strides_generic(from, Dyn(columns), Dyn(count), Dyn(stride), U1);
+        MatrixView::from_slice_with_strides_generic(
+            from,
+            Dyn(columns),
+            Dyn(count),
+            Dyn(stride),
+            U1,
+        );
     sum.gemm(1.0, &by_columns, &by_rows, 1.0);
 }
 

@@ -8,10 +8,8 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use super::earlier::Earlier;
 use super::gram;
 use super::joint_slopes::JointSlopes;
-use super::normal_equations::{
-    gradient, normal, objective, refitted_squares, train_rows,
-};
-use super::slopes::{changed, slopes};
+use super::normal_equations::{gradient, normal, objective, refitted_squares, train_rows};
+use super::slopes::{changed, changed_by_spring, slopes};
 use super::unknowns::{Expected, Unknown};
 use crate::rows::evidence::{Evidence, RowChange, Rows};
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
@@ -284,17 +282,33 @@ impl Linearisation {
         effect: &EffectInstance,
         which: Joints,
     ) -> RowChange {
-        let own = usize::from(effect.joint).checked_sub(1);
-        let joints = match own.filter(|_| !effect.definition.couples_joints || which == Joints::Own)
-        {
-            None => evidence.joints.clone(),
-            Some(own) => vec![own],
-        };
+        let joints = changed_joints(evidence, effect, which);
         let others = &self.hypothesis.effects;
         let hypothesis = self.hypothesis.with(effect.clone());
         let mut change = evidence.no_change();
         for (s, parts) in self.parts.iter().enumerate() {
-            changed(evidence, s, parts, &hypothesis, (effect, others), &joints, &mut change);
+            let before = (parts, &self.hypothesis);
+            changed(evidence, s, before, &hypothesis, (effect, others), &joints, &mut change);
+        }
+        change
+    }
+
+    /// The same to first order in how far a link is ahead of its motor, where the effect is a spring: enough to
+    /// tell where a search should begin.
+    pub fn change_nearly_by(
+        &self,
+        evidence: &Evidence,
+        effect: &EffectInstance,
+        which: Joints,
+    ) -> RowChange {
+        if !effect.is_spring() {
+            return self.change_by(evidence, effect, which);
+        }
+        let joints = changed_joints(evidence, effect, which);
+        let hypothesis = self.hypothesis.with(effect.clone());
+        let mut change = evidence.no_change();
+        for (s, parts) in self.parts.iter().enumerate() {
+            changed_by_spring(evidence, s, parts, &hypothesis, effect, &joints, &mut change);
         }
         change
     }
@@ -332,6 +346,15 @@ fn products(
 /// A joint's rows of a change; none where they do not change.
 fn column(change: &RowChange, joint: usize) -> &[f64] {
     change.get(joint).and_then(Option::as_deref).unwrap_or_default()
+}
+
+/// The joints (from 0) whose rows an effect changes, of those that are wanted.
+fn changed_joints(evidence: &Evidence, effect: &EffectInstance, which: Joints) -> Vec<usize> {
+    let own = usize::from(effect.joint).checked_sub(1);
+    match own.filter(|_| !effect.definition.couples_joints || which == Joints::Own) {
+        None => evidence.joints.clone(),
+        Some(own) => vec![own],
+    }
 }
 
 /// Which joints' rows of a change are wanted.

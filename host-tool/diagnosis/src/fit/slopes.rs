@@ -1,5 +1,7 @@
 //! The rows of a model, and their slopes in all that is open: what a linearisation is made of.
 
+use std::cell::OnceCell;
+
 use model::friction_parameters::COUNT as FRICTION_COUNT;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
@@ -13,28 +15,49 @@ use crate::trial::active_effects::FRICTION_SLOPES;
 use crate::trial::equation::Trial;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use crate::trial::parts::{Parts, motor_side, touched};
+use crate::trial::residual_rows::train_rows_of;
+use crate::trial::rigid_rows::{base_columns, measured_columns};
 use rig::effects::{Kind, Table};
 
-/// Appends the change of joints' rows in a stretch once a model becomes `hypothesis`, which
-/// differs in one of its effects from that of `parts`.
+/// Appends the change of joints' rows in a stretch once a model, the one `before` with its `parts`, becomes
+/// `hypothesis`, which differs in one of its effects.
 pub fn changed(
     evidence: &Evidence,
     s: usize,
-    parts: &Vec<Parts>,
+    (parts, before): (&Vec<Parts>, &Hypothesis),
     hypothesis: &Hypothesis,
     (effect, others): (&EffectInstance, &[EffectInstance]),
     joints: &[usize],
     change: &mut RowChange,
 ) {
     let touches = touched(effect, others, &hypothesis.tables);
+    let (stretch, criteria) = (&evidence.stretches[s], &evidence.criteria.fit);
+    let trial = Trial::with_motor_side(stretch, hypothesis, criteria, motor_side(parts, effect));
+    let (of_before, make) = (OnceCell::new(), || Trial::of(stretch, before, criteria));
+    for &joint in joints {
+        let before = || of_before.get_or_init(make);
+        let signal = parts[joint].change_to(&before, &trial, joint, touches);
+        change[joint].get_or_insert_default().extend(evidence.weighted(s, joint, &signal));
+    }
+}
+
+/// Appends the same, to first order, once a spring is added to the model of `parts`.
+pub fn changed_by_spring(
+    evidence: &Evidence,
+    s: usize,
+    parts: &Vec<Parts>,
+    hypothesis: &Hypothesis,
+    spring: &EffectInstance,
+    joints: &[usize],
+    change: &mut RowChange,
+) {
     let trial = Trial::with_motor_side(
         &evidence.stretches[s],
         hypothesis,
         &evidence.criteria.fit,
-        motor_side(parts, effect),
+        motor_side(parts, spring),
     );
-    for &joint in joints {
-        let signal = parts[joint].change_to(&trial, joint, touches);
+    for (&joint, signal) in joints.iter().zip(trial.changes_by_spring(joints)) {
         change[joint].get_or_insert_default().extend(evidence.weighted(s, joint, &signal));
     }
 }
@@ -117,7 +140,7 @@ fn stretch_slopes(
             return Piece::default();
         }
         let parts = Parts::of(&trial, joint);
-        let rows = evidence.weighted(s, joint, &trial.residual_of_net(joint, &parts.net));
+        let rows = train_rows_of(evidence, s, joint, &trial, &parts.net);
         let columns = own_slopes(evidence, s, joint, &trial, hypothesis, wanted);
         (parts, rows, columns)
     };
@@ -133,13 +156,12 @@ fn own_slopes(
     hypothesis: &Hypothesis,
     wanted: &[(usize, &Expected)],
 ) -> Vec<Column> {
-    let make = || base_columns(evidence, s, joint, trial);
     let own: Columns;
     let is_base = |(_, e): &(usize, &Expected)| matches!(e.unknown, Unknown::Base(_));
     let base = match trial.moves_as_measured() || !wanted.iter().any(is_base) {
-        true => evidence.regressor(s, joint, make),
+        true => measured_columns(evidence, s, joint, trial),
         false => {
-            own = make();
+            own = base_columns(evidence, s, joint, trial);
             &own
         }
     };
@@ -224,15 +246,6 @@ pub fn table_hats(trial: &Trial, table: &Table, joint: usize) -> Vec<Vec<f64>> {
     (0..table.knots.len()).map(of_knot).collect()
 }
 
-/// Rows of the regressor without weights, what is needed counted as negative.
-fn base_columns(evidence: &Evidence, s: usize, joint: usize, trial: &Trial) -> Columns {
-    let rows = |mut raw: Vec<f64>| {
-        raw.iter_mut().for_each(|r| *r = -*r);
-        evidence.filter(joint, s).rows(&raw)
-    };
-    trial.regressor_columns(joint).into_iter().map(|column| column.map(rows)).collect()
-}
-
 /// Slopes of the train rows along the open parameters of effects.
 fn effect_slopes(
     evidence: &Evidence,
@@ -270,7 +283,8 @@ fn effect_slope(
     };
     let mut slope = evidence.no_change();
     for (s, parts) in parts.iter().enumerate() {
-        changed(evidence, s, parts, &moved, (effect, &others), &joints, &mut slope);
+        let before = (parts, hypothesis);
+        changed(evidence, s, before, &moved, (effect, &others), &joints, &mut slope);
     }
     slope.iter_mut().flatten().flatten().for_each(|row| *row /= step);
     slope

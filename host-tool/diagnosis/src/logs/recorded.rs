@@ -37,10 +37,22 @@ pub fn recorded(trace: &Trace, log: usize, subject: &Subject, range: Range<usize
     for &joint in subject.joints.iter().filter(|&&joint| !angles[joint].is_empty()) {
         let cutoff_hz = motion_cutoff_hz(&angles[joint], joint, &stretch, subject);
         stretch.motion.set(joint, &angles[joint], clock.period_s(), cutoff_hz);
+        // A joint that noise drives does not stand.
+        if !broadband {
+            let noise_rad =
+                smoothed_steps_rad(subject.encoder_step_rad[joint], cutoff_hz, stretch.sampled_s);
+            stretch.at_rest_rad[joint] = criteria.at_rest_part * noise_rad;
+        }
     }
     fill_absent(&mut stretch);
     stretch.postures = postures_for(&subject.plant, &stretch.motion);
     stretch
+}
+
+/// What is left of an encoder's steps, white noise at the rate of its samples, below a cut-off, rms [rad].
+fn smoothed_steps_rad(step_rad: f64, cutoff_hz: f64, sampled_s: f64) -> f64 {
+    let part_below = (2.0 * cutoff_hz * sampled_s).min(1.0);
+    step_rad * (part_below / 12.0).sqrt()
 }
 
 /// Whether any command of a log drives the joints at high frequencies in a range.

@@ -44,6 +44,8 @@ pub struct Stretch {
     pub settled: Vec<usize>,
     /// Samples too near to one that was lost; empty where none matters.
     pub unseen: Vec<bool>,
+    /// How far each joint's smoothed angle wavers to either side while the joint stands [rad].
+    pub at_rest_rad: Vec<f64>,
     /// How rough the angles of each joint are from sample to sample.
     pub roughness: Vec<Roughness>,
 }
@@ -65,6 +67,7 @@ impl Stretch {
             broadband: false,
             settled: vec![0; joints],
             unseen: Vec::new(),
+            at_rest_rad: vec![0.0; joints],
             roughness: vec![Roughness::default(); joints],
         }
     }
@@ -98,6 +101,7 @@ impl Stretch {
             middles: OnceLock::new(),
             settled: self.settled.iter().map(from_begin).collect(),
             unseen: self.unseen.get(range).unwrap_or_default().to_vec(),
+            at_rest_rad: self.at_rest_rad.clone(),
             roughness: self.roughness.clone(),
             ..*self
         }

@@ -31,12 +31,23 @@ pub struct Evidence {
     /// Rows of the regressor along the measured motion, by stretch and joint, once asked for [V per
     /// unit of the base parameter].
     regressors: Arc<[Vec<OnceLock<Columns>>]>,
+    /// Rows of what one rigid body needs along it; likewise.
+    rigid_rows: Arc<[Vec<OnceLock<RigidRows>>]>,
     /// Weight of every row of a stretch, by joint [1/V]; 0 before the joint's friction is settled.
     weights: Vec<Vec<Vec<f64>>>,
 }
 
 /// Columns of a joint's rows, one per base parameter; none where the joint does not depend on it.
 pub type Columns = Vec<Option<Vec<f64>>>;
+
+/// Rows of what a rigid body needs of a joint, without weights, counted as negative.
+#[derive(Clone, Debug)]
+pub struct RigidRows {
+    /// Base parameters or coordinates of the body.
+    pub base: Vec<f64>,
+    /// Its rows [V].
+    pub rows: Vec<f64>,
+}
 
 /// Rows of the arm's joints, weighted or in volts. A joint that the rig lacks has no row.
 pub type Rows = Vec<Vec<f64>>;
@@ -69,7 +80,8 @@ impl Evidence {
             .collect();
         let mut evidence = Self {
             train: stretches.iter().filter(|s| s.role == Role::Train).count(),
-            regressors: stretches.iter().map(regressors_of).collect(),
+            regressors: stretches.iter().map(of_joints).collect(),
+            rigid_rows: stretches.iter().map(of_joints).collect(),
             stretches: stretches.into(),
             joints,
             filters,
@@ -131,8 +143,10 @@ impl Evidence {
     pub fn with_stretches(&self, change: impl Fn(&mut Stretch)) -> Self {
         let mut stretches = self.stretches.to_vec();
         stretches.iter_mut().for_each(change);
-        let regressors = stretches.iter().map(regressors_of).collect();
-        let mut changed = Self { stretches: stretches.into(), regressors, ..self.clone() };
+        let regressors = stretches.iter().map(of_joints).collect();
+        let rigid_rows = stretches.iter().map(of_joints).collect();
+        let stretches = stretches.into();
+        let mut changed = Self { stretches, regressors, rigid_rows, ..self.clone() };
         for joint in 0..changed.weights.len() {
             changed.weights[joint].truncate(changed.stretches.len());
             for s in 0..changed.weights[joint].len() {
@@ -168,6 +182,16 @@ impl Evidence {
     /// at first.
     pub fn regressor(&self, s: usize, joint: usize, make: impl FnOnce() -> Columns) -> &Columns {
         self.regressors[s][joint].get_or_init(make)
+    }
+
+    /// Rows of what a rigid body needs of a joint along the measured motion, without weights; made by `make` at first.
+    pub fn rigid_rows(
+        &self,
+        s: usize,
+        joint: usize,
+        make: impl FnOnce() -> RigidRows,
+    ) -> &RigidRows {
+        self.rigid_rows[s][joint].get_or_init(make)
     }
 
     /// A signal of a stretch as weighted rows. Rows before the joint's friction is settled have no
@@ -273,8 +297,8 @@ impl Evidence {
     }
 }
 
-/// Room for a stretch's regressor, joint by joint.
-fn regressors_of(stretch: &Stretch) -> Vec<OnceLock<Columns>> {
+/// Room for what a stretch has of each joint.
+fn of_joints<T>(stretch: &Stretch) -> Vec<OnceLock<T>> {
     stretch.command_v.iter().map(|_| OnceLock::new()).collect()
 }
 

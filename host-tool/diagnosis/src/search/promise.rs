@@ -24,7 +24,7 @@ pub(super) fn promised(
     if !effect.has_backlash() {
         return promise(linear, evidence, effect);
     }
-    let change = linear.change_by(evidence, effect, Joints::All);
+    let change = linear.change_nearly_by(evidence, effect, Joints::All);
     let squares = linear.refitted_objective() - linear.objective_with(&change);
     free_size_gain(squares, linear.squares())
 }
@@ -37,7 +37,7 @@ pub(super) fn promised(
 pub(crate) fn promise(linear: &Linearisation, evidence: &Evidence, effect: &EffectInstance) -> f64 {
     let shows_on_all = effect.definition.touches == Touches::READING;
     let joints = if shows_on_all { Joints::All } else { Joints::Own };
-    let change = linear.change_by(evidence, effect, joints);
+    let change = linear.change_nearly_by(evidence, effect, joints);
     let (gradient, curvature) = linear.along(&Default::default(), &[change]);
     let squares = gradient[0] * gradient[0] / curvature[(0, 0)].max(1e-12);
     let of_squares = if shows_on_all { linear.squares() } else { linear.squares_of(effect) };

@@ -18,7 +18,7 @@ use crate::logs::kinematics::{Joints, Kinematics, Middles};
 use crate::logs::stretch::Stretch;
 use rig::Plant;
 use rig::effects::{Effect, JointState, Table, TableAxis, Transmission};
-use signal::derivative;
+use signal::{derivative, play};
 
 /// Slopes of friction: along its parameters, and along its lead.
 pub const FRICTION_SLOPES: usize = FRICTION_COUNT + 1;
@@ -167,21 +167,34 @@ impl<'a> ActiveEffects<'a> {
 
     /// Velocity that friction feels: to first order the one `lead_s` later [rad/s].
     fn velocity_ahead<T: Real>(&self, joint: usize, lead_s: T) -> Vec<T> {
-        let v = &self.motor.qd_rad_per_s[joint];
-        let slope = derivative::first(v, self.stretch.period_s);
+        let v = self.sliding_velocity(joint);
+        let slope = derivative::first(&v, self.stretch.period_s);
         let ahead = |(v, slope): (&f64, f64)| T::constant(*v) + lead_s * T::constant(slope);
         v.iter().zip(slope).map(ahead).collect()
+    }
+
+    /// Velocity of a joint without what encoder steps add to it where it stands: bristles relax with |v|, and
+    /// noise of a velocity has one at rest, by which they would let go of a joint that sticks [rad/s].
+    fn sliding_velocity(&self, joint: usize) -> Cow<'_, [f64]> {
+        let wavers_rad = self.stretch.at_rest_rad[joint];
+        if wavers_rad == 0.0 {
+            return Cow::Borrowed(&self.motor.qd_rad_per_s[joint]);
+        }
+        let q_rad = play(&self.motor.q_rad[joint], wavers_rad);
+        Cow::Owned(derivative::first(&q_rad, self.stretch.period_s))
     }
 
     /// How far the bristles of each joint are bent at every sample.
     pub fn bristles(&self) -> Vec<Vec<FrictionState<f64>>> {
         let mut bristles = vec![FrictionState::default(); self.plant.joints()];
         let mut scale = vec![FrictionScale::unchanged(); self.plant.joints()];
+        let velocity: Vec<Cow<[f64]>> =
+            (0..self.plant.joints()).map(|joint| self.sliding_velocity(joint)).collect();
         let mut at = |k: usize| {
             let before = bristles.clone();
             self.scale_friction(k, &mut scale);
             for (joint, state) in bristles.iter_mut().enumerate() {
-                let v = self.motor.qd_rad_per_s[joint][k];
+                let v = velocity[joint][k];
                 let friction = &self.plant.friction[joint];
                 state.step_scaled(friction, scale[joint], v, self.stretch.period_s);
             }

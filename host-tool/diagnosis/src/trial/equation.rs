@@ -10,6 +10,7 @@ use std::cell::OnceCell;
 use model::{FrictionState, Posture};
 
 use super::active_effects::{ActiveEffects, FRICTION_SLOPES};
+use super::coupling::Coupling;
 use super::hypothesis::Hypothesis;
 use super::joint_dynamics::JointDynamics;
 use super::link_motion::{self, JointMotion, MeasuredTorque};
@@ -54,6 +55,9 @@ pub struct Trial<'a> {
 pub trait MotorSide {
     /// Dynamics of a joint as if it were stiff, by samples; computed by `make` at first.
     fn dynamics(&self, joint: usize, make: &dyn Fn() -> Vec<JointDynamics>) -> &[JointDynamics];
+
+    /// What a joint's link ahead of its motor pulls at all joints; computed by `make` at first.
+    fn coupling(&self, joint: usize, make: &dyn Fn() -> Coupling) -> &Coupling;
 
     /// What drives a joint less friction, by intervals [V].
     fn net_v(&self, joint: usize) -> &[f64];
@@ -105,10 +109,18 @@ impl<'a> Trial<'a> {
 
     /// The same, by what drives the joint less friction [V].
     pub fn residual_of_net(&self, joint: usize, net_v: &[f64]) -> Vec<f64> {
-        let (given, needed) = (at_samples(net_v), self.needed(joint));
+        let (mut left, needed) = (self.given(joint, net_v), self.needed(joint));
+        let gain = self.motor_gain(joint);
+        left.iter_mut().zip(needed).for_each(|(left, needed)| *left -= needed / gain);
+        left
+    }
+
+    /// The part of it that no rigid body is in: what drives the joint less friction and lag, at the samples, in volts of
+    /// the command as it was sent.
+    pub fn given(&self, joint: usize, net_v: &[f64]) -> Vec<f64> {
         let (gain, lag_s) = (self.motor_gain(joint), self.hypothesis.lag_s[joint]);
-        let slope = self.command_slope(joint);
-        (0..given.len()).map(|k| (given[k] - needed[k]) / gain - lag_s * slope[k]).collect()
+        let both = at_samples(net_v).into_iter().zip(self.command_slope(joint));
+        both.map(|(given, slope)| given / gain - lag_s * slope).collect()
     }
 
     /// Voltage left for the rigid body in the interval after each sample: what drives the
@@ -232,6 +244,18 @@ impl<'a> Trial<'a> {
         self.springs.is_empty() && matches!(self.effects.motor, Cow::Borrowed(_))
     }
 
+    /// Whether they do, and the rigid body is the model's own, changed by no effect.
+    pub fn has_measured_body(&self) -> bool {
+        let effects = &self.hypothesis.effects;
+        self.moves_as_measured() && effects.iter().all(|effect| !effect.definition.touches.body)
+    }
+
+    /// Base parameters or coordinates of the rigid body.
+    pub fn bases(&self) -> Vec<f64> {
+        let plant = self.plant();
+        (0..plant.base_count()).map(|index| plant.base(index)).collect()
+    }
+
     /// Dynamics of a joint as if it were stiff, at the samples.
     pub fn dynamics(&self, joint: usize) -> Vec<JointDynamics> {
         JointDynamics::along(joint, self.motor(), &self.plant().body)
@@ -268,6 +292,21 @@ impl<'a> Trial<'a> {
                 self.sines.get_or_init(|| self.link().sines_near(motion, self.stretch.sines()))
             }
         }
+    }
+
+    /// The spring that was added last, with its joint (from 0).
+    pub(super) fn last_spring(&self) -> Option<(usize, &Transmission)> {
+        self.springs.last().map(|(joint, spring)| (*joint, spring))
+    }
+
+    /// The motors' side of the springs, where another trial has computed it.
+    pub(super) fn motor_side(&self) -> Option<&'a dyn MotorSide> {
+        self.motor_side
+    }
+
+    /// How far a joint's link behind a spring is ahead of its motor in acceleration, angle and velocity, at the samples.
+    pub(super) fn link_ahead(&self, joint: usize, spring: &Transmission) -> Vec<[f64; 3]> {
+        self.behind(joint, spring).ahead_of(self.motor(), joint)
     }
 
     /// Motion of a joint's link behind a spring.

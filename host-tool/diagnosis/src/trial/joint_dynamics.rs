@@ -5,7 +5,7 @@ use rig::effects::Transmission;
 use rig::plant::Body;
 
 /// Difference for slopes of the bias torque [rad, rad/s].
-const STEP: f64 = 1e-4;
+pub(super) const STEP: f64 = 1e-4;
 
 /// Equation of motion of a joint at a sample, the other joints moving as measured: its inertia
 /// times its acceleration is the torque on it less a bias.

@@ -24,6 +24,20 @@ pub struct JointMotion {
     qdd_rad_per_s2: Vec<f64>,
 }
 
+impl JointMotion {
+    /// How far it is ahead of a joint's motor in acceleration, angle and velocity, at the samples.
+    pub(super) fn ahead_of(&self, motor: &Kinematics, joint: usize) -> Vec<[f64; 3]> {
+        let ahead = |k: usize| {
+            [
+                self.qdd_rad_per_s2[k] - motor.qdd_rad_per_s2[joint][k],
+                self.q_rad[k] - motor.q_rad[joint][k],
+                self.qd_rad_per_s[k] - motor.qd_rad_per_s[joint][k],
+            ]
+        };
+        (0..self.q_rad.len()).map(ahead).collect()
+    }
+}
+
 impl Kinematics {
     /// The same with another motion of a joint.
     pub fn take_joint(&mut self, joint: usize, motion: JointMotion) {

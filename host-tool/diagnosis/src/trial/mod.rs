@@ -1,6 +1,7 @@
 //! What a hypothesis, a model with effects, leaves of the command.
 
 pub mod active_effects;
+pub mod coupling;
 pub mod equation;
 pub mod hypothesis;
 pub mod joint_dynamics;
@@ -10,6 +11,7 @@ pub mod parts;
 pub mod reading;
 pub mod residual_rows;
 pub mod rigid_body;
+pub mod rigid_rows;
 #[cfg(test)]
 mod test_stretch;
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use std::sync::OnceLock;
 
+use super::coupling::Coupling;
 use super::equation::{MotorSide, Trial};
 use super::hypothesis::EffectInstance;
 use super::joint_dynamics::JointDynamics;
@@ -17,19 +18,22 @@ pub struct Parts {
     pub friction: Vec<f64>,
     /// Drive less friction, by intervals.
     pub net: Vec<f64>,
-    /// What the rigid body needs, by samples.
-    pub needed: Vec<f64>,
+    /// What the rigid body needs, by samples; once asked for.
+    needed: OnceLock<Vec<f64>>,
     /// Part of the torque that its constant says which the motor gives.
     motor_gain: f64,
     /// Dynamics of the joint as if it were stiff, by samples; once a spring on it is tried.
     dynamics: OnceLock<Vec<JointDynamics>>,
+    /// What a link of the joint ahead of its motor pulls at all joints; likewise.
+    coupling: OnceLock<Coupling>,
 }
 
 /// Those of a joint that is not there.
 impl Default for Parts {
     fn default() -> Self {
-        let (drive, friction, net, needed) = Default::default();
-        Self { drive, friction, net, needed, motor_gain: 1.0, dynamics: OnceLock::new() }
+        let (drive, friction, net) = Default::default();
+        let (needed, dynamics, coupling) = Default::default();
+        Self { drive, friction, net, needed, motor_gain: 1.0, dynamics, coupling }
     }
 }
 
@@ -39,13 +43,25 @@ impl Parts {
         let drive = trial.drive(joint);
         let friction = trial.friction(joint, trial.plant());
         let net = drive.iter().zip(&friction).map(|(drive, friction)| drive - friction).collect();
-        let needed = trial.needed(joint).to_vec();
         let motor_gain = trial.motor_gain(joint);
-        Self { drive, friction, net, needed, motor_gain, dynamics: OnceLock::new() }
+        let (needed, dynamics, coupling) = Default::default();
+        Self { drive, friction, net, needed, motor_gain, dynamics, coupling }
     }
 
-    /// Change of the residual at the samples when a trial takes these parts' place.
-    pub fn change_to(&self, trial: &Trial, joint: usize, touches: Touches) -> Vec<f64> {
+    /// What the rigid body needs, by samples; from the trial that these parts are of, at first.
+    fn needed<'a>(&self, before: &dyn Fn() -> &'a Trial<'a>, joint: usize) -> &[f64] {
+        self.needed.get_or_init(|| before().needed(joint).to_vec())
+    }
+
+    /// Change of the residual at the samples when a trial takes the place of the one `before`, which these parts are
+    /// of.
+    pub fn change_to<'a>(
+        &self,
+        before: &dyn Fn() -> &'a Trial<'a>,
+        trial: &Trial,
+        joint: usize,
+        touches: Touches,
+    ) -> Vec<f64> {
         let mut net = vec![0.0; self.drive.len()];
         let mut add = |after: Vec<f64>, before: &[f64], sign: f64| {
             let both = after.iter().zip(before);
@@ -59,21 +75,28 @@ impl Parts {
         }
         let mut change = at_samples(&net);
         if touches.body {
-            let both = trial.needed(joint).iter().zip(&self.needed);
+            let both = trial.needed(joint).iter().zip(self.needed(before, joint));
             change.iter_mut().zip(both).for_each(|(change, (a, b))| *change -= a - b);
         }
-        self.as_sent(change, trial, joint)
+        self.as_sent(change, before, trial, joint)
     }
 
     /// A change of what these parts leave of the motor's volts, in volts of the command as it was sent.
-    fn as_sent(&self, mut change: Vec<f64>, trial: &Trial, joint: usize) -> Vec<f64> {
+    fn as_sent<'a>(
+        &self,
+        mut change: Vec<f64>,
+        of_before: &dyn Fn() -> &'a Trial<'a>,
+        trial: &Trial,
+        joint: usize,
+    ) -> Vec<f64> {
         let (before, after) = (self.motor_gain, trial.motor_gain(joint));
         if before == after {
             change.iter_mut().for_each(|change| *change /= after);
             return change;
         }
         let given = at_samples(&self.net);
-        let left = given.iter().zip(&self.needed).map(|(given, needed)| given - needed);
+        let left =
+            given.iter().zip(self.needed(of_before, joint)).map(|(given, needed)| given - needed);
         let both = change.iter_mut().zip(left);
         both.for_each(|(change, left)| *change = (left + *change) / after - left / before);
         change
@@ -83,6 +106,10 @@ impl Parts {
 impl MotorSide for Vec<Parts> {
     fn dynamics(&self, joint: usize, make: &dyn Fn() -> Vec<JointDynamics>) -> &[JointDynamics] {
         self[joint].dynamics.get_or_init(make)
+    }
+
+    fn coupling(&self, joint: usize, make: &dyn Fn() -> Coupling) -> &Coupling {
+        self[joint].coupling.get_or_init(make)
     }
 
     fn net_v(&self, joint: usize) -> &[f64] {
@@ -181,7 +208,12 @@ mod tests {
     }
 
     fn of_all_joints(trial: &Trial) -> Vec<Parts> {
-        (0..3).map(|joint| Parts::of(trial, joint)).collect()
+        let of_joint = |joint: usize| {
+            let parts = Parts::of(trial, joint);
+            parts.needed(&|| trial, joint);
+            parts
+        };
+        (0..3).map(of_joint).collect()
     }
 
     #[test]
@@ -193,11 +225,12 @@ mod tests {
             for effect in effects.into_iter().filter(|effect| !shows_nowhere(effect)) {
                 let with = hypothesis(&[&effect]);
                 let after = of_all_joints(&Trial::of(&stretch, &with, &criteria));
-                let differs = |of: fn(&Parts) -> &Vec<f64>| {
+                let differs = |of: fn(&Parts) -> &[f64]| {
                     [0, 1, 2].map(|joint| of(&before[joint]) != of(&after[joint]))
                 };
-                let changes =
-                    [differs(|p| &p.drive), differs(|p| &p.friction), differs(|p| &p.needed)];
+                let needed = |parts: &Parts| parts.needed.get().unwrap().clone();
+                let body = [0, 1, 2].map(|joint| needed(&before[joint]) != needed(&after[joint]));
+                let changes = [differs(|p| &p.drive), differs(|p| &p.friction), body];
                 let [drive, friction, body] = changes.map(|joints| joints.contains(&true));
                 let found = Touches { drive, friction, body };
                 assert_eq!(found, definition.touches, "{} {}", definition.name, effect.joint);
@@ -245,7 +278,7 @@ mod tests {
                 let quick =
                     Trial::with_motor_side(&stretch, &with, &criteria, motor_side(&parts, effect));
                 for joint in 0..3 {
-                    let change = parts[joint].change_to(&quick, joint, touches);
+                    let change = parts[joint].change_to(&|| &before, &quick, joint, touches);
                     let (from, to) = (before.residual(joint), after.residual(joint));
                     let whole = to.iter().zip(&from).map(|(to, from)| to - from);
                     let worst = whole.zip(&change).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);

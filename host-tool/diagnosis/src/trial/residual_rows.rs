@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use super::equation::Trial;
 use super::hypothesis::Hypothesis;
+use super::rigid_rows::needed_rows;
 use crate::rows::evidence::{Evidence, Rows};
 
 /// Rows of a hypothesis on the joints of the rig, of all logs.
@@ -16,6 +17,25 @@ pub fn train_residual_rows(evidence: &Evidence, hypothesis: &Hypothesis) -> Rows
     of_first(evidence.train_stretches(), evidence, hypothesis)
 }
 
+/// Rows of a trial on a joint in a stretch of a train log, by what drives the joint less friction [V].
+pub fn train_rows_of(
+    evidence: &Evidence,
+    s: usize,
+    joint: usize,
+    trial: &Trial,
+    net_v: &[f64],
+) -> Vec<f64> {
+    if !trial.has_measured_body() {
+        return evidence.weighted(s, joint, &trial.residual_of_net(joint, net_v));
+    }
+    let mut rows = evidence.filter(joint, s).rows(&trial.given(joint, net_v));
+    let gain = trial.motor_gain(joint);
+    let needed = needed_rows(evidence, s, joint, trial);
+    rows.iter_mut().zip(needed).for_each(|(row, needed)| *row += needed / gain);
+    evidence.weigh(s, joint, &mut rows);
+    rows
+}
+
 fn of_first(stretches: usize, evidence: &Evidence, hypothesis: &Hypothesis) -> Rows {
     let pieces: Vec<Rows> = (0..stretches)
         .into_par_iter()
@@ -23,7 +43,10 @@ fn of_first(stretches: usize, evidence: &Evidence, hypothesis: &Hypothesis) -> R
             let trial = Trial::of(&evidence.stretches[s], hypothesis, &evidence.criteria.fit);
             let mut rows = evidence.no_rows();
             for &joint in &evidence.joints {
-                rows[joint] = evidence.weighted(s, joint, &trial.residual(joint));
+                rows[joint] = match s < evidence.train_stretches() {
+                    true => train_rows_of(evidence, s, joint, &trial, &trial.net(joint)),
+                    false => evidence.weighted(s, joint, &trial.residual(joint)),
+                };
             }
             rows
         })

@@ -25,6 +25,7 @@ pub fn stretch_of(motion: Kinematics, command_v: Vec<Vec<f64>>, broadband: bool)
         settled: vec![0; 3],
         unseen: Vec::new(),
         roughness: Vec::new(),
+        at_rest_rad: vec![0.0; 3],
         sampled_s: PERIOD_S,
     }
 }
