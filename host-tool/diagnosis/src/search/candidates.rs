@@ -133,8 +133,8 @@ fn start_values(
         Search::Harmonics(carrier) => {
             let joint = usize::from(joint) - 1;
             harmonics::best(linear, evidence, joint, carrier)
-                .into_iter()
-                .map(|h| vec![h.amplitude, h.order as f64, h.phase_rad])
+                .iter()
+                .map(harmonics::Harmonic::values)
                 .collect()
         }
     }

@@ -41,6 +41,24 @@ pub fn best(
     found
 }
 
+/// A harmonic of a joint's angle with the amplitude and the phase that suit it; none where the logs do not tell them.
+pub fn of_order(
+    linear: &Linearisation,
+    evidence: &Evidence,
+    joint: usize,
+    carrier: Carrier,
+    order: usize,
+) -> Option<Harmonic> {
+    JointRows::of(evidence, linear, joint, carrier).harmonic(linear, joint, order)
+}
+
+impl Harmonic {
+    /// The values of a wave's parameters.
+    pub fn values(&self) -> Vec<f64> {
+        vec![self.amplitude, self.order as f64, self.phase_rad]
+    }
+}
+
 /// A joint's rows as the search needs them.
 struct JointRows {
     q_rad: Vec<f64>,

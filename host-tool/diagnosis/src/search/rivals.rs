@@ -4,11 +4,12 @@
 use rayon::prelude::*;
 
 use super::found::{Added, Rival};
+use super::harmonics;
 use super::policy::{explains_as, gain, is_more_than, is_physical};
 use super::selection::Search;
 use crate::fit::fitted_model::FittedModel;
 use crate::trial::hypothesis::EffectInstance;
-use rig::effects::{Kind, Touches};
+use rig::effects::{Carrier, Definition, Kind, Search as From, Touches};
 
 impl Search<'_> {
     /// What each effect gains, and what its rivals would in its place; a rival that does better
@@ -57,6 +58,7 @@ impl Search<'_> {
         let policy = &self.subject.criteria.selection;
         let finalists = self.rivals[index].iter().take(policy.rivals);
         let mut tried: Vec<EffectInstance> = self.on_other_joints(effect);
+        tried.extend(self.beside_gravity(effect, without));
         tried.extend(finalists.cloned());
         let mut rivals: Vec<Rival> =
             tried.into_par_iter().filter_map(|rival| self.in_place(place, rival)).collect();
@@ -104,6 +106,28 @@ impl Search<'_> {
             .filter(is_new)
             .map(|joint| EffectInstance { joint, values: values.clone(), ..effect.clone() })
             .collect()
+    }
+
+    /// Where a wave is one of the voltage, those of the command one order up and down, and the other way round: a
+    /// command that holds an arm against gravity goes once per turn itself, and the product of two waves are two.
+    fn beside_gravity(&self, wave: &EffectInstance, without: &FittedModel) -> Vec<EffectInstance> {
+        let other = match wave.definition.search {
+            From::Harmonics(Carrier::Unity) => Carrier::Command,
+            From::Harmonics(Carrier::Command) => Carrier::Unity,
+            _ => return Vec::new(),
+        };
+        let is_other = |definition: &&'static Definition| matches!(definition.search, From::Harmonics(carrier) if carrier == other);
+        let Some(definition) = self.subject.catalogue.iter().find(is_other) else {
+            return Vec::new();
+        };
+        let order = wave.order().unwrap_or_default();
+        let at = |order: usize| {
+            let joint = usize::from(wave.joint) - 1;
+            let FittedModel { linear, evidence, .. } = without;
+            let harmonic = harmonics::of_order(linear, evidence, joint, other, order)?;
+            Some(EffectInstance { definition, joint: wave.joint, values: harmonic.values() })
+        };
+        [order.saturating_sub(1), order + 1].into_iter().filter(|n| *n > 0).filter_map(at).collect()
     }
 }
 

@@ -47,6 +47,12 @@ impl EffectInstance {
         self.definition.parameters.iter().any(|parameter| parameter.kind == Kind::Harmonic)
     }
 
+    /// The order of a wave, per turn.
+    pub fn order(&self) -> Option<usize> {
+        let mut parameters = self.definition.parameters.iter().zip(&self.values);
+        parameters.find(|(p, _)| p.kind == Kind::Harmonic).map(|(_, order)| order.round() as usize)
+    }
+
     /// Whether it leaves a gap between a motor and its link.
     pub fn has_backlash(&self) -> bool {
         self.definition.parameters.iter().any(|parameter| parameter.kind == Kind::Gap)

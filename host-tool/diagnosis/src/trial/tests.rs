@@ -99,3 +99,29 @@ fn backlash_that_is_not_there_explains_nothing_away() {
         }
     }
 }
+
+/// Friction of joint 3 over the last second of three in which it has slid and stands, its angle read in steps
+/// [V]; followed within a play of `at_rest_rad`.
+fn friction_at_rest(at_rest_rad: f64) -> Vec<f64> {
+    let mut random = Pcg64Mcg::new(5);
+    let mut noise = || -> f64 { StandardNormal.sample(&mut random) };
+    let mut angle = |k: i32| 0.3 * (f64::from(k.min(1000)) * PERIOD_S) + 0.5 * COUNT_RAD * noise();
+    let read: Vec<f64> = (0..3000).map(&mut angle).collect();
+    let mut stretch = stretch_of(
+        motion(vec![vec![0.0; 3000], vec![-1.5; 3000], read]),
+        vec![vec![0.0; 3000]; 3],
+        false,
+    );
+    stretch.at_rest_rad = vec![at_rest_rad; 3];
+    let bare = Hypothesis::bare(Plant::of_robot(&reference_robot()));
+    let criteria = FitCriteria::default();
+    Trial::of(&stretch, &bare, &criteria).friction(2, &bare.plant)[2000..].to_vec()
+}
+
+#[test]
+fn bristles_of_a_joint_that_stands_do_not_let_go_by_noise() {
+    let lost = |friction_v: &[f64]| 1.0 - friction_v.last().unwrap() / friction_v[0];
+    let (by_noise, by_play) = (friction_at_rest(0.0), friction_at_rest(2.0 * COUNT_RAD));
+    assert!(lost(&by_noise) > 0.2, "{}", lost(&by_noise));
+    assert!(lost(&by_play).abs() < 0.01, "{}", lost(&by_play));
+}
