@@ -9,7 +9,7 @@ use super::earlier::Earlier;
 use super::gram;
 use super::joint_slopes::JointSlopes;
 use super::normal_equations::{gradient, normal, objective, refitted_squares, train_rows};
-use super::slopes::{changed, changed_by_spring, slopes};
+use super::slopes::slopes;
 use super::unknowns::{Expected, Unknown};
 use crate::rows::evidence::{Evidence, RowChange, Rows};
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
@@ -27,7 +27,7 @@ pub struct Linearisation {
     /// Squares of train rows and of the prior penalty.
     pub objective: f64,
     /// What the model's equation consists of, stretch by stretch, joint by joint.
-    parts: Arc<[Vec<Parts>]>,
+    pub(super) parts: Arc<[Vec<Parts>]>,
     pub(crate) joints: Arc<[JointSlopes]>,
     /// Half the gradient of the objective.
     pub(super) gradient: DVector<f64>,
@@ -275,44 +275,6 @@ impl Linearisation {
         (half_gradient, curvature)
     }
 
-    /// Change of train rows by one more effect.
-    pub fn change_by(
-        &self,
-        evidence: &Evidence,
-        effect: &EffectInstance,
-        which: Joints,
-    ) -> RowChange {
-        let joints = changed_joints(evidence, effect, which);
-        let others = &self.hypothesis.effects;
-        let hypothesis = self.hypothesis.with(effect.clone());
-        let mut change = evidence.no_change();
-        for (s, parts) in self.parts.iter().enumerate() {
-            let before = (parts, &self.hypothesis);
-            changed(evidence, s, before, &hypothesis, (effect, others), &joints, &mut change);
-        }
-        change
-    }
-
-    /// The same to first order in how far a link is ahead of its motor, where the effect is a spring: enough to
-    /// tell where a search should begin.
-    pub fn change_nearly_by(
-        &self,
-        evidence: &Evidence,
-        effect: &EffectInstance,
-        which: Joints,
-    ) -> RowChange {
-        if !effect.is_spring() {
-            return self.change_by(evidence, effect, which);
-        }
-        let joints = changed_joints(evidence, effect, which);
-        let hypothesis = self.hypothesis.with(effect.clone());
-        let mut change = evidence.no_change();
-        for (s, parts) in self.parts.iter().enumerate() {
-            changed_by_spring(evidence, s, parts, &hypothesis, effect, &joints, &mut change);
-        }
-        change
-    }
-
     /// Rows of a joint that belong to train logs.
     pub fn train_rows(&self, joint: usize) -> usize {
         self.train[joint]
@@ -346,24 +308,6 @@ fn products(
 /// A joint's rows of a change; none where they do not change.
 fn column(change: &RowChange, joint: usize) -> &[f64] {
     change.get(joint).and_then(Option::as_deref).unwrap_or_default()
-}
-
-/// The joints (from 0) whose rows an effect changes, of those that are wanted.
-fn changed_joints(evidence: &Evidence, effect: &EffectInstance, which: Joints) -> Vec<usize> {
-    let own = usize::from(effect.joint).checked_sub(1);
-    match own.filter(|_| !effect.definition.couples_joints || which == Joints::Own) {
-        None => evidence.joints.clone(),
-        Some(own) => vec![own],
-    }
-}
-
-/// Which joints' rows of a change are wanted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Joints {
-    /// Those that it changes.
-    All,
-    /// The effect's own.
-    Own,
 }
 
 /// Makes a step's value at a place what it is told: by a weight that outweighs all rows.

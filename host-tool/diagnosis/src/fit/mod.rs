@@ -14,5 +14,7 @@ mod marginal_likelihood;
 mod normal_equations;
 pub mod preparation;
 pub mod residual_stats;
+pub mod row_changes;
 pub mod slopes;
+mod stretch_changes;
 pub mod unknowns;

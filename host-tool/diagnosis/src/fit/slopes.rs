@@ -1,66 +1,22 @@
 //! The rows of a model, and their slopes in all that is open: what a linearisation is made of.
 
-use std::cell::OnceCell;
-
 use model::friction_parameters::COUNT as FRICTION_COUNT;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 use super::earlier::Earlier;
 use super::joint_slopes::{Column, JointSlopes};
+use super::stretch_changes::changed;
 use super::unknowns::{Expected, Unknown};
 use crate::logs::intervals::at_samples;
 use crate::rows::evidence::{Columns, Evidence, RowChange, Rows};
 use crate::trial::active_effects::FRICTION_SLOPES;
 use crate::trial::equation::Trial;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
-use crate::trial::parts::{Parts, motor_side, touched};
+use crate::trial::parts::Parts;
 use crate::trial::residual_rows::train_rows_of;
 use crate::trial::rigid_rows::{base_columns, measured_columns};
 use rig::effects::{Kind, Table};
-
-/// Appends the change of joints' rows in a stretch once a model, the one `before` with its `parts`, becomes
-/// `hypothesis`, which differs in one of its effects.
-pub fn changed(
-    evidence: &Evidence,
-    s: usize,
-    (parts, before): (&Vec<Parts>, &Hypothesis),
-    hypothesis: &Hypothesis,
-    (effect, others): (&EffectInstance, &[EffectInstance]),
-    joints: &[usize],
-    change: &mut RowChange,
-) {
-    let touches = touched(effect, others, &hypothesis.tables);
-    let (stretch, criteria) = (&evidence.stretches[s], &evidence.criteria.fit);
-    let trial = Trial::with_motor_side(stretch, hypothesis, criteria, motor_side(parts, effect));
-    let (of_before, make) = (OnceCell::new(), || Trial::of(stretch, before, criteria));
-    for &joint in joints {
-        let before = || of_before.get_or_init(make);
-        let signal = parts[joint].change_to(&before, &trial, joint, touches);
-        change[joint].get_or_insert_default().extend(evidence.weighted(s, joint, &signal));
-    }
-}
-
-/// Appends the same, to first order, once a spring is added to the model of `parts`.
-pub fn changed_by_spring(
-    evidence: &Evidence,
-    s: usize,
-    parts: &Vec<Parts>,
-    hypothesis: &Hypothesis,
-    spring: &EffectInstance,
-    joints: &[usize],
-    change: &mut RowChange,
-) {
-    let trial = Trial::with_motor_side(
-        &evidence.stretches[s],
-        hypothesis,
-        &evidence.criteria.fit,
-        motor_side(parts, spring),
-    );
-    for (&joint, signal) in joints.iter().zip(trial.changes_by_spring(joints)) {
-        change[joint].get_or_insert_default().extend(evidence.weighted(s, joint, &signal));
-    }
-}
 
 /// A joint's equation in a stretch, its rows, and their slopes that need no whole model.
 type Piece = (Parts, Vec<f64>, Vec<Column>);

@@ -2,7 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::fit::linearisation::{Joints, Linearisation};
+use crate::fit::linearisation::Linearisation;
+use crate::fit::row_changes::Joints;
 use crate::fit::slopes::step_of;
 use crate::rows::evidence::{Evidence, RowChange};
 use crate::trial::hypothesis::EffectInstance;

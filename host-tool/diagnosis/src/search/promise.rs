@@ -1,6 +1,7 @@
 //! What a start of a search promises before it is searched from.
 
-use crate::fit::linearisation::{Joints, Linearisation};
+use crate::fit::linearisation::Linearisation;
+use crate::fit::row_changes::Joints;
 use crate::rows::evidence::Evidence;
 use crate::trial::hypothesis::EffectInstance;
 use rig::effects::Touches;

@@ -12,6 +12,7 @@ pub mod reading;
 pub mod residual_rows;
 pub mod rigid_body;
 pub mod rigid_rows;
+pub mod spring_change;
 #[cfg(test)]
 mod test_stretch;
 #[cfg(test)]

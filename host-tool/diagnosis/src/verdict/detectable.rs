@@ -3,7 +3,8 @@
 
 use rayon::prelude::*;
 
-use crate::fit::linearisation::{Joints, Linearisation};
+use crate::fit::linearisation::Linearisation;
+use crate::fit::row_changes::Joints;
 use crate::logs::subject::Subject;
 use crate::result::{Detectable, Untestable};
 use crate::rows::evidence::{Evidence, RowChange};

@@ -1,0 +1,64 @@
+//! How the rows of a linearised model change with one more effect, or with another value of one.
+
+use super::linearisation::Linearisation;
+use super::stretch_changes::{changed, changed_by_spring};
+use crate::rows::evidence::{Evidence, RowChange};
+use crate::trial::hypothesis::EffectInstance;
+
+impl Linearisation {
+    /// Change of train rows by one more effect.
+    pub fn change_by(
+        &self,
+        evidence: &Evidence,
+        effect: &EffectInstance,
+        which: Joints,
+    ) -> RowChange {
+        let joints = changed_joints(evidence, effect, which);
+        let others = &self.hypothesis.effects;
+        let hypothesis = self.hypothesis.with(effect.clone());
+        let mut change = evidence.no_change();
+        for (s, parts) in self.parts.iter().enumerate() {
+            let before = (parts, &self.hypothesis);
+            changed(evidence, s, before, &hypothesis, (effect, others), &joints, &mut change);
+        }
+        change
+    }
+
+    /// The same to first order in how far a link is ahead of its motor, where the effect is a spring: enough to
+    /// tell where a search should begin.
+    pub fn change_nearly_by(
+        &self,
+        evidence: &Evidence,
+        effect: &EffectInstance,
+        which: Joints,
+    ) -> RowChange {
+        if !effect.is_spring() {
+            return self.change_by(evidence, effect, which);
+        }
+        let joints = changed_joints(evidence, effect, which);
+        let hypothesis = self.hypothesis.with(effect.clone());
+        let mut change = evidence.no_change();
+        for (s, parts) in self.parts.iter().enumerate() {
+            changed_by_spring(evidence, s, parts, &hypothesis, effect, &joints, &mut change);
+        }
+        change
+    }
+}
+
+/// The joints (from 0) whose rows an effect changes, of those that are wanted.
+fn changed_joints(evidence: &Evidence, effect: &EffectInstance, which: Joints) -> Vec<usize> {
+    let own = usize::from(effect.joint).checked_sub(1);
+    match own.filter(|_| !effect.definition.couples_joints || which == Joints::Own) {
+        None => evidence.joints.clone(),
+        Some(own) => vec![own],
+    }
+}
+
+/// Which joints' rows of a change are wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Joints {
+    /// Those that it changes.
+    All,
+    /// The effect's own.
+    Own,
+}
