@@ -11,11 +11,15 @@ use crate::rows::evidence::{Evidence, RowChange};
 use rig::Plant;
 use rig::effects::Carrier;
 
+/// An order this close to a whole one is that: magnets, teeth and windings are whole, and what is left of other waves
+/// draws an order a little to one side.
+const NEARLY_WHOLE: f64 = 0.2;
+
 /// A harmonic with the amplitude and the phase that suit it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Harmonic {
-    /// Per turn.
-    pub order: usize,
+    /// Per turn; seldom a whole number behind gears, belts and bearings.
+    pub order: f64,
     /// Amplitude in units of the carrier.
     pub amplitude: f64,
     /// Phase of its sine [rad].
@@ -34,11 +38,13 @@ pub fn best(
     let rows = JointRows::of(evidence, linear, joint, carrier);
     let mut found: Vec<Harmonic> = (1..=evidence.criteria.search.highest_harmonic)
         .into_par_iter()
-        .filter_map(|order| rows.harmonic(linear, joint, order))
+        .filter_map(|order| rows.harmonic(linear, joint, order as f64))
         .collect();
     found.sort_by(|a, b| b.gain.total_cmp(&a.gain));
     found.truncate(evidence.criteria.search.harmonics);
-    found
+    let least = evidence.criteria.search.least_between_orders;
+    let between = found.first().and_then(|best| rows.between_orders(linear, joint, best, least));
+    between.into_iter().chain(found).collect()
 }
 
 /// A harmonic of a joint's angle with the amplitude and the phase that suit it; none where the logs do not tell them.
@@ -47,7 +53,7 @@ pub fn of_order(
     evidence: &Evidence,
     joint: usize,
     carrier: Carrier,
-    order: usize,
+    order: f64,
 ) -> Option<Harmonic> {
     JointRows::of(evidence, linear, joint, carrier).harmonic(linear, joint, order)
 }
@@ -55,7 +61,7 @@ pub fn of_order(
 impl Harmonic {
     /// The values of a wave's parameters.
     pub fn values(&self) -> Vec<f64> {
-        vec![self.amplitude, self.order as f64, self.phase_rad]
+        vec![self.amplitude, self.order, self.phase_rad]
     }
 }
 
@@ -115,7 +121,33 @@ impl JointRows {
         rows
     }
 
-    fn harmonic(&self, linear: &Linearisation, joint: usize, order: usize) -> Option<Harmonic> {
+    /// The wave between two whole orders, next to the best of these, that gains `least` more than that; none where
+    /// none does. What gains most is sought in tenths of an order, then in hundredths.
+    fn between_orders(
+        &self,
+        linear: &Linearisation,
+        joint: usize,
+        whole: &Harmonic,
+        least: f64,
+    ) -> Option<Harmonic> {
+        let mut best = *whole;
+        for step in [0.1, 0.01] {
+            let middle = best.order;
+            let around = (-9..=9).map(|k| middle + step * f64::from(k));
+            let is_between =
+                |order: &f64| *order > 1.0 && (order - order.round()).abs() > NEARLY_WHOLE;
+            let tried: Vec<f64> = around.filter(is_between).collect();
+            let found =
+                tried.into_par_iter().filter_map(|order| self.harmonic(linear, joint, order));
+            best = found
+                .max_by(|a, b| a.gain.total_cmp(&b.gain))
+                .filter(|f| f.gain > best.gain)
+                .unwrap_or(best);
+        }
+        (best.gain > whole.gain + least).then_some(best)
+    }
+
+    fn harmonic(&self, linear: &Linearisation, joint: usize, order: f64) -> Option<Harmonic> {
         let (sine, cosine) = self.columns(order);
         let as_change = |column: Vec<f64>| {
             let mut change: RowChange = vec![None; joint + 1];
@@ -136,7 +168,7 @@ impl JointRows {
     }
 
     /// Rows of the carrier times sine and cosine of the harmonic.
-    fn columns(&self, order: usize) -> (Vec<f64>, Vec<f64>) {
+    fn columns(&self, order: f64) -> (Vec<f64>, Vec<f64>) {
         let mut sine = vec![0.0; self.q_rad.len()];
         let mut cosine = sine.clone();
         for (range, gains) in self.ranges.iter().zip(&self.gains) {
@@ -144,9 +176,9 @@ impl JointRows {
                 break;
             }
             for k in range.clone() {
-                let frequency_hz = order as f64 * self.speed_rad_per_s[k] / std::f64::consts::TAU;
+                let frequency_hz = order * self.speed_rad_per_s[k] / std::f64::consts::TAU;
                 let gain = gains.get(frequency_hz as usize).copied().unwrap_or(0.0);
-                let (s, c) = (order as f64 * self.q_rad[k]).sin_cos();
+                let (s, c) = (order * self.q_rad[k]).sin_cos();
                 sine[k] = self.carrier[k] * gain * s;
                 cosine[k] = self.carrier[k] * gain * c;
             }

@@ -121,13 +121,13 @@ impl Search<'_> {
             return Vec::new();
         };
         let order = wave.order().unwrap_or_default();
-        let at = |order: usize| {
+        let at = |order: f64| {
             let joint = usize::from(wave.joint) - 1;
             let FittedModel { linear, evidence, .. } = without;
             let harmonic = harmonics::of_order(linear, evidence, joint, other, order)?;
             Some(EffectInstance { definition, joint: wave.joint, values: harmonic.values() })
         };
-        [order.saturating_sub(1), order + 1].into_iter().filter(|n| *n > 0).filter_map(at).collect()
+        [order - 1.0, order + 1.0].into_iter().filter(|n| *n >= 1.0).filter_map(at).collect()
     }
 }
 

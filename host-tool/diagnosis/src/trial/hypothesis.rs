@@ -6,6 +6,9 @@ use model::chain::MAX_JOINTS;
 use rig::Plant;
 use rig::effects::{Definition, Effect, Kind, Table};
 
+/// Orders closer than this are of one wave: its order need not be whole.
+const SAME_ORDER: f64 = 0.5;
+
 /// An effect with its parameters, on a joint.
 #[derive(Clone, Debug)]
 pub struct EffectInstance {
@@ -39,7 +42,8 @@ impl EffectInstance {
     pub fn is_same_cause(&self, other: &Self) -> bool {
         let parameters = self.definition.parameters.iter().enumerate();
         let mut harmonics = parameters.filter(|(_, p)| p.kind == Kind::Harmonic).map(|(at, _)| at);
-        self.has_place_of(other) && harmonics.all(|at| self.values[at] == other.values[at])
+        let is_near = |at: usize| (self.values[at] - other.values[at]).abs() < SAME_ORDER;
+        self.has_place_of(other) && harmonics.all(is_near)
     }
 
     /// Whether it is a wave of one order of many.
@@ -48,9 +52,9 @@ impl EffectInstance {
     }
 
     /// The order of a wave, per turn.
-    pub fn order(&self) -> Option<usize> {
+    pub fn order(&self) -> Option<f64> {
         let mut parameters = self.definition.parameters.iter().zip(&self.values);
-        parameters.find(|(p, _)| p.kind == Kind::Harmonic).map(|(_, order)| order.round() as usize)
+        parameters.find(|(p, _)| p.kind == Kind::Harmonic).map(|(_, order)| *order)
     }
 
     /// Whether it leaves a gap between a motor and its link.
