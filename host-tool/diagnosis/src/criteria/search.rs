@@ -7,8 +7,8 @@ criteria! {
     SearchCriteria {
         /// Highest harmonic per turn that is tried.
         highest_harmonic: usize = 100,
-        /// Squares that a wave between two whole orders takes more than the next whole one: it has two choices more than that
-        /// one, an order and the phase that goes with it, and most waves are of magnets and teeth, which are whole.
+        /// Squares, twice the log-likelihood, that a wave between two whole orders takes more than the best whole one:
+        /// its order is a choice more, and most waves are of magnets and teeth, which are whole.
         least_between_orders: f64 = 60.0,
         /// Harmonics that are followed up, of those that gain most.
         harmonics: usize = 3,

@@ -73,6 +73,9 @@ criteria! {
         far_rest_rad: f64 = 3.2,
         /// No joint warms faster than with this time constant [s].
         least_warming_s: f64 = 0.5,
+        /// A joint turns round within so many seconds, its friction and what makes up for that in its command with it: logs
+        /// whose samples lie further apart do not tell of a lag shorter than one [s].
+        turns_round_s: f64 = 0.004,
         /// A spring leaves its motor this part of the joint's inertia, or it only smooths what the
         /// encoder reads.
         least_motor_inertia: f64 = 0.02,

@@ -24,15 +24,17 @@ impl Linearisation {
         change
     }
 
-    /// The same to first order in how far a link is ahead of its motor, where the effect is a spring: enough to
-    /// tell where a search should begin.
+    /// The same to first order in how far a link is ahead of its motor, where the effect is the first spring of its
+    /// joint: enough to tell where a search should begin.
     pub fn change_nearly_by(
         &self,
         evidence: &Evidence,
         effect: &EffectInstance,
         which: Joints,
     ) -> RowChange {
-        if !effect.is_spring() {
+        let takes_a_place =
+            |other: &EffectInstance| other.is_spring() && other.joint == effect.joint;
+        if !effect.is_spring() || self.hypothesis.effects.iter().any(takes_a_place) {
             return self.change_by(evidence, effect, which);
         }
         let joints = changed_joints(evidence, effect, which);

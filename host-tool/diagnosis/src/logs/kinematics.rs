@@ -1,12 +1,13 @@
 //! Angles of the joints and their derivatives along a stretch.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use model::Posture;
 use model::Real;
 use model::chain::MAX_JOINTS;
 use rig::Plant;
-use signal::{LowPass, derivative};
+use signal::{LowPass, derivative, play};
 
 /// A joint's value at an instant, joint by joint; those that the rig lacks are zero.
 pub type Joints = [f64; MAX_JOINTS];
@@ -42,6 +43,16 @@ impl Kinematics {
     /// How many joints there are.
     pub fn joints(&self) -> usize {
         self.q_rad.len()
+    }
+
+    /// Velocity of a joint without what encoder steps add to it where it stands, while its angle wavers by this much:
+    /// bristles relax with |v|, and noise of a velocity has one at rest, by which they would let go of a joint that
+    /// sticks [rad/s].
+    pub fn sliding_velocity(&self, joint: usize, wavers_rad: f64, period_s: f64) -> Cow<'_, [f64]> {
+        if wavers_rad == 0.0 {
+            return Cow::Borrowed(&self.qd_rad_per_s[joint]);
+        }
+        Cow::Owned(derivative::first(&play(&self.q_rad[joint], wavers_rad), period_s))
     }
 
     /// Angles, velocities, accelerations of three joints at an instant.

@@ -7,6 +7,7 @@ use model::FrictionState;
 use rayon::prelude::*;
 
 use crate::fit::linearisation::Linearisation;
+use crate::logs::stretch::Stretch;
 use crate::rows::evidence::{Evidence, RowChange};
 use rig::Plant;
 use rig::effects::Carrier;
@@ -106,12 +107,7 @@ impl JointRows {
             let signal = match carrier {
                 Carrier::Unity => vec![1.0; stretch.len()],
                 Carrier::Command => stretch.command_v[joint].clone(),
-                Carrier::Friction => friction_level(
-                    &linear.hypothesis.plant,
-                    joint,
-                    &stretch.motion.qd_rad_per_s[joint],
-                    stretch.period_s,
-                ),
+                Carrier::Friction => friction_level(&linear.hypothesis.plant, joint, stretch),
             };
             let as_sent: Vec<f64> = signal.iter().map(|carrier| carrier / gain).collect();
             rows.carrier.extend(evidence.weighted(s, joint, &as_sent));
@@ -188,8 +184,10 @@ impl JointRows {
 }
 
 /// Friction without its viscous part, as it adds to the net voltage.
-fn friction_level(plant: &Plant, joint: usize, v: &[f64], period_s: f64) -> Vec<f64> {
+fn friction_level(plant: &Plant, joint: usize, stretch: &Stretch) -> Vec<f64> {
     let friction = model::Friction { alpha2_v_s_per_rad: 0.0, ..plant.friction[joint] };
+    let period_s = stretch.period_s;
+    let v = stretch.motion.sliding_velocity(joint, stretch.at_rest_rad[joint], period_s);
     let mut bend = FrictionState::default();
     v.iter().map(|&v| -bend.step(&friction, v, period_s)).collect()
 }

@@ -78,7 +78,7 @@ pub fn is_physical(effect: &EffectInstance, subject: &Subject, evidence: &Eviden
     if rests_far(effect, evidence) || warms_at_once(effect, policy) {
         return false;
     }
-    if is_hardly_a_wave(effect, evidence) {
+    if is_hardly_a_wave(effect, evidence) || is_within_a_sample(effect, evidence) {
         return false;
     }
     let Some((joint, spring)) = effect.build().and_then(|effect| effect.transmission()) else {
@@ -105,6 +105,17 @@ fn warms_at_once(effect: &EffectInstance, policy: &SelectionCriteria) -> bool {
     effect.definition.name == "friction_drift"
         && parameters
             .any(|(p, value)| p.kind == Kind::TimeConstant && *value < policy.least_warming_s)
+}
+
+/// Whether a command comes later by less than a sample of logs so slow that a joint turns round within one: when its
+/// command and its friction change their sign is not told by a row, and passes for a lag.
+fn is_within_a_sample(effect: &EffectInstance, evidence: &Evidence) -> bool {
+    if !["delay", "actuator_lag"].contains(&effect.definition.name) {
+        return false;
+    }
+    let train = &evidence.stretches[..evidence.train_stretches()];
+    let sampled_s = train.iter().map(|stretch| stretch.sampled_s).fold(f64::INFINITY, f64::min);
+    sampled_s > evidence.criteria.selection.turns_round_s && effect.values[0] < sampled_s
 }
 
 /// Lowest and highest angle of a joint (from 0) in the logs [rad; m].

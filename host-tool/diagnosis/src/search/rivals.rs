@@ -120,14 +120,18 @@ impl Search<'_> {
         let Some(definition) = self.subject.catalogue.iter().find(is_other) else {
             return Vec::new();
         };
-        let order = wave.order().unwrap_or_default();
+        let (order, joint) = (wave.order().unwrap_or_default(), usize::from(wave.joint) - 1);
         let at = |order: f64| {
-            let joint = usize::from(wave.joint) - 1;
             let FittedModel { linear, evidence, .. } = without;
             let harmonic = harmonics::of_order(linear, evidence, joint, other, order)?;
             Some(EffectInstance { definition, joint: wave.joint, values: harmonic.values() })
         };
-        [order - 1.0, order + 1.0].into_iter().filter(|n| *n >= 1.0).filter_map(at).collect()
+        // Gravity goes once per turn of the joint, orders are the motor's.
+        let turn = 1.0 / self.subject.plant.gears[joint].motor.abs();
+        let others = &self.last.linear.hypothesis.effects;
+        let is_new = |rival: &EffectInstance| !others.iter().any(|o| o.is_same_cause(rival));
+        let beside = [order - turn, order + turn].into_iter().filter(|order| *order >= 1.0);
+        beside.filter_map(at).filter(is_new).collect()
     }
 }
 

@@ -7,7 +7,7 @@ use super::independent_rows::fitted_by_independent_rows;
 use super::objection::objection_to;
 use super::policy::{gain, is_done, is_physical};
 use super::refit::Finalist;
-use super::winner::Winner;
+use super::winner::{Winner, is_all_physical};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::fit::preparation::as_given;
@@ -23,6 +23,7 @@ pub fn select(
     known: Vec<Known>,
     progress: &dyn Fn(&str),
 ) -> Selection {
+    let refitted = refitted_from_given(subject, refitted);
     let gap = refitted.stats.clone();
     let mut search = Search { subject, gap, last: refitted.clone(), rivals: Vec::new() };
     search.begin_with(known);
@@ -87,7 +88,10 @@ impl Search<'_> {
         let criteria = &self.subject.criteria;
         for round in self.rivals.len()..criteria.selection.most_effects {
             progress(&format!("trying every effect on every joint, round {}", round + 1));
-            self.refit_from_given();
+            // Without effects it has been done already.
+            if round > 0 {
+                self.refit_from_given();
+            }
             // Before any is known all are tried: one may gain much where no log is left far above its noise.
             if round > 0 && is_done(&self.gap, &self.last.stats, criteria) {
                 return None;
@@ -105,13 +109,12 @@ impl Search<'_> {
     fn refit_from_given(&mut self) {
         let subject = self.subject;
         let Some(start) = with_given_parameters(subject, &self.last) else { return };
-        let (evidence, policy) = (&self.last.evidence, &subject.criteria.selection);
-        let given = || start.hypothesis.clone();
-        let near =
-            FittedModel::fitted_near(&start, evidence, subject, given(), policy.finalist_steps);
-        let whole = FittedModel::fitted(evidence, subject, given(), policy.accepted_steps);
+        let (evidence, given) = (&self.last.evidence, start.hypothesis.clone());
+        let steps = subject.criteria.selection.finalist_steps;
+        let near = FittedModel::fitted_near(&start, evidence, subject, given, steps);
+        let whole = whole_from_given(subject, &self.last, &start);
         for model in [near, whole].into_iter().flatten() {
-            if model.gain_over(&self.last) > 0.0 {
+            if model.gain_over(&self.last) > 0.0 && is_all_physical(subject, &model) {
                 self.last = model.settled(subject);
             }
         }
@@ -250,6 +253,25 @@ impl Search<'_> {
         let FittedModel { linear, evidence, .. } = &self.last;
         FittedModel::fitted_near(linear, evidence, self.subject, hypothesis, steps)
     }
+}
+
+/// A refitted model without effects that was searched for: the better of it and one fitted from the parameters as
+/// given, from where candidates are.
+fn refitted_from_given(subject: &Subject, refitted: FittedModel) -> FittedModel {
+    let start = with_given_parameters(subject, &refitted);
+    let again = start.and_then(|start| whole_from_given(subject, &refitted, &start));
+    let gains = again.filter(|again| again.gain_over(&refitted) > 0.0);
+    gains.map_or(refitted, |again| again.settled(subject))
+}
+
+/// A model fitted from the parameters as given, with slopes of its own.
+fn whole_from_given(
+    subject: &Subject,
+    fitted: &FittedModel,
+    start: &Linearisation,
+) -> Option<FittedModel> {
+    let steps = subject.criteria.selection.accepted_steps;
+    FittedModel::fitted(&fitted.evidence, subject, start.hypothesis.clone(), steps)
 }
 
 /// Brings up to date what each effect gains, in a model that holds just these.

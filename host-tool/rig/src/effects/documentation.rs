@@ -162,9 +162,9 @@ fn how_it_shows(definition: &Definition) -> [String; 7] {
 fn searched(search: Search) -> &'static str {
     match search {
         Search::From(_) => "from start values",
-        Search::Harmonics(Carrier::Unity) => "at every harmonic",
-        Search::Harmonics(Carrier::Command) => "at every harmonic of the command",
-        Search::Harmonics(Carrier::Friction) => "at every harmonic of friction",
+        Search::Harmonics(Carrier::Unity) => "at every order",
+        Search::Harmonics(Carrier::Command) => "at every order of the command",
+        Search::Harmonics(Carrier::Friction) => "at every order of friction",
     }
 }
 
