@@ -75,7 +75,7 @@ criteria! {
         velocity_noise_part: f64 = 0.01,
         /// A joint stands while its smoothed angle wavers by less than this part of what encoder steps add to that,
         /// rms: bristles relax with |v|, of which noise has some at rest. More delays every reversal.
-        at_rest_part: f64 = 0.7,
+        at_rest_part: f64 = 0.35,
         /// Rows count from where a joint has moved by so many times the largest bend of its bristles:
         /// its friction no longer depends on how they were bent before.
         settled_bends: f64 = 5.0,

@@ -59,6 +59,7 @@ impl Search<'_> {
         let finalists = self.rivals[index].iter().take(policy.rivals);
         let mut tried: Vec<EffectInstance> = self.on_other_joints(effect);
         tried.extend(self.beside_gravity(effect, without));
+        tried.extend(self.late_otherwise(effect));
         tried.extend(finalists.cloned());
         let mut rivals: Vec<Rival> =
             tried.into_par_iter().filter_map(|rival| self.in_place(place, rival)).collect();
@@ -71,10 +72,10 @@ impl Search<'_> {
     /// An effect in the place of the one that was added.
     fn in_place(&self, place: usize, effect: EffectInstance) -> Option<Rival> {
         let mut hypothesis = self.last.linear.hypothesis.clone();
-        let is_scale = scales_command(&effect);
+        let is_far = scales_command(&effect) || is_late(&effect);
         hypothesis.effects[place] = effect;
         let mut model = self.fitted(hypothesis)?;
-        if is_scale {
+        if is_far {
             let (start, steps) =
                 (model.linear.hypothesis.clone(), self.subject.criteria.selection.accepted_steps);
             let further = FittedModel::fitted(&model.evidence, self.subject, start, steps);
@@ -106,6 +107,20 @@ impl Search<'_> {
             .filter(is_new)
             .map(|joint| EffectInstance { joint, values: values.clone(), ..effect.clone() })
             .collect()
+    }
+
+    /// A delay in the place of a lag, and the other way round: below the corner of a lag both make a command later by
+    /// the same time.
+    fn late_otherwise(&self, effect: &EffectInstance) -> Option<EffectInstance> {
+        let is_other = |definition: &&'static Definition| {
+            LATE.contains(&definition.name) && definition.name != effect.definition.name
+        };
+        let definition =
+            is_late(effect).then(|| self.subject.catalogue.iter().find(is_other))??;
+        let others = &self.last.linear.hypothesis.effects;
+        let rival = EffectInstance { definition, ..effect.clone() };
+        let is_new = !others.iter().any(|other| other.has_place_of(&rival));
+        is_new.then_some(rival)
     }
 
     /// Where a wave is one of the voltage, those of the command one order up and down, and the other way round: a
@@ -145,6 +160,14 @@ fn each_once(mut rivals: Vec<Rival>) -> Vec<Rival> {
         }
     }
     kept
+}
+
+/// Effects that make a command late, by one time each.
+const LATE: [&str; 2] = ["actuator_lag", "delay"];
+
+/// Whether an effect makes its joint's command late.
+fn is_late(effect: &EffectInstance) -> bool {
+    LATE.contains(&effect.definition.name)
 }
 
 /// Whether an effect is a factor of its joint's command alone, for which parameters stand in.
