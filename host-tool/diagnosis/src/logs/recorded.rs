@@ -37,8 +37,8 @@ pub fn recorded(trace: &Trace, log: usize, subject: &Subject, range: Range<usize
     for &joint in subject.joints.iter().filter(|&&joint| !angles[joint].is_empty()) {
         let cutoff_hz = motion_cutoff_hz(&angles[joint], joint, &stretch, subject);
         stretch.motion.set(joint, &angles[joint], clock.period_s(), cutoff_hz);
-        // A joint that noise drives does not stand.
-        if !broadband {
+        // A joint that noise drives does not stand, and without a gear it swings about where it stands.
+        if !broadband && subject.plant.as_chain().is_some() {
             let noise_rad =
                 smoothed_steps_rad(subject.encoder_step_rad[joint], cutoff_hz, stretch.sampled_s);
             stretch.at_rest_rad[joint] = criteria.at_rest_part * noise_rad;

@@ -45,7 +45,7 @@ pub struct Stretch {
     /// Samples too near to one that was lost; empty where none matters.
     pub unseen: Vec<bool>,
     /// How far each joint's smoothed angle wavers to either side while the joint stands, a third of what encoder
-    /// steps add to it, rms; 0 where noise drives the joints [rad].
+    /// steps add to it, rms; 0 where noise drives the joints, and of the three-joint robot [rad].
     pub at_rest_rad: Vec<f64>,
     /// How rough the angles of each joint are from sample to sample.
     pub roughness: Vec<Roughness>,

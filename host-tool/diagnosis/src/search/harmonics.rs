@@ -6,6 +6,7 @@
 use model::FrictionState;
 use rayon::prelude::*;
 
+use crate::criteria::SearchCriteria;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::stretch::Stretch;
 use crate::rows::evidence::{Evidence, RowChange};
@@ -43,8 +44,8 @@ pub fn best(
         .collect();
     found.sort_by(|a, b| b.gain.total_cmp(&a.gain));
     found.truncate(evidence.criteria.search.harmonics);
-    let least = evidence.criteria.search.least_between_orders;
-    let between = found.first().and_then(|best| rows.between_orders(linear, joint, best, least));
+    let effort = &evidence.criteria.search;
+    let between = found.first().and_then(|best| rows.between_orders(linear, joint, best, effort));
     between.into_iter().chain(found).collect()
 }
 
@@ -124,14 +125,16 @@ impl JointRows {
         linear: &Linearisation,
         joint: usize,
         whole: &Harmonic,
-        least: f64,
+        effort: &SearchCriteria,
     ) -> Option<Harmonic> {
+        let orders = 1.0..=effort.highest_harmonic as f64;
         let mut best = *whole;
         for step in [0.1, 0.01] {
             let middle = best.order;
             let around = (-9..=9).map(|k| middle + step * f64::from(k));
-            let is_between =
-                |order: &f64| *order > 1.0 && (order - order.round()).abs() > NEARLY_WHOLE;
+            let is_between = |order: &f64| {
+                orders.contains(order) && (order - order.round()).abs() > NEARLY_WHOLE
+            };
             let tried: Vec<f64> = around.filter(is_between).collect();
             let found =
                 tried.into_par_iter().filter_map(|order| self.harmonic(linear, joint, order));
@@ -140,7 +143,7 @@ impl JointRows {
                 .filter(|f| f.gain > best.gain)
                 .unwrap_or(best);
         }
-        (best.gain > whole.gain + least).then_some(best)
+        (best.gain > whole.gain + effort.least_between_orders).then_some(best)
     }
 
     fn harmonic(&self, linear: &Linearisation, joint: usize, order: f64) -> Option<Harmonic> {
