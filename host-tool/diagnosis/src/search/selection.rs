@@ -89,7 +89,7 @@ impl Search<'_> {
         for round in self.rivals.len()..criteria.selection.most_effects {
             progress(&format!("trying every effect on every joint, round {}", round + 1));
             // Without effects it has been done already.
-            if round > 0 {
+            if round > 0 && is_chain(self.subject) {
                 self.refit_from_given();
             }
             // Before any is known all are tried: one may gain much where no log is left far above its noise.
@@ -255,9 +255,17 @@ impl Search<'_> {
     }
 }
 
+/// Whether the arm is a chain, whose many parameters leave fits short of their end; the three-joint robot's reach it.
+fn is_chain(subject: &Subject) -> bool {
+    subject.plant.as_chain().is_some()
+}
+
 /// A refitted model without effects that was searched for: the better of it and one fitted from the parameters as
 /// given, from where candidates are.
 fn refitted_from_given(subject: &Subject, refitted: FittedModel) -> FittedModel {
+    if !is_chain(subject) {
+        return refitted;
+    }
     let start = with_given_parameters(subject, &refitted);
     let again = start.and_then(|start| whole_from_given(subject, &refitted, &start));
     let gains = again.filter(|again| again.gain_over(&refitted) > 0.0);
