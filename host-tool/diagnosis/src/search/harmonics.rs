@@ -118,8 +118,8 @@ impl JointRows {
         rows
     }
 
-    /// The wave between two whole orders, next to the best of these, that gains `least` more than that; none where
-    /// none does. What gains most is sought in tenths of an order, then in hundredths.
+    /// The wave between two whole orders, next to the best of these, that gains enough more than that
+    /// (`least_between_orders`); none where none does. What gains most is sought in tenths of an order, then in hundredths.
     fn between_orders(
         &self,
         linear: &Linearisation,

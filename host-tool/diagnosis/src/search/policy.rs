@@ -107,10 +107,18 @@ fn warms_at_once(effect: &EffectInstance, policy: &SelectionCriteria) -> bool {
             .any(|(p, value)| p.kind == Kind::TimeConstant && *value < policy.least_warming_s)
 }
 
+/// Effects that make a command late, by one time each.
+pub const LATE: [&str; 2] = ["actuator_lag", "delay"];
+
+/// Whether an effect makes its joint's command late.
+pub fn is_late(effect: &EffectInstance) -> bool {
+    LATE.contains(&effect.definition.name)
+}
+
 /// Whether a command comes later by less than a sample of logs so slow that a joint turns round within one: when its
 /// command and its friction change their sign is not told by a row, and passes for a lag.
 fn is_within_a_sample(effect: &EffectInstance, evidence: &Evidence) -> bool {
-    if !["delay", "actuator_lag"].contains(&effect.definition.name) {
+    if !is_late(effect) {
         return false;
     }
     let train = &evidence.stretches[..evidence.train_stretches()];

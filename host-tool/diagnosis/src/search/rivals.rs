@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::found::{Added, Rival};
 use super::harmonics;
-use super::policy::{explains_as, gain, is_more_than, is_physical};
+use super::policy::{LATE, explains_as, gain, is_late, is_more_than, is_physical};
 use super::selection::Search;
 use crate::fit::fitted_model::FittedModel;
 use crate::trial::hypothesis::EffectInstance;
@@ -131,7 +131,8 @@ impl Search<'_> {
             From::Harmonics(Carrier::Command) => Carrier::Unity,
             _ => return Vec::new(),
         };
-        let is_other = |definition: &&'static Definition| matches!(definition.search, From::Harmonics(carrier) if carrier == other);
+        let multiplies = |search: From| matches!(search, From::Harmonics(by) if by == other);
+        let is_other = |definition: &&'static Definition| multiplies(definition.search);
         let Some(definition) = self.subject.catalogue.iter().find(is_other) else {
             return Vec::new();
         };
@@ -160,14 +161,6 @@ fn each_once(mut rivals: Vec<Rival>) -> Vec<Rival> {
         }
     }
     kept
-}
-
-/// Effects that make a command late, by one time each.
-const LATE: [&str; 2] = ["actuator_lag", "delay"];
-
-/// Whether an effect makes its joint's command late.
-fn is_late(effect: &EffectInstance) -> bool {
-    LATE.contains(&effect.definition.name)
 }
 
 /// Whether an effect is a factor of its joint's command alone, for which parameters stand in.
