@@ -115,7 +115,10 @@ pub fn is_late(effect: &EffectInstance) -> bool {
     LATE.contains(&effect.definition.name)
 }
 
-/// Whether a command comes later by less than a sample of logs so slow that a joint turns round within one: when its
+/// A row is made of the two intervals about its sample.
+const ROW_SAMPLES: f64 = 2.0;
+
+/// Whether a command comes later by less than a row of logs so slow that a joint turns round within one: when its
 /// command and its friction change their sign is not told by a row, and passes for a lag.
 fn is_within_a_sample(effect: &EffectInstance, evidence: &Evidence) -> bool {
     if !is_late(effect) {
@@ -123,7 +126,8 @@ fn is_within_a_sample(effect: &EffectInstance, evidence: &Evidence) -> bool {
     }
     let train = &evidence.stretches[..evidence.train_stretches()];
     let sampled_s = train.iter().map(|stretch| stretch.sampled_s).fold(f64::INFINITY, f64::min);
-    sampled_s > evidence.criteria.selection.turns_round_s && effect.values[0] < sampled_s
+    sampled_s > evidence.criteria.selection.turns_round_s
+        && effect.values[0] < ROW_SAMPLES * sampled_s
 }
 
 /// Lowest and highest angle of a joint (from 0) in the logs [rad; m].
