@@ -51,6 +51,7 @@ use logs::usable::Usable;
 use recordings::{ArmCampaign, Campaign, StepError, Trace};
 use report::assembly::Assembly;
 use rig::effects::Catalogue;
+use search::found::KnownCauses;
 use searched::{Free, Searched};
 use tables::remaining::with_remaining_tables;
 use verdict::confirmed::Held;
@@ -136,7 +137,8 @@ fn diagnosed(
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnosisError> {
     let Usable { stretches, mut remarks } = Usable::of(traces, &subject)?;
-    let mut searched = Searched::of(&subject, stretches.clone(), None, Vec::new(), progress)?;
+    let mut searched =
+        Searched::of(&subject, stretches.clone(), None, KnownCauses::default(), progress)?;
     match searched.with_free_parameters(&subject, &stretches, progress) {
         Some(Free::Doubt(relative, known)) => {
             remarks.push(format!(

@@ -7,7 +7,7 @@ use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
 use crate::model_faults::{self, FoundFault};
 use crate::rows::evidence::Evidence;
-use crate::search::found::{Known, Selection};
+use crate::search::found::{KnownCauses, Selection};
 use crate::search::selection::select;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use recordings::StepError;
@@ -26,7 +26,7 @@ pub struct Searched {
 pub enum Free {
     /// They are further off than was thought: the doubt by which the logs are likeliest, in parts of them, and the
     /// causes that tell it.
-    Doubt(f64, Vec<Known>),
+    Doubt(f64, KnownCauses),
     /// They are not, but held they had hidden causes: a search begun with those.
     Causes(Box<Searched>),
 }
@@ -41,7 +41,7 @@ impl Searched {
         subject: &Subject,
         stretches: Vec<Stretch>,
         near: Option<&Hypothesis>,
-        known: Vec<Known>,
+        known: KnownCauses,
         progress: &dyn Fn(&str),
     ) -> Result<Self, StepError> {
         progress("refitting the model");
@@ -52,8 +52,7 @@ impl Searched {
         let Some(found) = fault else { return Ok(Self { evidence, selection, fault: None }) };
         let effects = found.fault.as_effects(subject);
         let with = |effects: &[EffectInstance]| {
-            let known = effects.iter().cloned().map(Known::alone).collect();
-            select(subject, selection.refitted.clone(), known, progress)
+            select(subject, selection.refitted.clone(), KnownCauses::alone(effects), progress)
         };
         let said = (!effects.is_empty()).then(|| with(&effects));
         let (selection, fault) = match said.filter(|said| said.holds(&effects)) {
@@ -85,7 +84,9 @@ impl Searched {
         let mut free = subject.clone();
         free.doubt(prior.widest);
         let near = &self.selection.refitted.linear.hypothesis;
-        let wide = Self::of(&free, stretches.to_vec(), Some(near), Vec::new(), progress).ok()?;
+        let wide =
+            Self::of(&free, stretches.to_vec(), Some(near), KnownCauses::default(), progress)
+                .ok()?;
         let wide_last = wide.selection.last.by_all_rows();
         let gains_more = wide_last.gain_over(last) > prior.least_gain;
         if wide.fault.is_some() || wide.selection.added.is_empty() || !gains_more {
@@ -108,12 +109,7 @@ impl Searched {
         last: &FittedModel,
         progress: &dyn Fn(&str),
     ) -> Option<Self> {
-        let mut known = self.selection.known(subject);
-        for other in wide.selection.known(subject) {
-            if !known.iter().any(|own| own.excludes(&other)) {
-                known.push(other);
-            }
-        }
+        let known = self.selection.known(subject).and(wide.selection.known(subject));
         let selection = select(subject, self.selection.refitted.clone(), known, progress);
         let gain = selection.last.by_all_rows().gain_over(last);
         (gain > subject.criteria.prior.least_gain).then(|| Self {

@@ -38,8 +38,11 @@ criteria! {
         /// unless it takes away this part of the prior penalty.
         least_of_prior_penalty: f64 = 0.2,
         /// An effect is refused if it makes parameters implausible and their prior penalty so many
-        /// times larger.
+        /// times larger,
         most_prior_penalty_growth: f64 = 1.2,
+        /// unless they were implausible without it, and the log-likelihood that they lose is less than this part of
+        /// what the effect gains.
+        most_penalty_of_gain: f64 = 0.05,
         /// An effect is refused if it leaves less than this part of what encoder steps alone leave,
         /// for it takes noise for motion,
         least_of_encoder_noise: f64 = 0.7,

@@ -4,7 +4,7 @@ use super::objection::{Objection, objection};
 use super::refit::Finalist;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
-use crate::trial::hypothesis::EffectInstance;
+use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 
 /// What the search ends with.
 pub struct Selection {
@@ -54,12 +54,38 @@ pub struct Known {
     pub rivals: Vec<EffectInstance>,
 }
 
-impl Known {
-    /// An effect that nothing was tried against.
-    pub fn alone(effect: EffectInstance) -> Self {
-        Self { effect, gain: 0.0, rivals: Vec::new() }
+/// Effects that are known before a search.
+#[derive(Clone, Default)]
+pub struct KnownCauses {
+    /// Each of them.
+    pub causes: Vec<Known>,
+    /// The model that they were found in, where one was.
+    pub found_in: Option<Hypothesis>,
+}
+
+impl KnownCauses {
+    /// Effects that nothing was tried against.
+    pub fn alone(effects: &[EffectInstance]) -> Self {
+        let alone = |effect: &EffectInstance| Known {
+            effect: effect.clone(),
+            gain: 0.0,
+            rivals: Vec::new(),
+        };
+        Self { causes: effects.iter().map(alone).collect(), found_in: None }
     }
 
+    /// These and those of others that they do not exclude; all were found in the model of the others.
+    pub fn and(mut self, others: Self) -> Self {
+        for other in others.causes {
+            if !self.causes.iter().any(|own| own.excludes(&other)) {
+                self.causes.push(other);
+            }
+        }
+        Self { found_in: others.found_in, ..self }
+    }
+}
+
+impl Known {
     /// Whether a model holds one of two effects: they are one cause, or springs on one joint.
     pub fn excludes(&self, other: &Self) -> bool {
         let (own, other) = (&self.effect, &other.effect);
@@ -70,14 +96,15 @@ impl Known {
 
 impl Selection {
     /// The effects that were added, for another search.
-    pub fn known(&self, subject: &Subject) -> Vec<Known> {
+    pub fn known(&self, subject: &Subject) -> KnownCauses {
         let effects = &self.last.linear.hypothesis.effects[subject.known_effects.len()..];
         let known = |(added, effect): (&Added, &EffectInstance)| Known {
             effect: effect.clone(),
             gain: added.gain,
             rivals: added.rivals.iter().map(|rival| rival.effect.clone()).collect(),
         };
-        self.added.iter().zip(effects).map(known).collect()
+        let causes = self.added.iter().zip(effects).map(known).collect();
+        KnownCauses { causes, found_in: Some(self.last.linear.hypothesis.clone()) }
     }
 
     /// Whether all of these effects are in the last model.

@@ -68,7 +68,7 @@ pub fn objection_to(
         Some(Objection::Noise)
     } else if is_new && spring.is_some_and(|spring| smooths(spring, before, after, criteria)) {
         Some(Objection::Smoothing)
-    } else if makes_implausible(from, to, criteria) {
+    } else if makes_implausible(before, after, criteria) {
         Some(Objection::Implausible)
     } else if gain(before, after) <= criteria.selection.least_log_likelihood {
         Some(Objection::Chance)
@@ -82,16 +82,18 @@ pub fn objection_to(
     }
 }
 
-/// Whether a spring between motor and link takes less than most of what is left on its joint: one like this
-/// smooths something else, and hides it.
+/// Whether a spring between motor and link takes less than most of what is left, on its joint and on all: one
+/// like this smooths something else, and hides it. What a spring smooths is its own joint's; a link that swings
+/// pulls at the others, and they may show it best where its own joint has another cause.
 fn smooths(
     spring: &EffectInstance,
     before: &FittedModel,
     after: &FittedModel,
     criteria: &Criteria,
 ) -> bool {
-    let (from, to) = (left_on_v2(before, spring.joint), left_on_v2(after, spring.joint));
-    to >= (1.0 - criteria.verdict.least_by_backlash) * from
+    let leaves = 1.0 - criteria.verdict.least_by_backlash;
+    let takes_most = |joint| left_on_v2(after, joint) < leaves * left_on_v2(before, joint);
+    !takes_most(spring.joint) && !takes_most(0)
 }
 
 /// Whether one effect took the place of another, as a better spring does: then to explain better is
@@ -103,9 +105,16 @@ fn is_exchange(before: &FittedModel, after: &FittedModel) -> bool {
 
 /// An effect that takes away every command, a wide dead zone say, "explains" any motion once the
 /// refit takes away all masses.
-fn makes_implausible(before: &ResidualStats, after: &ResidualStats, criteria: &Criteria) -> bool {
-    let growth = criteria.selection.most_prior_penalty_growth;
-    after.is_implausible(&criteria.fit) && after.prior_penalty > growth * before.prior_penalty
+///
+/// A model whose parameters are further off than is thought is implausible without the effect; then its
+/// parameters may go a little further for what the effect explains.
+fn makes_implausible(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
+    let policy = &criteria.selection;
+    let (from, to) = (before.stats.prior_penalty, after.stats.prior_penalty);
+    let grows = to > policy.most_prior_penalty_growth * from;
+    let is_cheap = before.stats.is_implausible(&criteria.fit)
+        && 0.5 * (to - from) < policy.most_penalty_of_gain * gain(before, after);
+    after.stats.is_implausible(&criteria.fit) && grows && !is_cheap
 }
 
 /// A soft spring smooths what encoder steps add.

@@ -2,10 +2,9 @@
 //! best of all, as long as the policy accepts one; then each is tried without, and against its rivals.
 
 use super::finalists::{Contest, each_once};
-use super::found::{Added, Known, Rival, Selection};
-use super::independent_rows::fitted_by_independent_rows;
+use super::found::{Added, KnownCauses, Rival, Selection};
 use super::objection::objection_to;
-use super::policy::{gain, is_done, is_physical};
+use super::policy::{gain, is_done};
 use super::refit::Finalist;
 use super::winner::{Winner, is_all_physical};
 use crate::fit::fitted_model::FittedModel;
@@ -20,7 +19,7 @@ use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 pub fn select(
     subject: &Subject,
     refitted: FittedModel,
-    known: Vec<Known>,
+    known: KnownCauses,
     progress: &dyn Fn(&str),
 ) -> Selection {
     let refitted = refitted_from_given(subject, refitted);
@@ -164,50 +163,6 @@ impl Search<'_> {
         Round::Refused(each_once(contest.finalists))
     }
 
-    /// Adds all effects that are known, with the values that they are known by, and takes out those that do not
-    /// pay beside the others, those that gain least first: several may pay only together.
-    fn begin_with(&mut self, mut known: Vec<Known>) {
-        known.sort_by(|a, b| a.gain.total_cmp(&b.gain));
-        let most = self.subject.criteria.selection.most_effects;
-        known.drain(..known.len().saturating_sub(most));
-        let own = self.subject.known_effects.len();
-        let mut with = self.together(&known);
-        if let Some(model) = &with {
-            let effects = &model.linear.hypothesis.effects[own..];
-            let physical: Vec<bool> = effects
-                .iter()
-                .map(|effect| is_physical(effect, self.subject, &model.evidence))
-                .collect();
-            if physical.contains(&false) {
-                let mut stays = physical.into_iter();
-                known.retain(|_| stays.next().unwrap_or(false));
-                with = self.together(&known);
-            }
-        }
-        let Some(with) = with else { return };
-        let without = std::mem::replace(&mut self.last, with);
-        self.rivals = known.into_iter().map(|known| known.rivals).collect();
-        self.prune(0);
-        let effects = &self.last.linear.hypothesis.effects;
-        let alone = effects.last().filter(|_| self.rivals.len() == 1);
-        if objection_to(alone, &without, &self.last, &self.subject.criteria).is_some() {
-            (self.last, self.rivals) = (without, Vec::new());
-        }
-    }
-
-    /// The model with all these effects, fitted to its end; none without effects.
-    fn together(&self, known: &[Known]) -> Option<FittedModel> {
-        if known.is_empty() {
-            return None;
-        }
-        let mut hypothesis = self.last.linear.hypothesis.clone();
-        hypothesis.effects.extend(known.iter().map(|known| known.effect.clone()));
-        let with = self.fitted(hypothesis)?.settled(self.subject);
-        let steps = self.subject.criteria.selection.accepted_steps;
-        let anew = fitted_by_independent_rows(self.subject, &with, steps);
-        Some(anew.filter(|anew| anew.gain_over(&with) > 0.0).unwrap_or(with))
-    }
-
     /// Adds an effect that won over its rivals.
     fn add(&mut self, effect: &EffectInstance, finished: FittedModel, rivals: Vec<EffectInstance>) {
         let known = self.subject.known_effects.len();
@@ -221,7 +176,7 @@ impl Search<'_> {
 
     /// Takes out effects from the place `first` on that others, added later, make needless: an offset goes once
     /// the spring is found that it stood for.
-    fn prune(&mut self, first: usize) {
+    pub(super) fn prune(&mut self, first: usize) {
         let known = self.subject.known_effects.len();
         let mut index = first;
         while self.rivals.len() > 1 && index < self.rivals.len() {
