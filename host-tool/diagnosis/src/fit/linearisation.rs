@@ -1,5 +1,4 @@
-//! All rows of a model linearised in what is open, and how well a change of them fits once
-//! everything open is refitted.
+//! All rows of a model linearised in what is open.
 
 use std::sync::Arc;
 
@@ -10,9 +9,9 @@ use super::gram;
 use super::joint_slopes::JointSlopes;
 use super::normal_equations::{gradient, normal, objective, refitted_squares, train_rows};
 use super::slopes::slopes;
-use super::unknowns::{Expected, Unknown};
-use crate::rows::evidence::{Evidence, RowChange, Rows};
-use crate::trial::hypothesis::{EffectInstance, Hypothesis};
+use super::unknowns::Expected;
+use crate::rows::evidence::{Evidence, Rows};
+use crate::trial::hypothesis::Hypothesis;
 use crate::trial::parts::Parts;
 
 /// A model with its residuals and their slopes.
@@ -37,7 +36,7 @@ pub struct Linearisation {
     pub(super) of_folds: Arc<[DMatrix<f64>]>,
     pub(super) normal: Cholesky<f64, Dyn>,
     /// Squares of each joint's train rows, everything open refitted by the slopes.
-    refitted_squares: Vec<f64>,
+    pub(super) refitted_squares: Vec<f64>,
     pub(crate) train: Vec<usize>,
 }
 
@@ -147,77 +146,6 @@ impl Linearisation {
         Some(Self { expected, objective, normal, gradient, ..self.clone() })
     }
 
-    /// The change of what is open that fits best, by the slopes, where each value may go no further
-    /// than its range: what would is fixed at its end, and the others are solved for again.
-    pub fn step_within(&self, range: impl Fn(Unknown) -> [f64; 2]) -> DVector<f64> {
-        let (mut normal, mut gradient) = (self.normal(), self.gradient.clone());
-        let mut step = -self.normal.solve(&gradient);
-        let mut is_free = vec![true; step.len()];
-        loop {
-            let mut any = false;
-            for (place, expected) in self.expected.iter().enumerate() {
-                if !is_free[place] {
-                    continue;
-                }
-                let now = expected.unknown.get(&self.hypothesis);
-                let [lowest, highest] = range(expected.unknown);
-                let to = (now + step[place]).clamp(lowest.min(now), highest.max(now)) - now;
-                if to != step[place] {
-                    (is_free[place], any) = (false, true);
-                    fix(&mut normal, &mut gradient, place, to);
-                }
-            }
-            match Cholesky::new(normal.clone()) {
-                Some(factors) if any => step = -factors.solve(&gradient),
-                _ => return step,
-            }
-        }
-    }
-    /// By how much a step lowers the objective, by the slopes.
-    pub fn gain_of(&self, step: &DVector<f64>) -> f64 {
-        -2.0 * self.gradient.dot(step) - step.dot(&(self.normal() * step))
-    }
-
-    /// The hypothesis a part of a step further.
-    pub fn moved(&self, step: &DVector<f64>, part: f64) -> Hypothesis {
-        let mut hypothesis = self.hypothesis.clone();
-        for (expected, change) in self.expected.iter().zip(step.iter()) {
-            let now = expected.unknown.get(&self.hypothesis);
-            expected.unknown.set(&mut hypothesis, now + part * change);
-        }
-        hypothesis
-    }
-
-    /// Squares of train rows and of the prior penalty, everything open refitted by the slopes.
-    pub fn refitted_objective(&self) -> f64 {
-        self.objective_with(&RowChange::default())
-    }
-
-    /// Squares of the train rows that an effect acts on, everything open refitted by the slopes.
-    pub fn squares_of(&self, effect: &EffectInstance) -> f64 {
-        let counts = |joint: usize| effect.joint == 0 || joint + 1 == usize::from(effect.joint);
-        let squares = self.refitted_squares.iter().enumerate();
-        squares.filter(|(joint, _)| counts(*joint)).map(|(_, squares)| squares).sum()
-    }
-
-    /// The same of all joints' rows.
-    pub fn squares(&self) -> f64 {
-        self.refitted_squares.iter().sum()
-    }
-
-    /// Squares of train rows and of the prior penalty once train rows change so,
-    /// everything open refitted by the slopes.
-    pub fn objective_with(&self, change: &RowChange) -> f64 {
-        let gradient = &self.gradient + self.against(change);
-        let step = -self.normal.solve(&gradient);
-        let mut objective = self.objective + gradient.dot(&step);
-        for joint in 0..self.residual.len() {
-            let both = column(change, joint).iter().zip(&self.residual[joint]);
-            objective += both.take(self.train[joint]).map(|(c, r)| c * (c + 2.0 * r)).sum::<f64>();
-        }
-        objective
-    }
-
     /// Squares of the prior penalty: deviations of what is open from what is known of it.
     pub fn prior_penalty(&self) -> f64 {
         let squared =
@@ -228,51 +156,6 @@ impl Linearisation {
     /// The matrix whose Cholesky factors solve for a step.
     pub(super) fn normal(&self) -> DMatrix<f64> {
         normal(&self.products, &self.expected)
-    }
-
-    /// Slopes' products with a change of the train rows.
-    fn against(&self, change: &RowChange) -> DVector<f64> {
-        let mut sum = DVector::zeros(self.expected.len());
-        for slopes in self.joints.iter() {
-            let Some(Some(column)) = change.get(slopes.joint) else { continue };
-            let rows = self.train[slopes.joint];
-            let products = slopes
-                .matrix
-                .rows_range(..rows)
-                .tr_mul(&nalgebra::DVectorView::from_slice(&column[..rows], rows));
-            for (&place, value) in slopes.places.iter().zip(products.iter()) {
-                sum[place] += value;
-            }
-        }
-        sum
-    }
-
-    /// Half the gradient and the curvature of the score along changes of rows, about a
-    /// change of rows, everything open refitted.
-    pub fn along(&self, about: &RowChange, slopes: &[RowChange]) -> (DVector<f64>, DMatrix<f64>) {
-        let count = slopes.len();
-        let against: Vec<DVector<f64>> = slopes.iter().map(|rows| self.against(rows)).collect();
-        let solved: Vec<DVector<f64>> = against.iter().map(|b| self.normal.solve(b)).collect();
-        let gradient = &self.gradient + self.against(about);
-        let product = |joint: usize, a: &[f64], b: &[f64]| -> f64 {
-            a.iter().zip(b).take(self.train[joint]).map(|(a, b)| a * b).sum()
-        };
-        let of_changes = |a: &RowChange, b: &RowChange| -> f64 {
-            (0..self.train.len())
-                .map(|joint| product(joint, column(a, joint), column(b, joint)))
-                .sum()
-        };
-        let with_residual = |a: &RowChange| -> f64 {
-            let of_joint = |joint| product(joint, column(a, joint), &self.residual[joint]);
-            (0..self.train.len()).map(of_joint).sum()
-        };
-        let half_gradient = DVector::from_fn(count, |i, _| {
-            with_residual(&slopes[i]) + of_changes(&slopes[i], about) - solved[i].dot(&gradient)
-        });
-        let curvature = DMatrix::from_fn(count, count, |i, k| {
-            of_changes(&slopes[i], &slopes[k]) - against[i].dot(&solved[k])
-        });
-        (half_gradient, curvature)
     }
 
     /// Rows of a joint that belong to train logs.
@@ -303,16 +186,4 @@ fn products(
     let of_folds = gram::by_groups(joints, &runs, evidence.criteria.selection.folds, open);
     let all = of_folds.iter().fold(DMatrix::zeros(open, open), |sum, fold| sum + fold);
     (all.into(), of_folds.into())
-}
-
-/// A joint's rows of a change; none where they do not change.
-fn column(change: &RowChange, joint: usize) -> &[f64] {
-    change.get(joint).and_then(Option::as_deref).unwrap_or_default()
-}
-
-/// Makes a step's value at a place what it is told: by a weight that outweighs all rows.
-fn fix(normal: &mut DMatrix<f64>, gradient: &mut DVector<f64>, place: usize, to: f64) {
-    let weight = 1e9 * normal[(place, place)];
-    normal[(place, place)] += weight;
-    gradient[place] -= weight * to;
 }

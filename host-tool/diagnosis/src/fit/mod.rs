@@ -1,5 +1,6 @@
 //! A hypothesis linearised, fitted, and judged against the noise.
 
+pub mod bounded_step;
 pub mod bristles;
 pub mod cross_validation;
 pub mod doubt;
@@ -13,6 +14,7 @@ pub mod linearisation;
 mod marginal_likelihood;
 mod normal_equations;
 pub mod preparation;
+pub mod refitted_change;
 pub mod residual_stats;
 pub mod row_changes;
 pub mod slopes;

@@ -2,7 +2,8 @@
 
 use std::sync::{Arc, OnceLock};
 
-use super::noise::{Noise, NoiseByRate};
+use super::floors::{behind, filters, floor_v};
+use super::noise::NoiseByRate;
 use super::row_filter::RowFilter;
 use crate::criteria::Criteria;
 use crate::logs::stretch::Stretch;
@@ -16,13 +17,13 @@ pub struct Evidence {
     /// Joints of the rig, from 0.
     pub joints: Vec<usize>,
     /// Filter of a joint's rows in a stretch, by joint.
-    filters: Vec<Vec<RowFilter>>,
+    pub(super) filters: Vec<Vec<RowFilter>>,
     /// Noise of a joint's rows in a stretch, rms [V], by joint.
     floors_v: Vec<Vec<f64>>,
     /// What encoder steps alone leave of them, rms [V], by joint.
     steps_v: Vec<Vec<f64>>,
     /// Stretches of train logs.
-    train: usize,
+    pub(super) train: usize,
     /// The thresholds by which models are compared.
     pub criteria: Criteria,
     /// Whether what a model leaves beyond noise counts as systematic: the same again and again, of which a
@@ -240,99 +241,9 @@ impl Evidence {
     pub fn steps_v(&self, joint: usize, s: usize) -> f64 {
         self.steps_v[joint][s]
     }
-
-    /// Rows of a joint in a stretch.
-    pub fn row_count(&self, joint: usize, s: usize) -> usize {
-        self.filters[joint][s].row_count(self.stretches[s].len())
-    }
-
-    /// Where a joint's rows of each stretch lie among all of its rows.
-    pub fn ranges(&self, joint: usize) -> Vec<std::ops::Range<usize>> {
-        let mut begin = 0;
-        let range = |s: usize| {
-            let end = begin + self.row_count(joint, s);
-            std::mem::replace(&mut begin, end)..end
-        };
-        (0..self.stretches.len()).map(range).collect()
-    }
-
-    /// Which fold each of a joint's train rows belongs to: pieces of logs, taken in turn.
-    pub fn folds(&self, joint: usize) -> Vec<usize> {
-        let (folds, piece_s) = (self.criteria.selection.folds, self.criteria.selection.piece_s);
-        let of_stretch = |s: usize| {
-            let row_period_s = self.filters[joint][s].row_period_s();
-            let fold = move |k: usize| (s + (k as f64 * row_period_s / piece_s) as usize) % folds;
-            (0..self.row_count(joint, s)).map(fold)
-        };
-        (0..self.train).flat_map(of_stretch).collect()
-    }
-
-    /// The train log, counted from 0, of each of a joint's train rows.
-    pub fn logs_of_rows(&self, joint: usize) -> Vec<usize> {
-        let (mut log, mut before) = (0, None);
-        let of_stretch = |s: usize| {
-            let is_next = before.is_some_and(|before| before != self.stretches[s].log);
-            log += usize::from(is_next);
-            before = Some(self.stretches[s].log);
-            std::iter::repeat_n(log, self.row_count(joint, s))
-        };
-        (0..self.train).flat_map(of_stretch).collect()
-    }
-
-    /// How many logs are train logs.
-    pub fn train_logs(&self) -> usize {
-        let mut logs: Vec<usize> = self.stretches[..self.train].iter().map(|s| s.log).collect();
-        logs.dedup();
-        logs.len()
-    }
-
-    /// Rows of a joint that belong to train logs; they come first.
-    pub fn train_rows(&self, joint: usize) -> usize {
-        (0..self.train).map(|s| self.row_count(joint, s)).sum()
-    }
-
-    /// Stretches of train logs; they come first.
-    pub fn train_stretches(&self) -> usize {
-        self.train
-    }
 }
 
 /// Room for what a stretch has of each joint.
 fn of_joints<T>(stretch: &Stretch) -> Vec<OnceLock<T>> {
     stretch.command_v.iter().map(|_| OnceLock::new()).collect()
-}
-
-/// Filters of a joint's rows that make its noise white, stretch by stretch.
-fn filters(
-    stretches: &[Stretch],
-    joint: usize,
-    noise: &NoiseByRate,
-    criteria: &Criteria,
-) -> Vec<RowFilter> {
-    let of_rows = &criteria.rows;
-    let filter = |s: &Stretch| {
-        let corner_hz = noise.in_stretch(joint, s).corner_hz();
-        let highest_hz = of_rows.highest_corner_part / s.period_s;
-        let corner_hz = corner_hz.clamp(of_rows.lowest_corner_hz, highest_hz);
-        RowFilter::new(s.period_s, s.broadband, corner_hz, of_rows)
-    };
-    stretches.iter().map(filter).collect()
-}
-
-/// Noise of a joint's rows in a stretch, rms [V]: what is seen, and what happens between samples.
-fn floor_v(
-    stretch: &Stretch,
-    filter: &RowFilter,
-    joint: usize,
-    noise: &NoiseByRate,
-    criteria: &Criteria,
-) -> f64 {
-    let seen_v = behind(filter, stretch, noise.in_stretch(joint, stretch));
-    let fast_v = stretch.fast_command_v(joint, criteria.logs.fast_part);
-    seen_v.hypot(criteria.rows.between_samples_per_s * stretch.period_s * fast_v)
-}
-
-/// What a filter leaves of noise, rms [V].
-fn behind(filter: &RowFilter, stretch: &Stretch, noise: Noise) -> f64 {
-    noise.behind(|f| filter.gain(f), stretch.period_s)
 }

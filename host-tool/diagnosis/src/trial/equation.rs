@@ -10,14 +10,13 @@ use std::cell::OnceCell;
 use model::{FrictionState, Posture};
 
 use super::active_effects::{ActiveEffects, FRICTION_SLOPES};
-use super::coupling::Coupling;
 use super::hypothesis::Hypothesis;
 use super::joint_dynamics::JointDynamics;
-use super::link_motion::{self, JointMotion, MeasuredTorque};
+use super::motor_side::MotorSide;
 use super::rigid_body::{Path, regressor_columns, torques};
 use crate::criteria::FitCriteria;
 use crate::logs::intervals::at_samples;
-use crate::logs::kinematics::{Kinematics, Sines, postures_for};
+use crate::logs::kinematics::{Kinematics, Sines};
 use crate::logs::stretch::Stretch;
 use rig::Plant;
 use rig::effects::{TableAxis, Transmission};
@@ -26,41 +25,27 @@ use signal::derivative;
 
 /// A hypothesis on one stretch. What costs time is computed once it is asked for.
 pub struct Trial<'a> {
-    stretch: &'a Stretch,
+    pub(super) stretch: &'a Stretch,
     hypothesis: &'a Hypothesis,
-    criteria: &'a FitCriteria,
+    pub(super) criteria: &'a FitCriteria,
     effects: ActiveEffects<'a>,
     /// Joints (from 0) with a spring between motor and link.
-    springs: Vec<(usize, Transmission)>,
+    pub(super) springs: Vec<(usize, Transmission)>,
     /// What moves with the links: the rigid body without the motors of elastic joints; none where
     /// no joint is elastic.
     links: Option<Body>,
     /// The motors' side of the springs, where another trial has computed it.
-    motor_side: Option<&'a dyn MotorSide>,
+    pub(super) motor_side: Option<&'a dyn MotorSide>,
     /// Motion of the links, where some are behind springs.
-    link: OnceCell<Kinematics>,
+    pub(super) link: OnceCell<Kinematics>,
     /// Sines and cosines of the links' angles, where those move otherwise than measured.
-    postures: OnceCell<Vec<Posture<f64>>>,
+    pub(super) postures: OnceCell<Vec<Posture<f64>>>,
     /// The same by joints, as a chain takes them.
-    sines: OnceCell<Vec<Sines>>,
+    pub(super) sines: OnceCell<Vec<Sines>>,
     /// What drives the joints in the intervals [V].
     drive_v: OnceCell<Vec<Vec<f64>>>,
     /// What the rigid body needs at the samples [V].
     needed_v: OnceCell<Vec<Vec<f64>>>,
-}
-
-/// The motors' side of springs, by joint: how motors move and what drives them. It is measured,
-/// and thus the same for all hypotheses that differ in a spring alone: a search that varies a
-/// spring computes it once.
-pub trait MotorSide {
-    /// Dynamics of a joint as if it were stiff, by samples; computed by `make` at first.
-    fn dynamics(&self, joint: usize, make: &dyn Fn() -> Vec<JointDynamics>) -> &[JointDynamics];
-
-    /// What a joint's link ahead of its motor pulls at all joints; computed by `make` at first.
-    fn coupling(&self, joint: usize, make: &dyn Fn() -> Coupling) -> &Coupling;
-
-    /// What drives a joint less friction, by intervals [V].
-    fn net_v(&self, joint: usize) -> &[f64];
 }
 
 impl<'a> Trial<'a> {
@@ -259,78 +244,5 @@ impl<'a> Trial<'a> {
     /// Dynamics of a joint as if it were stiff, at the samples.
     pub fn dynamics(&self, joint: usize) -> Vec<JointDynamics> {
         JointDynamics::along(joint, self.motor(), &self.plant().body)
-    }
-
-    /// Motion of the links.
-    fn link(&self) -> &Kinematics {
-        if self.springs.is_empty() {
-            return self.motor();
-        }
-        self.link.get_or_init(|| {
-            let mut link = self.motor().clone();
-            for (joint, spring) in &self.springs {
-                link.take_joint(*joint, self.behind(*joint, spring));
-            }
-            link
-        })
-    }
-
-    /// Sines and cosines of the links' angles.
-    fn postures(&self) -> &[Posture<f64>] {
-        match self.moves_as_measured() {
-            true => &self.stretch.postures,
-            false => self.postures.get_or_init(|| postures_for(self.plant(), self.link())),
-        }
-    }
-
-    /// The same by joints.
-    fn sines(&self) -> &[Sines] {
-        let Stretch { motion, .. } = self.stretch;
-        match self.moves_as_measured() {
-            true => self.stretch.sines(),
-            false => {
-                self.sines.get_or_init(|| self.link().sines_near(motion, self.stretch.sines()))
-            }
-        }
-    }
-
-    /// The spring that was added last, with its joint (from 0).
-    pub(super) fn last_spring(&self) -> Option<(usize, &Transmission)> {
-        self.springs.last().map(|(joint, spring)| (*joint, spring))
-    }
-
-    /// The motors' side of the springs, where another trial has computed it.
-    pub(super) fn motor_side(&self) -> Option<&'a dyn MotorSide> {
-        self.motor_side
-    }
-
-    /// How far a joint's link behind a spring is ahead of its motor in acceleration, angle and velocity, at the samples.
-    pub(super) fn link_ahead(&self, joint: usize, spring: &Transmission) -> Vec<[f64; 3]> {
-        self.behind(joint, spring).ahead_of(self.motor(), joint)
-    }
-
-    /// Motion of a joint's link behind a spring.
-    fn behind(&self, joint: usize, spring: &Transmission) -> JointMotion {
-        let dynamics = match self.motor_side {
-            Some(known) => Cow::Borrowed(known.dynamics(joint, &|| self.dynamics(joint))),
-            None => Cow::Owned(self.dynamics(joint)),
-        };
-        let push_nm = match self.motor_side {
-            Some(known) => self.push_nm(joint, known.net_v(joint)),
-            None => self.push_nm(joint, &self.net(joint)),
-        };
-        let unknown_torque = match spring.gap_rad > 0.0 {
-            true => self.criteria.unknown_link_torque,
-            false => self.criteria.unknown_spring_torque,
-        };
-        let measured = MeasuredTorque { push_nm: &push_nm, unknown_torque };
-        let period_s = self.stretch.period_s;
-        link_motion::behind(spring, joint, self.motor(), &dynamics, measured, period_s)
-    }
-
-    /// Torque that pushes a joint in the interval after each sample [Nm].
-    fn push_nm(&self, joint: usize, net_v: &[f64]) -> Vec<f64> {
-        let k_t = self.plant().torque_constant_nm_per_v[joint];
-        net_v.iter().map(|net_v| k_t * net_v).collect()
     }
 }

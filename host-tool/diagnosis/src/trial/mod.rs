@@ -7,6 +7,8 @@ pub mod hypothesis;
 pub mod joint_dynamics;
 pub mod link_covariance;
 pub mod link_motion;
+pub mod links;
+pub mod motor_side;
 pub mod parts;
 pub mod reading;
 pub mod residual_rows;

@@ -3,9 +3,10 @@
 use std::sync::OnceLock;
 
 use super::coupling::Coupling;
-use super::equation::{MotorSide, Trial};
+use super::equation::Trial;
 use super::hypothesis::EffectInstance;
 use super::joint_dynamics::JointDynamics;
+use super::motor_side::MotorSide;
 use crate::logs::intervals::at_samples;
 use rig::effects::{Table, Touches};
 

@@ -1,0 +1,87 @@
+//! How the links of a trial move: as measured, or behind springs as those drive them.
+
+use std::borrow::Cow;
+
+use model::Posture;
+
+use super::equation::Trial;
+use super::link_motion::{self, JointMotion, MeasuredTorque};
+use super::motor_side::MotorSide;
+use crate::logs::kinematics::{Kinematics, Sines, postures_for};
+use crate::logs::stretch::Stretch;
+use rig::effects::Transmission;
+
+impl<'a> Trial<'a> {
+    /// Motion of the links.
+    pub(super) fn link(&self) -> &Kinematics {
+        if self.springs.is_empty() {
+            return self.motor();
+        }
+        self.link.get_or_init(|| {
+            let mut link = self.motor().clone();
+            for (joint, spring) in &self.springs {
+                link.take_joint(*joint, self.behind(*joint, spring));
+            }
+            link
+        })
+    }
+
+    /// Sines and cosines of the links' angles.
+    pub(super) fn postures(&self) -> &[Posture<f64>] {
+        match self.moves_as_measured() {
+            true => &self.stretch.postures,
+            false => self.postures.get_or_init(|| postures_for(self.plant(), self.link())),
+        }
+    }
+
+    /// The same by joints.
+    pub(super) fn sines(&self) -> &[Sines] {
+        let Stretch { motion, .. } = self.stretch;
+        match self.moves_as_measured() {
+            true => self.stretch.sines(),
+            false => {
+                self.sines.get_or_init(|| self.link().sines_near(motion, self.stretch.sines()))
+            }
+        }
+    }
+
+    /// The spring that was added last, with its joint (from 0).
+    pub(super) fn last_spring(&self) -> Option<(usize, &Transmission)> {
+        self.springs.last().map(|(joint, spring)| (*joint, spring))
+    }
+
+    /// The motors' side of the springs, where another trial has computed it.
+    pub(super) fn motor_side(&self) -> Option<&'a dyn MotorSide> {
+        self.motor_side
+    }
+
+    /// How far a joint's link behind a spring is ahead of its motor in acceleration, angle and velocity, at the samples.
+    pub(super) fn link_ahead(&self, joint: usize, spring: &Transmission) -> Vec<[f64; 3]> {
+        self.behind(joint, spring).ahead_of(self.motor(), joint)
+    }
+
+    /// Motion of a joint's link behind a spring.
+    fn behind(&self, joint: usize, spring: &Transmission) -> JointMotion {
+        let dynamics = match self.motor_side {
+            Some(known) => Cow::Borrowed(known.dynamics(joint, &|| self.dynamics(joint))),
+            None => Cow::Owned(self.dynamics(joint)),
+        };
+        let push_nm = match self.motor_side {
+            Some(known) => self.push_nm(joint, known.net_v(joint)),
+            None => self.push_nm(joint, &self.net(joint)),
+        };
+        let unknown_torque = match spring.gap_rad > 0.0 {
+            true => self.criteria.unknown_link_torque,
+            false => self.criteria.unknown_spring_torque,
+        };
+        let measured = MeasuredTorque { push_nm: &push_nm, unknown_torque };
+        let period_s = self.stretch.period_s;
+        link_motion::behind(spring, joint, self.motor(), &dynamics, measured, period_s)
+    }
+
+    /// Torque that pushes a joint in the interval after each sample [Nm].
+    fn push_nm(&self, joint: usize, net_v: &[f64]) -> Vec<f64> {
+        let k_t = self.plant().torque_constant_nm_per_v[joint];
+        net_v.iter().map(|net_v| k_t * net_v).collect()
+    }
+}
