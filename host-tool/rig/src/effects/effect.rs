@@ -33,6 +33,10 @@ pub trait Effect: Debug + Send {
     /// Takes the time between calls of [`Self::change_command`] [s], once at the beginning.
     fn set_step(&mut self, _step_s: f64) {}
 
+    /// Takes the time over which it acts on average [s], once at the beginning: a sample period, where it acts along a
+    /// recorded motion; else what it does is of one instant.
+    fn set_interval(&mut self, _interval_s: f64) {}
+
     /// Changes the voltages on their way from the converter to the motors.
     fn change_command(&mut self, _state: &JointState, _command_v: &mut [f64]) {}
 

@@ -13,6 +13,7 @@
 //! | `search`, `sizes` | where a search begins, and what a blind trial draws |
 //! | `confusion`, `compensation` | what it is taken for, and what the board compensates for |
 //! | `effect` | what it does: [`Effect`] |
+//! | `wave` | a wave over the turn of a shaft: [`Wave`] |
 //! | `catalogue` | the effects: [`Catalogue`] |
 //! | `table` | a curve over one axis, which is no cause: [`Table`] |
 //! | `parse` | effects from tables of a model file and from the command line |
@@ -32,6 +33,7 @@ mod search;
 mod sizes;
 mod table;
 mod transmission;
+mod wave;
 
 pub use catalogue::Catalogue;
 pub use compensation::{ArmLoad, Compensation, turn_wave};
@@ -46,3 +48,4 @@ pub use search::{Carrier, Search, Size, Typical};
 pub use sizes::{DrawContext, harmonic};
 pub use table::{FEWEST_TABLE_KNOTS, MAX_TABLE_KNOTS, Table, TableAxis, board_axis};
 pub use transmission::Transmission;
+pub use wave::Wave;

@@ -1,11 +1,11 @@
 //! Torque of the magnets on the slots.
 
 use firmware::compensation::{Feedforward, limits};
-use model::effects::{AngularHarmonic, cogging_v};
+use model::effects::cogging_v;
 
 use crate::effects::{
     Carrier, Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search,
-    Size, Touches, harmonic, turn_wave,
+    Size, Touches, Wave, harmonic, turn_wave,
 };
 use crate::plant::Gear;
 
@@ -38,8 +38,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Box::new(Cogging {
             joint: usize::from(joint) - 1,
             amplitude_v: values[0],
-            motor_turns: 1.0,
-            wave: AngularHarmonic { order: values[1], phase_rad: values[2] },
+            wave: Wave::new(values[1], values[2]),
         })
     },
 };
@@ -58,18 +57,20 @@ pub(super) const OF_ARM: Definition = Definition {
 struct Cogging {
     joint: usize,
     amplitude_v: f64,
-    /// Turns of the motor per turn of the joint.
-    motor_turns: f64,
-    wave: AngularHarmonic<f64>,
+    wave: Wave,
 }
 
 impl Effect for Cogging {
     fn set_gears(&mut self, gears: &[Gear]) {
-        self.motor_turns = gears[self.joint].motor;
+        self.wave.set_motor(gears[self.joint]);
+    }
+
+    fn set_interval(&mut self, interval_s: f64) {
+        self.wave.set_interval(interval_s);
     }
 
     fn add_voltage(&self, state: &JointState, voltage_v: &mut [f64]) {
-        let sine = self.wave.sine(self.motor_turns * state.q_rad[self.joint]);
+        let sine = self.wave.sine(state.q_rad[self.joint], state.qd_rad_per_s[self.joint]);
         voltage_v[self.joint] += cogging_v(self.amplitude_v, sine);
     }
 }

@@ -1,12 +1,12 @@
 //! Friction that varies over the turn.
 
 use firmware::compensation::{Feedforward, limits};
-use model::effects::{AngularHarmonic, scale_position_friction};
+use model::effects::scale_position_friction;
 use model::friction::FrictionScale;
 
 use crate::effects::{
     Carrier, Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search,
-    Size, Touches, harmonic, turn_wave,
+    Size, Touches, Wave, harmonic, turn_wave,
 };
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -40,7 +40,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Box::new(PositionFriction {
             joint: usize::from(joint) - 1,
             relative_amplitude: values[0],
-            wave: AngularHarmonic { order: values[1], phase_rad: values[2] },
+            wave: Wave::new(values[1], values[2]),
         })
     },
 };
@@ -49,12 +49,16 @@ pub(super) const DEFINITION: Definition = Definition {
 struct PositionFriction {
     joint: usize,
     relative_amplitude: f64,
-    wave: AngularHarmonic<f64>,
+    wave: Wave,
 }
 
 impl Effect for PositionFriction {
+    fn set_interval(&mut self, interval_s: f64) {
+        self.wave.set_interval(interval_s);
+    }
+
     fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>]) {
-        let sine = self.wave.sine(state.q_rad[self.joint]);
+        let sine = self.wave.sine(state.q_rad[self.joint], state.qd_rad_per_s[self.joint]);
         scale_position_friction(&mut scale[self.joint], self.relative_amplitude, sine);
     }
 }

@@ -1,11 +1,11 @@
 //! A torque constant that varies over the turn.
 
 use firmware::compensation::{InputInverse, limits};
-use model::effects::{AngularHarmonic, ripple_factor};
+use model::effects::ripple_factor;
 
 use crate::effects::{
     Carrier, Compensation, Confusion, Definition, Effect, JointState, Kind, Parameter, Search,
-    Size, Touches, harmonic, turn_wave,
+    Size, Touches, Wave, harmonic, turn_wave,
 };
 use crate::plant::Gear;
 
@@ -39,8 +39,7 @@ pub(super) const DEFINITION: Definition = Definition {
         Box::new(TorqueRipple {
             joint: usize::from(joint) - 1,
             relative_amplitude: values[0],
-            motor_turns: 1.0,
-            wave: AngularHarmonic { order: values[1], phase_rad: values[2] },
+            wave: Wave::new(values[1], values[2]),
         })
     },
 };
@@ -49,18 +48,20 @@ pub(super) const DEFINITION: Definition = Definition {
 struct TorqueRipple {
     joint: usize,
     relative_amplitude: f64,
-    /// Turns of the motor per turn of the joint.
-    motor_turns: f64,
-    wave: AngularHarmonic<f64>,
+    wave: Wave,
 }
 
 impl Effect for TorqueRipple {
     fn set_gears(&mut self, gears: &[Gear]) {
-        self.motor_turns = gears[self.joint].motor;
+        self.wave.set_motor(gears[self.joint]);
+    }
+
+    fn set_interval(&mut self, interval_s: f64) {
+        self.wave.set_interval(interval_s);
     }
 
     fn change_command(&mut self, state: &JointState, command_v: &mut [f64]) {
-        let sine = self.wave.sine(self.motor_turns * state.q_rad[self.joint]);
+        let sine = self.wave.sine(state.q_rad[self.joint], state.qd_rad_per_s[self.joint]);
         command_v[self.joint] *= ripple_factor(self.relative_amplitude, sine);
     }
 }
