@@ -17,7 +17,7 @@ impl Search<'_> {
         causes.sort_by(|a, b| a.gain.total_cmp(&b.gain));
         let most = self.subject.criteria.selection.most_effects;
         causes.drain(..causes.len().saturating_sub(most));
-        let Some(with) = self.physical_together(&mut causes, found_in.as_ref()) else { return };
+        let Some(with) = self.physical_together(&mut causes, found_in.as_deref()) else { return };
         let without = std::mem::replace(&mut self.last, with);
         self.rivals = causes.into_iter().map(|known| known.rivals).collect();
         self.prune(0);

@@ -60,7 +60,7 @@ pub struct KnownCauses {
     /// Each of them.
     pub causes: Vec<Known>,
     /// The model that they were found in, where one was.
-    pub found_in: Option<Hypothesis>,
+    pub found_in: Option<Box<Hypothesis>>,
 }
 
 impl KnownCauses {
@@ -104,7 +104,7 @@ impl Selection {
             rivals: added.rivals.iter().map(|rival| rival.effect.clone()).collect(),
         };
         let causes = self.added.iter().zip(effects).map(known).collect();
-        KnownCauses { causes, found_in: Some(self.last.linear.hypothesis.clone()) }
+        KnownCauses { causes, found_in: Some(Box::new(self.last.linear.hypothesis.clone())) }
     }
 
     /// Whether all of these effects are in the last model.
