@@ -120,6 +120,11 @@ impl FittedModel {
         self.log_likelihood(&misfit) - other.log_likelihood(&misfit)
     }
 
+    /// The one of two models that is likelier, the first where they are alike.
+    pub fn better_of(self, other: Self) -> Self {
+        if other.gain_over(&self) > 0.0 { other } else { self }
+    }
+
     /// What it leaves of all rows, those held out too [V].
     pub fn all_residual_v(&self) -> Rows {
         self.evidence.volts(&residual_rows(&self.evidence, &self.linear.hypothesis))

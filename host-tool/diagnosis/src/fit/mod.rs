@@ -1,6 +1,6 @@
 //! A hypothesis linearised, fitted, and judged against the noise.
 
-pub mod bounded_step;
+mod bounded_step;
 pub mod bristles;
 pub mod cross_validation;
 pub mod doubt;
@@ -14,7 +14,7 @@ pub mod linearisation;
 mod marginal_likelihood;
 mod normal_equations;
 pub mod preparation;
-pub mod refitted_change;
+mod refitted_change;
 pub mod residual_stats;
 pub mod row_changes;
 pub mod slopes;

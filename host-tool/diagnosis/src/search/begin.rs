@@ -1,5 +1,5 @@
-//! Where a search begins that knows effects already: from another doubt about the model, or with parameters all but
-//! free.
+//! Where a search begins that knows effects already: from one by another doubt about the model or with parameters all
+//! but free, or as what a fault of the model comes to.
 
 use super::found::{Known, KnownCauses};
 use super::independent_rows::fitted_by_independent_rows;
@@ -18,14 +18,25 @@ impl Search<'_> {
         let most = self.subject.criteria.selection.most_effects;
         causes.drain(..causes.len().saturating_sub(most));
         let Some(with) = self.physical_together(&mut causes, found_in.as_deref()) else { return };
-        let without = std::mem::replace(&mut self.last, with);
+        let before = std::mem::replace(&mut self.last, with);
         self.rivals = causes.into_iter().map(|known| known.rivals).collect();
         self.prune(0);
+        let without = self.best_without_effects(before);
         let effects = &self.last.linear.hypothesis.effects;
         let alone = effects.last().filter(|_| self.rivals.len() == 1);
         if objection_to(alone, &without, &self.last, &self.subject.criteria).is_some() {
             (self.last, self.rivals) = (without, Vec::new());
         }
+    }
+
+    /// The better of the model without effects and the one with them, refitted without: what another start alone
+    /// gains is no effect's.
+    fn best_without_effects(&self, before: FittedModel) -> FittedModel {
+        let own = self.subject.known_effects.len();
+        let mut hypothesis = self.last.linear.hypothesis.clone();
+        hypothesis.effects.truncate(own);
+        let again = self.fitted(hypothesis).map(|again| again.settled(self.subject));
+        again.into_iter().fold(before, FittedModel::better_of)
     }
 
     /// The model with all these effects that are physical in it; the others leave the list.
@@ -57,8 +68,9 @@ impl Search<'_> {
         let own = self.subject.known_effects.len();
         let with_effects = |model: &Hypothesis| {
             let mut model = model.clone();
-            model.effects.truncate(own);
-            model.effects.extend(causes.iter().map(|known| known.effect.clone()));
+            let found = model.effects.split_off(own);
+            let known = causes.iter().map(|known| &known.effect);
+            model.effects.extend(known.map(|known| known.as_in(&found).clone()));
             model
         };
         let near = self.fitted(with_effects(&self.last.linear.hypothesis));
@@ -66,11 +78,9 @@ impl Search<'_> {
         let anew = found_in.and_then(|model| {
             FittedModel::fitted(&self.last.evidence, self.subject, with_effects(model), steps)
         });
-        let better = |best: FittedModel, next: FittedModel| {
-            if next.gain_over(&best) > 0.0 { next } else { best }
-        };
-        let with = near.into_iter().chain(anew).reduce(better)?.settled(self.subject);
+        let with =
+            near.into_iter().chain(anew).reduce(FittedModel::better_of)?.settled(self.subject);
         let anew = fitted_by_independent_rows(self.subject, &with, steps);
-        Some(anew.filter(|anew| anew.gain_over(&with) > 0.0).unwrap_or(with))
+        Some(anew.into_iter().fold(with, FittedModel::better_of))
     }
 }

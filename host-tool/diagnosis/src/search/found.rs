@@ -54,12 +54,21 @@ pub struct Known {
     pub rivals: Vec<EffectInstance>,
 }
 
+impl Known {
+    /// Whether a model holds one of two effects: they are one cause, or springs on one joint.
+    pub fn excludes(&self, other: &Self) -> bool {
+        let (own, other) = (&self.effect, &other.effect);
+        let both_springs = own.is_spring() && other.is_spring() && own.joint == other.joint;
+        both_springs || own.is_same_cause(other)
+    }
+}
+
 /// Effects that are known before a search.
 #[derive(Clone, Default)]
 pub struct KnownCauses {
     /// Each of them.
     pub causes: Vec<Known>,
-    /// The model that they were found in, where one was.
+    /// A model that they were found in, or most of them, where there is one.
     pub found_in: Option<Box<Hypothesis>>,
 }
 
@@ -74,7 +83,7 @@ impl KnownCauses {
         Self { causes: effects.iter().map(alone).collect(), found_in: None }
     }
 
-    /// These and those of others that they do not exclude; all were found in the model of the others.
+    /// These, and those of others that they do not exclude; a search begins from the model of the others, too.
     pub fn and(mut self, others: Self) -> Self {
         for other in others.causes {
             if !self.causes.iter().any(|own| own.excludes(&other)) {
@@ -82,15 +91,6 @@ impl KnownCauses {
             }
         }
         Self { found_in: others.found_in, ..self }
-    }
-}
-
-impl Known {
-    /// Whether a model holds one of two effects: they are one cause, or springs on one joint.
-    pub fn excludes(&self, other: &Self) -> bool {
-        let (own, other) = (&self.effect, &other.effect);
-        let both_springs = own.is_spring() && other.is_spring() && own.joint == other.joint;
-        both_springs || own.is_same_cause(other)
     }
 }
 
@@ -129,5 +129,42 @@ impl Rival {
         let Finalist { effect, gain, model } = finalist;
         let objection = objection(before, &model, &subject.criteria);
         Self { effect, gain, model, objection: objection.or(Some(Objection::Unsettled)) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rig::effects::Catalogue;
+
+    fn effect(name: &str, joint: u8, size: f64) -> EffectInstance {
+        let catalogue = Catalogue::standard();
+        let definition =
+            catalogue.iter().find(|d| d.name == name).expect("an effect of the catalogue");
+        let mut values = vec![1.0; definition.parameters.len()];
+        values[0] = size;
+        EffectInstance { definition, joint, values }
+    }
+
+    #[test]
+    fn causes_of_two_searches_are_each_once_and_the_first_ones_stay() {
+        let first =
+            KnownCauses::alone(&[effect("backlash", 3, 0.002), effect("dac_offset", 1, 0.1)]);
+        let second = KnownCauses::alone(&[
+            effect("joint_elasticity", 3, 90.0),
+            effect("dac_offset", 1, 0.3),
+            effect("cogging", 2, 0.1),
+        ]);
+        let both = first.and(second).causes;
+        let names: Vec<_> = both.iter().map(|known| known.effect.definition.name).collect();
+        assert_eq!(names, ["backlash", "dac_offset", "cogging"]);
+        assert_eq!(both[1].effect.values[0], 0.1);
+    }
+
+    #[test]
+    fn a_cause_takes_the_values_of_the_model_that_it_was_found_in() {
+        let found = [effect("backlash", 3, 0.006), effect("dac_offset", 1, 0.1)];
+        assert_eq!(effect("backlash", 3, 0.002).as_in(&found).values[0], 0.006);
+        assert_eq!(effect("backlash", 2, 0.002).as_in(&found).values[0], 0.002);
     }
 }

@@ -1,7 +1,8 @@
 //! Which harmonics of the angle an effect may have.
 //!
 //! Every harmonic is tried with sine and cosine, everything open refitted. To be quick, the
-//! filter is taken as its gain at the momentary frequency of the harmonic, row by row.
+//! filter, and what second differences feel of a wave, are taken as their gains at the momentary frequency of the
+//! harmonic, row by row.
 
 use model::FrictionState;
 use rayon::prelude::*;
@@ -11,7 +12,7 @@ use crate::fit::linearisation::Linearisation;
 use crate::logs::stretch::Stretch;
 use crate::rows::evidence::{Evidence, RowChange};
 use rig::Plant;
-use rig::effects::Carrier;
+use rig::effects::{Carrier, felt_by_second_differences};
 
 /// An order this close to a whole one is that: magnets, teeth and windings are whole, and what is left of other waves
 /// draws an order a little to one side.
@@ -73,7 +74,7 @@ struct JointRows {
     speed_rad_per_s: Vec<f64>,
     /// The carrier, filtered and in units of noise.
     carrier: Vec<f64>,
-    /// Gain of the row filter by order times speed, in steps of one Hz, by stretch.
+    /// Gain of rows by order times speed, in steps of one Hz, by stretch.
     gains: Vec<Vec<f64>>,
     ranges: Vec<std::ops::Range<usize>>,
     train: usize,
@@ -113,7 +114,11 @@ impl JointRows {
             let as_sent: Vec<f64> = signal.iter().map(|carrier| carrier / gain).collect();
             rows.carrier.extend(evidence.weighted(s, joint, &as_sent));
             let nyquist_hz = (0.5 / stretch.period_s) as usize;
-            rows.gains.push((0..=nyquist_hz).map(|f| filter.gain(f as f64)).collect());
+            let gain = |f: usize| {
+                let half = std::f64::consts::PI * f as f64 * stretch.period_s;
+                filter.gain(f as f64) * felt_by_second_differences(half)
+            };
+            rows.gains.push((0..=nyquist_hz).map(gain).collect());
         }
         rows
     }

@@ -94,10 +94,7 @@ pub fn fitted_by_independent_rows(
         let start = model.linear.hypothesis.clone();
         FittedModel::fitted(&rows.evidence, subject, start, steps)
     };
-    let better = |best: FittedModel, next: FittedModel| {
-        if next.gain_over(&best) > 0.0 { next } else { best }
-    };
     let starts = IndependentRows::starts(subject, model, &model.linear);
-    let best = starts.into_iter().filter_map(fitted).reduce(better);
+    let best = starts.into_iter().filter_map(fitted).reduce(FittedModel::better_of);
     best.map(|best| best.settled(subject))
 }

@@ -1,6 +1,6 @@
 //! Every effect on every joint, one after the other.
 
-pub mod begin;
+mod begin;
 pub mod candidate;
 pub mod candidates;
 pub mod finalists;

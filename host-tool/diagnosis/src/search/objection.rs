@@ -13,7 +13,7 @@ use files::Role;
 pub enum Objection {
     /// It does not explain what was left out better, by what chance alone may gain.
     Chance,
-    /// A spring between motor and link that takes a small part of what is left on its joint: it smooths
+    /// A spring between motor and link that takes a small part of what is left, on its joint and on all: it smooths
     /// something else, and hides it.
     Smoothing,
     /// It needs parameters far from what is known of the arm.
@@ -33,7 +33,7 @@ impl Objection {
         match self {
             Self::Chance => "which is not enough",
             Self::Smoothing => {
-                "but takes a small part of what is left on its joint, as a spring that smooths"
+                "but takes a small part of what is left on its joint and on all, as a spring that smooths"
             }
             Self::Implausible => "but with parameters far from what is known of the arm",
             Self::Noise => "but takes noise of the encoder for motion",
@@ -83,7 +83,7 @@ pub fn objection_to(
 }
 
 /// Whether a spring between motor and link takes less than most of what is left, on its joint and on all: one
-/// like this smooths something else, and hides it. What a spring smooths is its own joint's; a link that swings
+/// like this smooths something else, and hides it. What a spring smooths is mostly its own joint's; a link that swings
 /// pulls at the others, and they may show it best where its own joint has another cause.
 fn smooths(
     spring: &EffectInstance,
@@ -112,8 +112,10 @@ fn makes_implausible(before: &FittedModel, after: &FittedModel, criteria: &Crite
     let policy = &criteria.selection;
     let (from, to) = (before.stats.prior_penalty, after.stats.prior_penalty);
     let grows = to > policy.most_prior_penalty_growth * from;
+    let loss = 0.5 * (after.linear.prior_penalty() - before.linear.prior_penalty());
     let is_cheap = before.stats.is_implausible(&criteria.fit)
-        && 0.5 * (to - from) < policy.most_penalty_of_gain * gain(before, after);
+        && to < policy.most_growth_of_implausible * from
+        && loss < policy.most_penalty_of_gain * gain(before, after);
     after.stats.is_implausible(&criteria.fit) && grows && !is_cheap
 }
 

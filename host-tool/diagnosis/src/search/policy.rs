@@ -78,7 +78,7 @@ pub fn is_physical(effect: &EffectInstance, subject: &Subject, evidence: &Eviden
     if rests_far(effect, evidence) || warms_at_once(effect, policy) {
         return false;
     }
-    if is_hardly_a_wave(effect, evidence) || is_within_a_sample(effect, evidence) {
+    if is_hardly_a_wave(effect, subject, evidence) || is_within_a_sample(effect, evidence) {
         return false;
     }
     let Some((joint, spring)) = effect.build().and_then(|effect| effect.transmission()) else {
@@ -136,15 +136,15 @@ fn angles(evidence: &Evidence, joint: usize) -> [f64; 2] {
     angles.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| [low.min(*q), high.max(*q)])
 }
 
-/// Whether the logs show less than a quarter of a wave of voltage, which is a cable by another name.
-fn is_hardly_a_wave(effect: &EffectInstance, evidence: &Evidence) -> bool {
+/// Whether the motor passes less than a quarter of a wave of voltage in the logs, which is a cable by another name.
+fn is_hardly_a_wave(effect: &EffectInstance, subject: &Subject, evidence: &Evidence) -> bool {
     let Some(joint) = usize::from(effect.joint).checked_sub(1) else { return false };
     if !matches!(effect.definition.search, Search::Harmonics(Carrier::Unity)) {
         return false;
     }
     let [lowest, highest] = angles(evidence, joint);
-    let mut parameters = effect.definition.parameters.iter().zip(&effect.values);
-    parameters.any(|(p, order)| p.kind == Kind::Harmonic && order * (highest - lowest) < FRAC_PI_2)
+    let passed_rad = subject.plant.gears[joint].motor.abs() * (highest - lowest);
+    effect.order().is_some_and(|order| order * passed_rad < FRAC_PI_2)
 }
 
 /// Whether an angle of an effect lies so far from the motion that it is none: cables that rest ten turns

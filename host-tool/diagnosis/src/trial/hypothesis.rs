@@ -46,6 +46,11 @@ impl EffectInstance {
         self.has_place_of(other) && harmonics.all(is_near)
     }
 
+    /// The same cause as it is among others, with their values; itself where it is not.
+    pub fn as_in<'a>(&'a self, others: &'a [Self]) -> &'a Self {
+        others.iter().find(|other| other.is_same_cause(self)).unwrap_or(self)
+    }
+
     /// Whether it is a wave of one order of many.
     pub fn is_wave(&self) -> bool {
         self.definition.parameters.iter().any(|parameter| parameter.kind == Kind::Harmonic)

@@ -7,7 +7,7 @@ pub mod hypothesis;
 pub mod joint_dynamics;
 pub mod link_covariance;
 pub mod link_motion;
-pub mod links;
+mod links;
 pub mod motor_side;
 pub mod parts;
 pub mod reading;

@@ -33,8 +33,8 @@ pub trait Effect: Debug + Send {
     /// Takes the time between calls of [`Self::change_command`] [s], once at the beginning.
     fn set_step(&mut self, _step_s: f64) {}
 
-    /// Takes the time over which it acts on average [s], once at the beginning: a sample period, where it acts along a
-    /// recorded motion; else what it does is of one instant.
+    /// Takes the time between the samples of a recorded motion that it acts along [s], once at the beginning; else
+    /// what it does is of one instant. What varies meanwhile acts as second differences of the motion feel it.
     fn set_interval(&mut self, _interval_s: f64) {}
 
     /// Changes the voltages on their way from the converter to the motors.

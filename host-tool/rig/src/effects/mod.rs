@@ -48,4 +48,5 @@ pub use search::{Carrier, Search, Size, Typical};
 pub use sizes::{DrawContext, harmonic};
 pub use table::{FEWEST_TABLE_KNOTS, MAX_TABLE_KNOTS, Table, TableAxis, board_axis};
 pub use transmission::Transmission;
-pub use wave::Wave;
+use wave::Wave;
+pub use wave::felt_by_second_differences;
