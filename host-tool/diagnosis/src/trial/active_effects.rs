@@ -41,8 +41,7 @@ pub struct ActiveEffects<'a> {
 impl<'a> ActiveEffects<'a> {
     /// Those of a hypothesis, none of which has acted yet.
     pub fn of(stretch: &'a Stretch, hypothesis: &'a Hypothesis) -> Self {
-        let mut effects = hypothesis.built_effects();
-        effects.iter_mut().for_each(|effect| effect.set_interval(stretch.period_s));
+        let effects = effects_at_rest(hypothesis, stretch.period_s);
         let mut plant = hypothesis.plant.clone();
         effects.iter().for_each(|effect| effect.change_robot(&mut plant));
         let motor = reading::corrected(&stretch.motion, &effects);
@@ -59,7 +58,7 @@ impl<'a> ActiveEffects<'a> {
     /// What drives each joint in the interval after each sample: the command as it reaches the
     /// motor, with the voltages and torques that effects add [V].
     pub fn drive_v(&self) -> Vec<Vec<f64>> {
-        let mut effects = self.effects_at_rest();
+        let mut effects = effects_at_rest(self.hypothesis, self.stretch.period_s);
         let k_t = &self.plant.torque_constant_nm_per_v;
         let count = k_t.len();
         let mut drive_v = vec![Vec::with_capacity(self.stretch.len()); count];
@@ -80,16 +79,6 @@ impl<'a> ActiveEffects<'a> {
         drive_v
     }
 
-    /// The effects as they are before a pass over the stretch: lags and delays remember.
-    fn effects_at_rest(&self) -> Vec<Box<dyn Effect>> {
-        let mut effects = self.hypothesis.built_effects();
-        for effect in &mut effects {
-            effect.set_step(self.stretch.period_s);
-            effect.set_interval(self.stretch.period_s);
-        }
-        effects
-    }
-
     /// Torque that the motor of a joint gives of every command, in parts of what its torque constant says.
     pub fn motor_gain(&self, joint: usize) -> f64 {
         self.effects.iter().map(|effect| effect.motor_gain(joint)).product()
@@ -98,7 +87,7 @@ impl<'a> ActiveEffects<'a> {
     /// How much of the commands reaches each motor, rms by rms about their means: what is added to them is
     /// no part of them, nor is what a motor's torque constant makes of them.
     pub fn command_gain(&self) -> Vec<f64> {
-        let mut effects = self.effects_at_rest();
+        let mut effects = effects_at_rest(self.hypothesis, self.stretch.period_s);
         let count = self.plant.joints();
         let (mut sent, mut reached) =
             (vec![Spread::default(); count], vec![Spread::default(); count]);
@@ -267,6 +256,16 @@ impl<'a> ActiveEffects<'a> {
         };
         (0..self.stretch.len()).step_by(samples).map(at).collect()
     }
+}
+
+/// Effects as they are before a pass over samples so far apart [s]: lags and delays remember.
+fn effects_at_rest(hypothesis: &Hypothesis, period_s: f64) -> Vec<Box<dyn Effect>> {
+    let mut effects = hypothesis.built_effects();
+    for effect in &mut effects {
+        effect.set_step(period_s);
+        effect.set_interval(period_s);
+    }
+    effects
 }
 
 /// Coriolis and gravity torque on each joint, c + h of eq. (5) [Nm].
