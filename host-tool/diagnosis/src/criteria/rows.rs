@@ -20,6 +20,11 @@ criteria! {
         /// Part of a command too fast for the sampling that is not accounted for, per second between
         /// samples: how the joint moves meanwhile is not known, nor what its friction does.
         between_samples_per_s: f64 = 10.0,
+        /// A step of the command makes a joint's friction unknown where bristles may feel so many times the noise of
+        /// its rows between two samples: a row averages that down to a sixth.
+        kick_over_noise: f64 = 6.0,
+        /// A joint that is thrown in more than this part of a log keeps all of its rows there.
+        most_kicked_part: f64 = 0.5,
         /// Length of the pieces in which noise is looked for [s].
         noise_piece_s: f64 = 0.4,
         /// Fewest such pieces.
@@ -42,5 +47,13 @@ criteria! {
         fewest_independent_rows: usize = 20,
         /// Sample periods that differ by a smaller part are one rate.
         same_rate_part: f64 = 0.05,
+    }
+}
+
+impl RowCriteria {
+    /// How far the low-pass of rows reaches to either side [s].
+    pub fn reach_s(&self, broadband: bool) -> f64 {
+        let rows_per_s = if broadband { self.broadband_rows_per_s } else { self.calm_rows_per_s };
+        0.5 / (self.cutoff_part * rows_per_s)
     }
 }

@@ -3,6 +3,8 @@
 use super::bristles::with_likely_bristles;
 use super::fitted_model::FittedModel;
 use super::gauss_newton::fit;
+use super::inertia::lightest;
+use super::kicks::kicked;
 use crate::logs::sampling_jitter::jitter_s;
 use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
@@ -10,7 +12,6 @@ use crate::rows::evidence::Evidence;
 use crate::rows::noise::{Noise, NoiseByRate, of_encoder, of_white_angles};
 use crate::trial::equation::Trial;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
-use crate::trial::rigid_body::{Path, smallest_inertia};
 use recordings::StepError;
 
 /// The rows, and the model refitted to those of train logs: from the model as given, and from `near`, a
@@ -61,7 +62,8 @@ fn with_noise(
             return Err(StepError::Numerical { step: "diagnosis", what });
         }
     }
-    Ok(Evidence::new(stretches, subject.joints.clone(), &noise, &subject.criteria))
+    let evidence = Evidence::new(stretches, subject.joints.clone(), &noise, &subject.criteria);
+    Ok(evidence.without_kicked(|evidence, joint, s| kicked(evidence, hypothesis, joint, s)))
 }
 
 /// Noise of every joint's rows in each stretch, rms [V], seen in what the last model of a search
@@ -126,12 +128,4 @@ fn noise(subject: &Subject, stretches: &[Stretch], hypothesis: &Hypothesis) -> N
         noise.push_jitter(sampled_s, joints.map(of_jitter).collect());
     }
     noise
-}
-
-/// The smallest inertia that a joint (from 0) has in a stretch, in volts as sent [V s^2/rad].
-fn lightest(stretch: &Stretch, hypothesis: &Hypothesis, joint: usize) -> f64 {
-    let plant = &hypothesis.plant;
-    let path = Path { motion: &stretch.motion, postures: &stretch.postures, sines: &[] };
-    let torque_constant = plant.torque_constant_nm_per_v[joint] * hypothesis.motor_gain(joint);
-    smallest_inertia(&plant.body, joint, path) / torque_constant
 }

@@ -4,6 +4,7 @@ pub mod arm_friction;
 pub mod arm_prior;
 pub mod arm_subject;
 pub mod base_prior;
+pub mod bristle_path;
 pub mod checks;
 pub mod encoder_step;
 pub mod even_clock;

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::bristle_path::path_rad;
 use super::even_clock::EvenClock;
 use super::kinematics::postures_for;
 use super::sampling_jitter::Roughness;
@@ -130,9 +131,7 @@ fn is_broadband(command_v: &[f64], period_s: f64, criteria: &LogCriteria) -> boo
 /// The first sample when a joint has come so far that its friction no longer depends on how its
 /// bristles were bent before. A joint that never comes so far counts from its first sample.
 fn settled(q_rad: &[f64], subject: &Subject, joint: usize) -> usize {
-    let friction = &subject.plant.friction[joint];
-    let level_v = friction.alpha0_v + friction.alpha1_v.max(0.0);
-    let path_rad = subject.criteria.logs.settled_bends * level_v / friction.sigma0_v_per_rad;
+    let path_rad = path_rad(&subject.plant.friction[joint], subject.criteria.logs.settled_bends);
     let gone = |q: &f64| (q - q_rad[0]).abs() > path_rad;
     q_rad.iter().position(gone).unwrap_or(0)
 }

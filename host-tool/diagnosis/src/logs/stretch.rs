@@ -44,6 +44,8 @@ pub struct Stretch {
     pub settled: Vec<usize>,
     /// Samples too near to one that was lost; empty where none matters.
     pub unseen: Vec<bool>,
+    /// Samples of each joint whose friction is not known because the command threw it; empty where there is none.
+    pub kicked: Vec<Vec<bool>>,
     /// How far each joint's smoothed angle wavers to either side while the joint stands, a third of what encoder
     /// steps add to it, rms; 0 where noise drives the joints, and of the three-joint robot [rad].
     pub at_rest_rad: Vec<f64>,
@@ -68,6 +70,7 @@ impl Stretch {
             broadband: false,
             settled: vec![0; joints],
             unseen: Vec::new(),
+            kicked: vec![Vec::new(); joints],
             at_rest_rad: vec![0.0; joints],
             roughness: vec![Roughness::default(); joints],
         }
@@ -87,6 +90,7 @@ impl Stretch {
     pub fn part(&self, range: Range<usize>) -> Self {
         let cut = |signal: &Vec<f64>| signal[range.clone()].to_vec();
         let of = |signals: &[Vec<f64>]| signals.iter().map(cut).collect();
+        let part = |samples: &[bool]| samples.get(range.clone()).unwrap_or_default().to_vec();
         let from_begin = |first: &usize| first.saturating_sub(range.start);
         Self {
             start_s: self.start_s + range.start as f64 * self.period_s,
@@ -101,7 +105,8 @@ impl Stretch {
             sines: OnceLock::new(),
             middles: OnceLock::new(),
             settled: self.settled.iter().map(from_begin).collect(),
-            unseen: self.unseen.get(range).unwrap_or_default().to_vec(),
+            unseen: part(&self.unseen),
+            kicked: self.kicked.iter().map(|kicked| part(kicked)).collect(),
             at_rest_rad: self.at_rest_rad.clone(),
             roughness: self.roughness.clone(),
             ..*self

@@ -1,5 +1,6 @@
 //! The logs as weighted rows, on which all models are compared.
 
+use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use super::floors::{behind, filters, floor_v};
@@ -108,13 +109,15 @@ impl Evidence {
         (0..self.stretches.len()).map(of_stretch).collect()
     }
 
-    /// Which of a joint's rows in a stretch come after its friction is settled, and see no sample that
-    /// is not known.
+    /// Which of a joint's rows in a stretch come after its friction is settled, and see no sample at which it or the
+    /// motion is not known.
     fn settled(&self, joint: usize, s: usize) -> Vec<bool> {
         let stretch = &self.stretches[s];
         let instants = self.filters[joint][s].instants(stretch.len());
-        let is_seen = |k: usize| stretch.unseen.get(k).is_none_or(|unseen| !unseen);
-        instants.map(|k| k >= stretch.settled[joint] && is_seen(k)).collect()
+        let is_clear = |samples: &[bool], k: usize| samples.get(k).is_none_or(|marked| !marked);
+        let (unseen, kicked) = (&stretch.unseen, &stretch.kicked[joint]);
+        let is_known = |k: usize| is_clear(unseen, k) && is_clear(kicked, k);
+        instants.map(|k| k >= stretch.settled[joint] && is_known(k)).collect()
     }
 
     /// The same rows with other weights of train rows [1/V], by joint and stretch; what is held out
@@ -128,6 +131,20 @@ impl Evidence {
                     both.map(|(weight, yes)| if yes { weight } else { 0.0 }).collect();
             }
         }
+        evidence
+    }
+
+    /// The same rows without those that see what a kick leaves unknown; weights are those of noise.
+    pub fn without_kicked(&self, kicked: impl Fn(&Self, usize, usize) -> Vec<bool>) -> Self {
+        let mut stretches = self.stretches.to_vec();
+        for (s, stretch) in stretches.iter_mut().enumerate() {
+            for &joint in &self.joints {
+                stretch.kicked[joint] = kicked(self, joint, s);
+            }
+        }
+        let mut evidence = Self { stretches: stretches.into(), ..self.clone() };
+        evidence.weights =
+            (0..self.joint_count()).map(|joint| evidence.weights_of_noise(joint)).collect();
         evidence
     }
 
@@ -225,6 +242,11 @@ impl Evidence {
     /// How many rows of a joint in a stretch have weight.
     pub fn used_rows(&self, joint: usize, s: usize) -> usize {
         self.weights[joint][s].iter().filter(|weight| **weight > 0.0).count()
+    }
+
+    /// How many of some rows of a joint, counted from the stretch's first, have weight.
+    pub fn used_between(&self, joint: usize, s: usize, rows: Range<usize>) -> usize {
+        self.weights[joint][s][rows].iter().filter(|weight| **weight > 0.0).count()
     }
 
     /// Filter of a joint's rows in a stretch.

@@ -16,6 +16,6 @@ pub mod rigid_body;
 pub mod rigid_rows;
 pub mod spring_change;
 #[cfg(test)]
-mod test_stretch;
+pub(crate) mod test_stretch;
 #[cfg(test)]
 mod tests;

@@ -65,7 +65,9 @@ impl Blocks {
                     let rows = start..(start + length).min(range.end);
                     let square = |rows: &[f64]| rows.iter().map(|row| row * row).sum::<f64>();
                     let left = models.iter().map(|model| square(&model[joint][rows.clone()]));
-                    let noise_v2 = rows.len() as f64 * noise_v(joint, s).powi(2);
+                    let in_stretch = rows.start - range.start..rows.end - range.start;
+                    let used = evidence.used_between(joint, s, in_stretch) as f64;
+                    let noise_v2 = used * noise_v(joint, s).powi(2);
                     left.chain([noise_v2]).map(|v2| v2 * per_unit).collect()
                 }));
             }
