@@ -30,9 +30,9 @@ pub use case::ArmCase;
 pub use draw::{ArmTrialSettings, draw_arms};
 pub use kind::ArmKind;
 pub use outcome::ArmOutcome;
-pub use output::write;
+pub use output::{append, write};
 pub use page::{ArmResults, answer, short};
-pub use run::{DiagnoseArm, diagnose_arm_case};
+pub use run::{DiagnoseArm, diagnose_arm_case, record_arm_case};
 
 #[cfg(test)]
 mod tests;

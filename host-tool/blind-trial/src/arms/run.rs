@@ -1,6 +1,7 @@
 //! Has a case diagnosed from its files alone.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
 
 use diagnosis::Report;
 use recordings::ArmCampaign;
@@ -16,6 +17,16 @@ use crate::outcome::{Answer, RunSettings};
 /// Whatever diagnoses an arm's logs: the report, or why there is none.
 pub type DiagnoseArm<'a> = &'a dyn Fn(&ArmCampaign) -> Result<Report, String>;
 
+/// Records the logs of a case, and writes them with the model into the directory of the case, which is returned.
+///
+/// # Errors
+/// Logs that cannot be recorded or written.
+pub fn record_arm_case(case: &ArmCase, out: &Path) -> Result<PathBuf, TrialError> {
+    let directory = logs::directory(out, case.number);
+    write(&case.record()?, &directory)?;
+    Ok(directory)
+}
+
 /// Writes the logs of a case, reads them back and has them diagnosed. Processor time is this thread's,
 /// which must do all the work.
 ///
@@ -26,8 +37,7 @@ pub fn diagnose_arm_case(
     settings: &RunSettings,
     diagnose: DiagnoseArm,
 ) -> Result<ArmOutcome, TrialError> {
-    let directory = logs::directory(&settings.out, case.number);
-    write(&case.record()?, &directory)?;
+    let directory = record_arm_case(case, &settings.out)?;
     let campaign = read(&directory)?;
     let began = thread_time();
     let answer = match catch_unwind(AssertUnwindSafe(|| diagnose(&campaign))) {

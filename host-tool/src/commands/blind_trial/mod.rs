@@ -39,7 +39,7 @@ pub struct Arguments {
     #[arg(long, conflicts_with_all = ["diverse", "noise_mv", "kind", "ceiling", "draw_only"])]
     pub whole_way: bool,
     /// Another arm than the robot of three joints, with one effect hidden in each case, or none.
-    #[arg(long, value_enum, value_name = "KIND", conflicts_with_all = ["diverse", "whole_way", "noise_mv", "only", "ceiling", "draw_only", "duration_scale"])]
+    #[arg(long, value_enum, value_name = "KIND", conflicts_with_all = ["diverse", "whole_way", "noise_mv", "only", "ceiling", "duration_scale"])]
     pub arm: Option<ArmKind>,
     /// How many cases to draw.
     #[arg(long, visible_alias = "robots", value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
@@ -86,7 +86,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let of_arm = arguments.arm.map(|arm| arguments.arm_settings(arm)).transpose()?;
     create_directory(&arguments.out)?;
     if let Some(settings) = of_arm {
-        return arms::run(&settings, &arguments.run_settings());
+        return match arguments.draw_only {
+            true => arms::draw_only(&settings, &arguments.out),
+            false => arms::run(&settings, &arguments.run_settings()),
+        };
     }
     if arguments.diverse {
         return arguments.run_diverse();
