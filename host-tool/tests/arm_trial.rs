@@ -19,7 +19,21 @@ fn two_cases_of_another_arm_are_drawn_sealed_diagnosed_and_scored() {
     assert_eq!(results["score"]["wrong_name"]["of"], 2);
     assert_eq!(results["score"]["wrong_name"]["count"], 0, "{said}");
     assert!(read("arm-trial.md").contains("## Cases"));
+    assert_eq!(read("arm-trial.jsonl").lines().count(), 2);
     assert!(!directory.path().join("case-001").exists(), "logs are taken away");
+}
+
+#[test]
+fn cases_of_another_arm_are_drawn_without_a_diagnosis() {
+    let directory = tempfile::tempdir().unwrap();
+    let mut command = Command::cargo_bin("rrr").unwrap();
+    command.args(["blind-trial", "--arm", "rotary-joint", "--cases", "1", "--draw-only", "--out"]);
+    command.arg(directory.path()).assert().success();
+    let read = |name: &str| std::fs::read_to_string(directory.path().join(name)).unwrap();
+    let truth: serde_json::Value = serde_json::from_str(&read("truth.json")).unwrap();
+    assert_eq!(truth["cases"].as_array().unwrap().len(), 1);
+    assert!(read("case-001/dataset.toml").contains("task.csv"));
+    assert!(!directory.path().join("arm-trial.json").exists());
 }
 
 #[test]

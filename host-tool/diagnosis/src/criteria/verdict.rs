@@ -49,10 +49,8 @@ criteria! {
         most_of_left: f64 = 0.5,
         /// and this share at least: less is what large causes together leave.
         least_small_share: f64 = 0.01,
-        /// A spring, which can follow noise, leaves this part of the noise of the confirming logs at least
-        /// where there is no gap without causes,
-        least_of_noise: f64 = 0.9,
-        /// and this elsewhere: where something structured comes in half of the pieces that noise is read
+        /// A spring, which can follow noise, is not named where the confirming logs show no gap. Elsewhere it leaves this
+        /// part of their noise at least: where something structured comes in half of the pieces that noise is read
         /// off, its power is found 2.6 times too large.
         least_noise: f64 = 0.6,
         /// and this where the gap is far above the noise, which it then hides: a link that rings all the

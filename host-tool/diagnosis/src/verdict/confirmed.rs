@@ -138,9 +138,9 @@ impl<'a> Confirmation<'a> {
         blocks.figure(1, explained).0 >= self.subject.criteria.verdict.explained
     }
 
-    /// Whether an effect takes noise of the confirming logs for motion: it leaves a smaller part of the noise
-    /// than what the noise may be wrong by, which is the more, the further the gap is above it (`least_of_noise`,
-    /// `least_noise`, `least_noise_far`).
+    /// Whether an effect takes noise of the confirming logs for motion: there is no gap above the noise, or it leaves a
+    /// smaller part of the noise than what the noise may be wrong by, which is the more, the further the gap is above
+    /// it (`least_noise`, `least_noise_far`).
     pub fn takes_noise(&self, last: &FittedModel, effect: &EffectInstance) -> bool {
         let criteria = &self.subject.criteria.verdict;
         let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
@@ -150,7 +150,7 @@ impl<'a> Confirmation<'a> {
             |model: usize| blocks.figure(1, |sums| (sums[model] / sums[2].max(1e-300)).sqrt()).0;
         let (without, with) = (over(0), over(1));
         let least = match without {
-            ratio if ratio < criteria.no_gap_ratio => criteria.least_of_noise,
+            ratio if ratio < criteria.no_gap_ratio => return true,
             ratio if ratio < criteria.far_above_noise => criteria.least_noise,
             _ => criteria.least_noise_far,
         };
