@@ -21,8 +21,9 @@ criteria! {
         /// samples: how the joint moves meanwhile is not known, nor what its friction does.
         between_samples_per_s: f64 = 10.0,
         /// A step of the command makes a joint's friction unknown where bristles may feel so many times the noise of
-        /// its rows between two samples: a row averages that down to a sixth.
-        kick_over_noise: f64 = 6.0,
+        /// its rows between two samples: a row averages that down to a sixth, but a log has many. At six a clean wrist was
+        /// left with twice its noise.
+        kick_over_noise: f64 = 3.0,
         /// A joint that is thrown in more than this part of a log keeps all of its rows there.
         most_kicked_part: f64 = 0.5,
         /// Length of the pieces in which noise is looked for [s].

@@ -14,10 +14,10 @@ use crate::rows::evidence::Evidence;
 use crate::trial::hypothesis::Hypothesis;
 
 /// Samples of a joint (from 0) in a stretch whose rows see friction that a kick leaves unknown; empty where there is
-/// none, and where noise drives the joints.
+/// none, where noise drives the joints, and on the three-joint robot, which is a direct drive.
 pub fn kicked(evidence: &Evidence, hypothesis: &Hypothesis, joint: usize, s: usize) -> Vec<bool> {
     let (stretch, criteria) = (&evidence.stretches[s], &evidence.criteria);
-    if stretch.broadband {
+    if stretch.broadband || hypothesis.plant.as_chain().is_none() {
         return Vec::new();
     }
     let kick = Kick::of(stretch, hypothesis, joint, criteria.logs.settled_bends);

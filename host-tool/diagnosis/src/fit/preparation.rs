@@ -67,14 +67,16 @@ fn with_noise(
 }
 
 /// Noise of every joint's rows in each stretch, rms [V], seen in what the last model of a search
-/// leaves: a gap that is always there passes for noise until its cause is found. It is never more than the floor of
-/// the rows: a spring's model differentiates the angles four times, and what it makes of their noise is not the logs'.
+/// leaves: a gap that is always there passes for noise until its cause is found. Behind a spring it is no more than the
+/// floor of the rows: its model differentiates the angles four times, and what it makes of their noise is not the logs'.
 pub fn noise_left_v(subject: &Subject, evidence: &Evidence, last: &FittedModel) -> Vec<Vec<f64>> {
     let noise = noise(subject, &evidence.stretches, &last.linear.hypothesis);
+    let has_spring = last.linear.hypothesis.effects.iter().any(EffectInstance::is_spring);
     let of_stretch = |joint: usize, s: usize| {
         let (filter, period_s) = (evidence.filter(joint, s), evidence.stretches[s].period_s);
         let seen = noise.in_stretch(joint, &evidence.stretches[s]);
-        seen.behind(|f| filter.gain(f), period_s).min(evidence.floor_v(joint, s))
+        let seen_v = seen.behind(|f| filter.gain(f), period_s);
+        if has_spring { seen_v.min(evidence.floor_v(joint, s)) } else { seen_v }
     };
     let of_joint =
         |joint: usize| (0..evidence.stretches.len()).map(|s| of_stretch(joint, s)).collect();
