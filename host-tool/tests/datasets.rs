@@ -32,6 +32,14 @@ fn error_of(text: &str) -> FileError {
     Dataset::read(directory.path()).unwrap_err()
 }
 
+#[test]
+fn the_list_itself_names_its_data_set() {
+    let directory = directory();
+    write_list(directory.path(), LIST);
+    let by_list = Dataset::read(directory.path().join("dataset.toml")).unwrap();
+    assert_eq!(by_list, Dataset::read(directory.path()).unwrap());
+}
+
 fn assert_says(error: &FileError, parts: &[&str]) {
     let message = error.to_string();
     for part in parts {

@@ -122,12 +122,15 @@ struct List {
 }
 
 impl Dataset {
-    /// Reads the list of a data set's directory, but none of its logs.
+    /// Reads the list of a data set's directory, or of its `dataset.toml`, but none of its logs.
     ///
     /// # Errors
     /// Names the file and line, what is wrong, and a remedy.
-    pub fn read(directory: impl AsRef<Path>) -> Result<Self, FileError> {
-        let directory = directory.as_ref();
+    pub fn read(place: impl AsRef<Path>) -> Result<Self, FileError> {
+        let directory = match place.as_ref() {
+            list if list.ends_with(LIST_NAME) && list.is_file() => list.parent().unwrap_or(list),
+            directory => directory,
+        };
         Self::of(directory, &TomlSource::read(&directory.join(LIST_NAME))?)
     }
 

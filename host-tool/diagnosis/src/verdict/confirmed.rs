@@ -149,12 +149,9 @@ impl<'a> Confirmation<'a> {
         let over =
             |model: usize| blocks.figure(1, |sums| (sums[model] / sums[2].max(1e-300)).sqrt()).0;
         let (without, with) = (over(0), over(1));
-        let least = match without {
-            ratio if ratio < criteria.no_gap_ratio => return true,
-            ratio if ratio < criteria.far_above_noise => criteria.least_noise,
-            _ => criteria.least_noise_far,
-        };
-        with < least
+        let is_far = without >= criteria.far_above_noise;
+        let least = if is_far { criteria.least_noise_far } else { criteria.least_noise };
+        without < criteria.no_gap_ratio || with < least
     }
 
     /// What the refitted model leaves, its parameters within their doubt, in units of noise.
