@@ -16,10 +16,12 @@ pub fn typical(case: &ArmCase, clean: &ArmCampaign, joint: u8) -> Result<Typical
     let plant = plant(&case.truth)?;
     let positions: Vec<f64> =
         clean.recordings.iter().flat_map(|log| log.log.joints[index].position.clone()).collect();
+    // The first joint of an arm that stands bears no load.
+    let loaded = if joint == 0 { 0..plant.joints() } else { index..index + 1 };
     Ok(Typical {
         command_v: command_v(case, clean, index),
         friction_v: plant.friction[index].alpha0_v,
-        load_nm: load_nm(&plant, clean, index),
+        load_nm: loaded.map(|joint| load_nm(&plant, clean, joint)).fold(0.0, f64::max),
         speed_rad_per_s: speed(clean, index),
         position_rad: positions.iter().sum::<f64>() / positions.len().max(1) as f64,
         tip_height_m: tip_height_m(&plant, clean),

@@ -20,11 +20,10 @@ criteria! {
         /// Part of a command too fast for the sampling that is not accounted for, per second between
         /// samples: how the joint moves meanwhile is not known, nor what its friction does.
         between_samples_per_s: f64 = 10.0,
-        /// A step of the command makes a joint's friction unknown where bristles may feel so many times the noise of
-        /// its rows between two samples: a row averages that down to a sixth, but a log has many. At six a clean wrist was
-        /// left with twice its noise.
-        kick_over_noise: f64 = 3.0,
-        /// A joint that is thrown in more than this part of a log keeps all of its rows there.
+        /// A row counts half where, after a step of the command, bristles may feel so many times its noise between
+        /// two samples: a row averages that down to a sixth. At three a delay of 1.8 ms was taken for a lag.
+        kick_over_noise: f64 = 6.0,
+        /// A joint that would lose more than this part of a log to such steps keeps all of its rows there.
         most_kicked_part: f64 = 0.5,
         /// Length of the pieces in which noise is looked for [s].
         noise_piece_s: f64 = 0.4,

@@ -2,9 +2,10 @@
 //!
 //! A sampled log tells where a joint is at the samples, and a command steps between them: at most a T^2 / 8 from the
 //! line between two samples, T apart, where the step accelerates the joint by a. Bristles of stiffness sigma0 then feel
-//! up to sigma0 a T^2 / 8 of what no sample shows, and forget it once the joint has gone some bends further. On a
+//! up to sigma0 a T^2 / 8 of what no sample shows, and forget it by e with each bend that the joint goes further. On a
 //! direct drive that is a fraction of a millivolt; on a geared wrist whose friction is compensated, many times the
-//! noise at each reversal.
+//! noise at each reversal. A row that sees u of it beside noise n counts for the part 1 / sqrt(1 + (u / n)^2): it still
+//! tells what is far larger, a late command say.
 
 use super::inertia::lightest;
 use crate::criteria::RowCriteria;
@@ -13,16 +14,20 @@ use crate::logs::stretch::Stretch;
 use crate::rows::evidence::Evidence;
 use crate::trial::hypothesis::Hypothesis;
 
-/// Samples of a joint (from 0) in a stretch whose rows see friction that a kick leaves unknown; empty where there is
-/// none, where noise drives the joints, and on the three-joint robot, which is a direct drive.
-pub fn kicked(evidence: &Evidence, hypothesis: &Hypothesis, joint: usize, s: usize) -> Vec<bool> {
-    let (stretch, criteria) = (&evidence.stretches[s], &evidence.criteria);
-    if stretch.broadband || hypothesis.plant.as_chain().is_none() {
+/// The part for which samples of a joint (from 0) in a stretch count; empty where all count in full, and where noise
+/// drives the joints.
+pub fn known_part(
+    evidence: &Evidence,
+    hypothesis: &Hypothesis,
+    joint: usize,
+    s: usize,
+) -> Vec<f64> {
+    let (stretch, criteria) = (&evidence.stretches[s], &evidence.criteria.rows);
+    if stretch.broadband {
         return Vec::new();
     }
-    let kick = Kick::of(stretch, hypothesis, joint, criteria.logs.settled_bends);
-    let most_v = criteria.rows.kick_over_noise * evidence.floor_v(joint, s);
-    kick.samples(stretch, joint, most_v, &criteria.rows)
+    let noise_v = criteria.kick_over_noise * evidence.floor_v(joint, s);
+    Kick::of(stretch, hypothesis, joint).known_part(stretch, joint, noise_v, criteria)
 }
 
 /// What steps of the command do to a joint.
@@ -30,50 +35,63 @@ pub fn kicked(evidence: &Evidence, hypothesis: &Hypothesis, joint: usize, s: usi
 struct Kick {
     /// What is not known of friction after a step, per size of the step.
     unknown_part: f64,
-    /// The way after which friction has forgotten it [rad].
-    path_rad: f64,
+    /// The largest bend of the bristles [rad].
+    bend_rad: f64,
 }
 
 impl Kick {
     /// Of a joint (from 0) in a stretch.
-    fn of(stretch: &Stretch, hypothesis: &Hypothesis, joint: usize, bends: f64) -> Self {
+    fn of(stretch: &Stretch, hypothesis: &Hypothesis, joint: usize) -> Self {
         let friction = &hypothesis.plant.friction[joint];
         let inertia = lightest(stretch, hypothesis, joint);
         let square_s2 = stretch.period_s * stretch.period_s;
         Self {
             unknown_part: friction.sigma0_v_per_rad * square_s2 / (8.0 * inertia),
-            path_rad: path_rad(friction, bends),
+            bend_rad: path_rad(friction, 1.0),
         }
     }
 
-    /// Samples of a joint whose rows see friction that is not known by more than `most_v`; none where that is most of
-    /// them, for then it is what the log is about.
-    fn samples(
+    /// The part for which samples of a joint count beside noise; none where less than half of a log would count, for
+    /// then it is what the log is about.
+    fn known_part(
         &self,
         stretch: &Stretch,
         joint: usize,
-        most_v: f64,
+        noise_v: f64,
         criteria: &RowCriteria,
-    ) -> Vec<bool> {
-        let (command_v, q_rad) = (&stretch.command_v[joint], &stretch.motion.q_rad[joint]);
+    ) -> Vec<f64> {
+        let unknown_v = self.unknown_v(&stretch.command_v[joint], &stretch.motion.q_rad[joint]);
         let reach = (criteria.reach_s(stretch.broadband) / stretch.period_s).ceil() as usize;
-        let is_kick =
-            |k: &usize| self.unknown_part * (command_v[*k] - command_v[*k - 1]).abs() > most_v;
-        let mut kicked = vec![false; q_rad.len()];
-        for k in (1..q_rad.len()).filter(is_kick) {
-            let end = (self.forgotten(q_rad, k) + reach).min(q_rad.len());
-            kicked[k.saturating_sub(reach)..end].fill(true);
-        }
-        let count = kicked.iter().filter(|kicked| **kicked).count();
-        let is_most = count as f64 > criteria.most_kicked_part * kicked.len() as f64;
-        if is_most || count == 0 { Vec::new() } else { kicked }
+        let part = |unknown_v: f64| 1.0 / (unknown_v / noise_v).hypot(1.0);
+        let known: Vec<f64> = most_within(&unknown_v, reach).into_iter().map(part).collect();
+        let squares: f64 = known.iter().map(|part| part * part).sum();
+        let is_most = squares < (1.0 - criteria.most_kicked_part) * known.len() as f64;
+        if is_most { Vec::new() } else { known }
     }
 
-    /// The first sample after a step by which the joint has gone its path.
-    fn forgotten(&self, q_rad: &[f64], from: usize) -> usize {
-        let gone = |q: &f64| (q - q_rad[from]).abs() > self.path_rad;
-        q_rad[from..].iter().position(gone).map_or(q_rad.len(), |after| from + after)
+    /// What is not known of a joint's friction at every sample [V]: of the largest step, until the joint has gone so
+    /// many bends that a later one is more.
+    fn unknown_v(&self, command_v: &[f64], q_rad: &[f64]) -> Vec<f64> {
+        let (mut unknown_v, mut at) = (0.0, q_rad.first().copied().unwrap_or_default());
+        let at_sample = |k: usize| {
+            let bends = ((q_rad[k] - at).abs() / self.bend_rad).floor();
+            if bends > 0.0 {
+                (unknown_v, at) = (unknown_v * (-bends).exp(), q_rad[k]);
+            }
+            let of_step = self.unknown_part * (command_v[k] - command_v[k.max(1) - 1]).abs();
+            if of_step > unknown_v {
+                (unknown_v, at) = (of_step, q_rad[k]);
+            }
+            unknown_v
+        };
+        (0..q_rad.len()).map(at_sample).collect()
     }
+}
+
+/// The largest of some values within a reach to either side, at each.
+fn most_within(values: &[f64], reach: usize) -> Vec<f64> {
+    let about = |k: usize| &values[k.saturating_sub(reach)..(k + reach + 1).min(values.len())];
+    (0..values.len()).map(|k| about(k).iter().copied().fold(0.0, f64::max)).collect()
 }
 
 #[cfg(test)]
@@ -96,28 +114,21 @@ mod tests {
     }
 
     #[test]
-    fn samples_about_a_step_are_left_out_until_the_joint_has_gone_its_path() {
+    fn samples_about_a_step_count_less_until_the_joint_has_gone_some_bends() {
         let (stretch, criteria) = (stepped(), RowCriteria::default());
-        let kick = Kick { unknown_part: 0.01, path_rad: 0.0505 };
-        let kicked = kick.samples(&stretch, 0, 5e-3, &criteria);
+        let kick = Kick { unknown_part: 0.01, bend_rad: 0.0105 };
+        let known = kick.known_part(&stretch, 0, 5e-3, &criteria);
         let reach = (criteria.reach_s(stretch.broadband) / stretch.period_s).ceil() as usize;
-        let first = kicked.iter().position(|kicked| *kicked);
-        let last = kicked.iter().rposition(|kicked| *kicked);
-        assert_eq!(first, Some(500 - reach));
-        assert_eq!(last, Some(550 + reach));
-    }
-
-    #[test]
-    fn a_step_that_hardly_moves_the_joint_is_no_kick() {
-        let (stretch, criteria) = (stepped(), RowCriteria::default());
-        let kick = Kick { unknown_part: 0.001, path_rad: 0.05 };
-        assert!(kick.samples(&stretch, 0, 5e-3, &criteria).is_empty());
+        assert_eq!(known[500 - reach - 1], 1.0);
+        assert!((known[500 - reach] - 0.2_f64.sqrt()).abs() < 1e-12, "{}", known[500 - reach]);
+        assert!(known[515] < known[530] && known[530] < known[560], "{:?}", &known[510..560]);
+        assert!(known[600] > 0.999, "{}", known[600]);
     }
 
     #[test]
     fn a_log_that_is_all_kicks_keeps_its_rows() {
         let (stretch, criteria) = (stepped(), RowCriteria::default());
-        let kick = Kick { unknown_part: 0.01, path_rad: 0.6 };
-        assert!(kick.samples(&stretch, 0, 5e-3, &criteria).is_empty());
+        let kick = Kick { unknown_part: 0.05, bend_rad: 0.6 };
+        assert!(kick.known_part(&stretch, 0, 5e-3, &criteria).is_empty());
     }
 }

@@ -4,7 +4,7 @@ use super::bristles::with_likely_bristles;
 use super::fitted_model::FittedModel;
 use super::gauss_newton::fit;
 use super::inertia::lightest;
-use super::kicks::kicked;
+use super::kicks::known_part;
 use crate::logs::sampling_jitter::jitter_s;
 use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
@@ -63,7 +63,7 @@ fn with_noise(
         }
     }
     let evidence = Evidence::new(stretches, subject.joints.clone(), &noise, &subject.criteria);
-    Ok(evidence.without_kicked(|evidence, joint, s| kicked(evidence, hypothesis, joint, s)))
+    Ok(evidence.with_known_parts(|evidence, joint, s| known_part(evidence, hypothesis, joint, s)))
 }
 
 /// Noise of every joint's rows in each stretch, rms [V], seen in what the last model of a search

@@ -44,8 +44,9 @@ pub struct Stretch {
     pub settled: Vec<usize>,
     /// Samples too near to one that was lost; empty where none matters.
     pub unseen: Vec<bool>,
-    /// Samples of each joint whose friction is not known because the command threw it; empty where there is none.
-    pub kicked: Vec<Vec<bool>>,
+    /// The part for which each joint's samples count, as far as its friction is known where the command throws it;
+    /// empty where all count in full.
+    pub known_part: Vec<Vec<f64>>,
     /// How far each joint's smoothed angle wavers to either side while the joint stands, a third of what encoder
     /// steps add to it, rms; 0 where noise drives the joints, and of the three-joint robot [rad].
     pub at_rest_rad: Vec<f64>,
@@ -70,7 +71,7 @@ impl Stretch {
             broadband: false,
             settled: vec![0; joints],
             unseen: Vec::new(),
-            kicked: vec![Vec::new(); joints],
+            known_part: vec![Vec::new(); joints],
             at_rest_rad: vec![0.0; joints],
             roughness: vec![Roughness::default(); joints],
         }
@@ -90,7 +91,7 @@ impl Stretch {
     pub fn part(&self, range: Range<usize>) -> Self {
         let cut = |signal: &Vec<f64>| signal[range.clone()].to_vec();
         let of = |signals: &[Vec<f64>]| signals.iter().map(cut).collect();
-        let part = |samples: &[bool]| samples.get(range.clone()).unwrap_or_default().to_vec();
+        let part = |of: &Vec<f64>| of.get(range.clone()).unwrap_or_default().to_vec();
         let from_begin = |first: &usize| first.saturating_sub(range.start);
         Self {
             start_s: self.start_s + range.start as f64 * self.period_s,
@@ -105,8 +106,8 @@ impl Stretch {
             sines: OnceLock::new(),
             middles: OnceLock::new(),
             settled: self.settled.iter().map(from_begin).collect(),
-            unseen: part(&self.unseen),
-            kicked: self.kicked.iter().map(|kicked| part(kicked)).collect(),
+            unseen: self.unseen.get(range.clone()).unwrap_or_default().to_vec(),
+            known_part: self.known_part.iter().map(part).collect(),
             at_rest_rad: self.at_rest_rad.clone(),
             roughness: self.roughness.clone(),
             ..*self

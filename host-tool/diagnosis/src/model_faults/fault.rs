@@ -122,7 +122,7 @@ impl ModelFault {
                 motion.all_mut().for_each(|signal| signal.swap(a, b));
                 stretch.command_v.swap(a, b);
                 stretch.settled.swap(a, b);
-                stretch.kicked.swap(a, b);
+                stretch.known_part.swap(a, b);
                 stretch.at_rest_rad.swap(a, b);
             }
             Self::Home(size) => {

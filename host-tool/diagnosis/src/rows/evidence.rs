@@ -35,7 +35,9 @@ pub struct Evidence {
     regressors: Arc<[Vec<OnceLock<Columns>>]>,
     /// Rows of what one rigid body needs along it; likewise.
     rigid_rows: Arc<[Vec<OnceLock<RigidRows>>]>,
-    /// Weight of every row of a stretch, by joint [1/V]; 0 before the joint's friction is settled.
+    /// The part for which every row of a stretch counts, by joint; 0 before the joint's friction is settled.
+    known: Vec<Vec<Vec<f64>>>,
+    /// Weight of every row of a stretch, by joint, that part in it [1/V].
     weights: Vec<Vec<Vec<f64>>>,
 }
 
@@ -91,33 +93,36 @@ impl Evidence {
             steps_v,
             criteria: criteria.clone(),
             systematic: false,
+            known: Default::default(),
             weights: Default::default(),
         };
-        evidence.weights = (0..count).map(|joint| evidence.weights_of_noise(joint)).collect();
+        evidence.weigh_by_noise();
         evidence
     }
 
-    /// Weights as if what is left were noise alone.
-    fn weights_of_noise(&self, joint: usize) -> Vec<Vec<f64>> {
-        let of_stretch = |s: usize| {
-            let floor_v = self.floors_v[joint][s];
-            self.settled(joint, s)
-                .into_iter()
-                .map(|yes| if yes { 1.0 / floor_v } else { 0.0 })
-                .collect()
-        };
-        (0..self.stretches.len()).map(of_stretch).collect()
+    /// Gives rows their weights as if what is left were noise alone.
+    fn weigh_by_noise(&mut self) {
+        let of_joint = |joint| (0..self.stretches.len()).map(|s| self.known(joint, s)).collect();
+        self.known = (0..self.joint_count()).map(of_joint).collect();
+        self.weights.clone_from(&self.known);
+        for (of_joint, floors_v) in self.weights.iter_mut().zip(&self.floors_v) {
+            for (weights, floor_v) in of_joint.iter_mut().zip(floors_v) {
+                weights.iter_mut().for_each(|weight| *weight /= floor_v);
+            }
+        }
     }
 
-    /// Which of a joint's rows in a stretch come after its friction is settled, and see no sample at which it or the
-    /// motion is not known.
-    fn settled(&self, joint: usize, s: usize) -> Vec<bool> {
+    /// The part for which a joint's rows in a stretch count: none before its friction is settled, or where they see a
+    /// sample at which the motion is not known.
+    fn known(&self, joint: usize, s: usize) -> Vec<f64> {
         let stretch = &self.stretches[s];
-        let instants = self.filters[joint][s].instants(stretch.len());
-        let is_clear = |samples: &[bool], k: usize| samples.get(k).is_none_or(|marked| !marked);
-        let (unseen, kicked) = (&stretch.unseen, &stretch.kicked[joint]);
-        let is_known = |k: usize| is_clear(unseen, k) && is_clear(kicked, k);
-        instants.map(|k| k >= stretch.settled[joint] && is_known(k)).collect()
+        let part = |k: usize| {
+            let is_seen = stretch.unseen.get(k).is_none_or(|unseen| !unseen);
+            let is_settled = k >= stretch.settled[joint];
+            let known_part = stretch.known_part[joint].get(k).copied().unwrap_or(1.0);
+            if is_settled && is_seen { known_part } else { 0.0 }
+        };
+        self.filters[joint][s].instants(stretch.len()).map(part).collect()
     }
 
     /// The same rows with other weights of train rows [1/V], by joint and stretch; what is held out
@@ -126,25 +131,23 @@ impl Evidence {
         let mut evidence = self.clone();
         for &joint in &self.joints {
             for s in 0..self.train {
-                let both = weights(joint, s).into_iter().zip(self.settled(joint, s));
-                evidence.weights[joint][s] =
-                    both.map(|(weight, yes)| if yes { weight } else { 0.0 }).collect();
+                let both = weights(joint, s).into_iter().zip(&self.known[joint][s]);
+                evidence.weights[joint][s] = both.map(|(weight, part)| weight * part).collect();
             }
         }
         evidence
     }
 
-    /// The same rows without those that see what a kick leaves unknown; weights are those of noise.
-    pub fn without_kicked(&self, kicked: impl Fn(&Self, usize, usize) -> Vec<bool>) -> Self {
+    /// The same rows, by the part for which each joint's samples count in a stretch; weights are those of noise.
+    pub fn with_known_parts(&self, part: impl Fn(&Self, usize, usize) -> Vec<f64>) -> Self {
         let mut stretches = self.stretches.to_vec();
         for (s, stretch) in stretches.iter_mut().enumerate() {
             for &joint in &self.joints {
-                stretch.kicked[joint] = kicked(self, joint, s);
+                stretch.known_part[joint] = part(self, joint, s);
             }
         }
         let mut evidence = Self { stretches: stretches.into(), ..self.clone() };
-        evidence.weights =
-            (0..self.joint_count()).map(|joint| evidence.weights_of_noise(joint)).collect();
+        evidence.weigh_by_noise();
         evidence
     }
 
@@ -167,9 +170,11 @@ impl Evidence {
         let mut changed = Self { stretches, regressors, rigid_rows, ..self.clone() };
         for joint in 0..changed.weights.len() {
             changed.weights[joint].truncate(changed.stretches.len());
+            changed.known[joint].truncate(changed.stretches.len());
             for s in 0..changed.weights[joint].len() {
                 let count = changed.row_count(joint, s);
                 changed.weights[joint][s].truncate(count);
+                changed.known[joint][s].truncate(count);
             }
         }
         changed
@@ -230,11 +235,13 @@ impl Evidence {
         self.weights[joint].iter().flatten().copied()
     }
 
-    /// Weighted rows of all joints in volts; those without weight are zero.
+    /// Weighted rows of all joints in volts, by the part for which each counts; those without weight are zero.
     pub fn volts(&self, rows: &Rows) -> Rows {
         let in_volts = |joint: usize| {
-            let both = rows[joint].iter().zip(self.weights(joint));
-            both.map(|(row, weight)| if weight > 0.0 { row / weight } else { 0.0 }).collect()
+            let known = self.known[joint].iter().flatten();
+            let both = rows[joint].iter().zip(self.weights(joint)).zip(known);
+            both.map(|((row, weight), part)| if weight > 0.0 { row / weight * part } else { 0.0 })
+                .collect()
         };
         (0..self.joint_count()).map(in_volts).collect()
     }

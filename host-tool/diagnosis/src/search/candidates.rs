@@ -169,9 +169,9 @@ pub(crate) fn typical(
     subject: &Subject,
     joint: u8,
 ) -> Typical {
-    /// The load changes slowly: every so many samples tell its rms.
-    const SAMPLES: usize = 20;
     let is_of_all = joint == 0;
+    let of_load = if is_of_all { evidence.joints.clone() } else { vec![usize::from(joint) - 1] };
+    let loads = of_load.iter().map(|joint| load_nm(linear, evidence, *joint));
     let joint = usize::from(joint.max(1)) - 1;
     let plant = &linear.hypothesis.plant;
     let all = |signal: fn(&crate::logs::stretch::Stretch, usize) -> &[f64]| {
@@ -179,30 +179,34 @@ pub(crate) fn typical(
     };
     let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(1e-9, f64::max);
     let angles: Vec<f64> = all(|s, j| &s.motion.q_rad[j]).collect();
-    let load: Vec<f64> = evidence
-        .stretches
-        .iter()
-        .flat_map(|stretch| {
-            let trial = Trial::of(stretch, &linear.hypothesis, &evidence.criteria.fit);
-            trial.load_at_every_nm(joint, SAMPLES)
-        })
-        .collect();
     Typical {
         command_v: largest(&mut all(|s, j| &s.command_v[j])),
         friction_v: plant.friction[joint].alpha0_v,
-        load_nm: rms(&load).max(1e-6),
+        load_nm: loads.fold(1e-6, f64::max),
         speed_rad_per_s: largest(&mut all(|s, j| &s.motion.qd_rad_per_s[j])),
         position_rad: angles.iter().sum::<f64>() / angles.len().max(1) as f64,
         inertia_kg_m2: subject.inertia_kg_m2(joint),
-        tip_height_m: if is_of_all { tip_height_m(evidence, plant, SAMPLES) } else { [0.0; 2] },
+        tip_height_m: if is_of_all { tip_height_m(evidence, plant) } else { [0.0; 2] },
     }
 }
 
-/// Lowest and highest place of the tip along the logs [m], every so many samples.
-fn tip_height_m(evidence: &Evidence, plant: &rig::Plant, samples: usize) -> [f64; 2] {
+/// Loads and places change slowly: every so many samples tell them.
+const SAMPLES: usize = 20;
+
+/// Load of a joint (from 0) along the logs, rms [Nm].
+fn load_nm(linear: &Linearisation, evidence: &Evidence, joint: usize) -> f64 {
+    let of_stretch = |stretch| {
+        let trial = Trial::of(stretch, &linear.hypothesis, &evidence.criteria.fit);
+        trial.load_at_every_nm(joint, SAMPLES)
+    };
+    rms(&evidence.stretches.iter().flat_map(of_stretch).collect::<Vec<f64>>())
+}
+
+/// Lowest and highest place of the tip along the logs [m].
+fn tip_height_m(evidence: &Evidence, plant: &rig::Plant) -> [f64; 2] {
     let mut range = [f64::INFINITY, f64::NEG_INFINITY];
     for stretch in evidence.stretches.iter() {
-        for k in (0..stretch.len()).step_by(samples) {
+        for k in (0..stretch.len()).step_by(SAMPLES) {
             let q: Vec<f64> = stretch.motion.q_rad.iter().map(|q| q[k]).collect();
             let height_m = plant.body.tip_height_m(&q);
             range = [range[0].min(height_m), range[1].max(height_m)];

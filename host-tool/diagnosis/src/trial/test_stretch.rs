@@ -24,7 +24,7 @@ pub fn stretch_of(motion: Kinematics, command_v: Vec<Vec<f64>>, broadband: bool)
         broadband,
         settled: vec![0; 3],
         unseen: Vec::new(),
-        kicked: vec![Vec::new(); 3],
+        known_part: vec![Vec::new(); 3],
         roughness: Vec::new(),
         at_rest_rad: vec![0.0; 3],
         sampled_s: PERIOD_S,

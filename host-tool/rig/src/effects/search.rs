@@ -30,7 +30,7 @@ pub struct Typical {
     pub command_v: f64,
     /// Coulomb friction [V].
     pub friction_v: f64,
-    /// Load c + h, rms [Nm].
+    /// Load c + h, rms, of the joint that bears most where an effect acts on the whole robot [Nm].
     pub load_nm: f64,
     /// Highest speed [rad/s].
     pub speed_rad_per_s: f64,
