@@ -154,7 +154,10 @@ fn diagnosed(
         Some(Free::Causes(found)) => searched = *found,
         None => {}
     }
-    let Searched { evidence, selection, fault } = searched;
+    let Searched { evidence, selection, fault, early_part } = searched;
+    if early_part > 0.0 {
+        remarks.push(early_words(early_part));
+    }
     let subject = &subject;
     progress("confirming on logs that chose nothing");
     let noise_v = preparation::noise_left_v(subject, &evidence, &selection.last);
@@ -171,4 +174,12 @@ fn diagnosed(
         fault,
     };
     Ok(assembly.diagnosis(file, remarks))
+}
+
+fn early_words(part: f64) -> String {
+    format!(
+        "all joints seem to be driven {:.0} % of a sample period early: commands were taken as read at the instants of \
+         their rows, not held from there on; log the mean over each interval, and faster motion can be told",
+        100.0 * part
+    )
 }

@@ -1,8 +1,8 @@
 //! What a search finds by one doubt about the model, and what its logs say of that doubt.
 
+use crate::fit::command_instants::prepared_by_instants;
 use crate::fit::doubt;
 use crate::fit::fitted_model::FittedModel;
-use crate::fit::preparation::prepared;
 use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
 use crate::model_faults::{self, FoundFault};
@@ -20,6 +20,8 @@ pub struct Searched {
     pub selection: Selection,
     /// A fault of the model itself.
     pub fault: Option<FoundFault>,
+    /// By what part of a sample period commands act before the intervals of their rows.
+    pub early_part: f64,
 }
 
 /// What shows once the model's parameters are all but free.
@@ -45,11 +47,13 @@ impl Searched {
         progress: &dyn Fn(&str),
     ) -> Result<Self, StepError> {
         progress("refitting the model");
-        let (evidence, refitted) = prepared(subject, stretches, near)?;
+        let (evidence, refitted, early_part) = prepared_by_instants(subject, stretches, near)?;
         let selection = select(subject, refitted, known, progress);
         progress("trying whether the model itself is at fault");
         let fault = model_faults::find(subject, &evidence, &selection.refitted, &selection.last);
-        let Some(found) = fault else { return Ok(Self { evidence, selection, fault: None }) };
+        let Some(found) = fault else {
+            return Ok(Self { evidence, selection, fault: None, early_part });
+        };
         let effects = found.fault.as_effects(subject);
         let with = |effects: &[EffectInstance]| {
             select(subject, selection.refitted.clone(), KnownCauses::alone(effects), progress)
@@ -59,7 +63,7 @@ impl Searched {
             Some(said) => (said, None),
             None => (selection.without_effects(), Some(found)),
         };
-        Ok(Self { evidence, selection, fault })
+        Ok(Self { evidence, selection, fault, early_part })
     }
 
     /// A wider doubt that the logs show with the causes found or, where much is left, with those that are found
@@ -116,6 +120,7 @@ impl Searched {
             evidence: self.evidence.clone(),
             selection,
             fault: None,
+            early_part: self.early_part,
         })
     }
 }

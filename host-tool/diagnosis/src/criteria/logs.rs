@@ -79,5 +79,10 @@ criteria! {
         /// Rows count from where a joint has moved by so many times the largest bend of its bristles:
         /// its friction no longer depends on how they were bent before.
         settled_bends: f64 = 5.0,
+        /// Commands are those of the instants of their rows where joints seem to be driven early by more than this part
+        /// of a sample period: three deviations of what is known of it;
+        least_early_part: f64 = 0.15,
+        /// that is, so many of those whose lag the logs tell.
+        early_joints: f64 = 0.8,
     }
 }

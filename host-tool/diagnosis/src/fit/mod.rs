@@ -2,6 +2,7 @@
 
 mod bounded_step;
 pub mod bristles;
+pub mod command_instants;
 pub mod cross_validation;
 pub mod doubt;
 pub mod earlier;

@@ -82,6 +82,12 @@ impl Stretch {
         rms_above(&self.command_v[joint], self.period_s, fast_part / self.period_s)
     }
 
+    /// Lets all commands, which are held over an interval each, act later by so much [s].
+    pub fn act_later(&mut self, late_s: f64) {
+        let periods = late_s / self.period_s;
+        self.command_v.iter_mut().for_each(|command| *command = later(command, periods));
+    }
+
     /// Its duration [s].
     pub fn duration_s(&self) -> f64 {
         self.len() as f64 * self.period_s
@@ -135,4 +141,14 @@ pub fn rms_above(signal: &[f64], period_s: f64, frequency_hz: f64) -> f64 {
     let slow = LowPass::new(frequency_hz, period_s).zero_phase(signal);
     let fast: Vec<f64> = signal.iter().zip(&slow).map(|(u, s)| u - s).collect();
     signal::rms(&fast)
+}
+
+/// Commands that are held over an interval each, so many periods later.
+fn later(command: &[f64], periods: f64) -> Vec<f64> {
+    let (whole, part) = (periods.floor(), periods - periods.floor());
+    let at = |k: usize, back: f64| {
+        let place = k as f64 - whole - back;
+        command[place.clamp(0.0, command.len() as f64 - 1.0) as usize]
+    };
+    (0..command.len()).map(|k| (1.0 - part) * at(k, 0.0) + part * at(k, 1.0)).collect()
 }

@@ -131,10 +131,7 @@ impl ModelFault {
                     motion.raw_rad[joint].iter_mut().for_each(|q| *q += more);
                 }
             }
-            Self::Late([late_s]) => {
-                let periods = late_s / stretch.period_s;
-                stretch.command_v.iter_mut().for_each(|command| *command = later(command, periods));
-            }
+            Self::Late([late_s]) => stretch.act_later(*late_s),
             Self::Lengths(_) => {}
         }
         stretch.sines = OnceLock::new();
@@ -169,16 +166,6 @@ impl ModelFault {
             ),
         }
     }
-}
-
-/// Commands that are held over an interval each, so many periods later.
-fn later(command: &[f64], periods: f64) -> Vec<f64> {
-    let (whole, part) = (periods.floor(), periods - periods.floor());
-    let at = |k: usize, back: f64| {
-        let place = k as f64 - whole - back;
-        command[place.clamp(0.0, command.len() as f64 - 1.0) as usize]
-    };
-    (0..command.len()).map(|k| (1.0 - part) * at(k, 0.0) + part * at(k, 1.0)).collect()
 }
 
 /// The model's lengths, in the order of a fault's [m].

@@ -1,6 +1,7 @@
 //! Shares of causes that are told, by the measure of a report: those of a search that errs nowhere.
 
 use super::confirmed::{Confirmation, Held};
+use crate::fit::command_instants::prepared_by_instants;
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::preparation;
 use crate::logs::subject::Subject;
@@ -18,7 +19,7 @@ use recordings::{StepError, Trace};
 /// Logs that cannot be used.
 pub fn shares(told: &Subject, traces: &[Trace]) -> Result<Vec<Option<f64>>, StepError> {
     let Usable { stretches, .. } = Usable::of(traces, told)?;
-    let (evidence, full) = preparation::prepared(told, stretches, None)?;
+    let (evidence, full, _) = prepared_by_instants(told, stretches, None)?;
     let Some(none) = refitted(&with_effects(told, |_| false), &evidence, &full) else {
         return Ok(vec![None; told.known_effects.len()]);
     };
