@@ -165,6 +165,30 @@ fn a_sliding_axis_is_judged_in_its_own_units() {
     assert!(said.contains("3 N") && !said.contains(" V"), "{said}");
 }
 
+/// What a robot's own log keeps of a campaign: one row of so many, its command as of its instant.
+fn kept(campaign: ArmCampaign, one_of: usize) -> ArmCampaign {
+    let keep = |signal: &Vec<f64>| signal.iter().copied().step_by(one_of).collect::<Vec<f64>>();
+    let recordings = campaign.recordings.into_iter().map(|mut recording| {
+        recording.log.time_s = keep(&recording.log.time_s);
+        for joint in &mut recording.log.joints {
+            joint.position = keep(&joint.position);
+            joint.command = keep(&joint.command);
+            joint.reference = joint.reference.as_ref().map(keep);
+        }
+        recording
+    });
+    ArmCampaign { arm: campaign.arm, recordings: recordings.collect() }
+}
+
+#[test]
+fn commands_kept_of_instants_are_no_fault_of_the_arm() {
+    let hidden = ["payload:mass_kg=0.3,com_m=0.0 0 0"];
+    let campaign = kept(recorded(&two_link_pendulum(), 500.0, 15.0, &hidden), 4);
+    let Diagnosis { report, .. } = diagnosed(&campaign);
+    names(&report, "payload", 0, ("mass_kg", 0.3), 0.1);
+    assert!(report.remarks.iter().any(|remark| remark.contains("early")), "{:?}", report.remarks);
+}
+
 #[test]
 fn a_geared_arm_as_its_model_has_no_gap() {
     let report = of_six_joints(&[]);
