@@ -1,9 +1,10 @@
 //! The whole way from logs to a model.
 
 use files::arm_file::ArmFriction;
-use files::{FileError, Role};
+use files::{ArmFile, FileError, Role};
 use model::chain::SerialChain;
 use model::mechanism::Mechanism;
+use nalgebra::DMatrix;
 use recordings::{ArmCampaign, ArmRecording};
 
 use super::base::{base_parameters, condition_number};
@@ -47,14 +48,10 @@ pub fn identify(campaign: &ArmCampaign, settings: &Settings) -> Result<Identifie
     if logs.is_empty() {
         return Err(ArmError::NoLog);
     }
-    let regression = better_of_both(&logs, &equations, settings);
-    let moves: Vec<bool> =
-        regression.counts.iter().map(|count| *count >= settings.fewest_rows).collect();
-    if !moves.contains(&true) {
-        return Err(ArmError::NoMotion);
-    }
-    let rows = regression.condensed.weighted(&regression.weighting.weights);
-    let found = fit(&rows, Unknowns::of(arm, &scales(&logs), settings), settings)?;
+    let [held, sampled] = [CommandTime::Held, CommandTime::Sampled]
+        .map(|time| Fitted::of(arm, &logs, &equations, time, settings));
+    let Fitted { regression, moves, rows, found } =
+        better_of_both(held?, sampled?, &logs, &equations, settings);
     let layout = Layout { joints: arm.joints.len() };
     let (basis, base) = base_parameters(&with_links(&chain, &found, layout), &found);
     let judged_on = if held_out.is_empty() { &logs } else { &held_out };
@@ -86,11 +83,54 @@ fn prepared(
     campaign.of_role(role).map(of).collect()
 }
 
-/// Commands held or sampled, whichever leaves less.
-fn better_of_both(logs: &[PreparedLog], equations: &Equations, settings: &Settings) -> Regression {
-    let [held, sampled] = [CommandTime::Held, CommandTime::Sampled]
-        .map(|time| regression(logs, equations, time, settings));
-    if sampled.weighting.misfit < held.weighting.misfit { sampled } else { held }
+/// What is found where commands act at a given time.
+struct Fitted {
+    regression: Regression,
+    moves: Vec<bool>,
+    rows: DMatrix<f64>,
+    found: Fit,
+}
+
+impl Fitted {
+    fn of(
+        arm: &ArmFile,
+        logs: &[PreparedLog],
+        equations: &Equations,
+        time: CommandTime,
+        settings: &Settings,
+    ) -> Result<Self, ArmError> {
+        let regression = regression(logs, equations, time, settings);
+        let moves: Vec<bool> =
+            regression.counts.iter().map(|count| *count >= settings.fewest_rows).collect();
+        if !moves.contains(&true) {
+            return Err(ArmError::NoMotion);
+        }
+        let rows = regression.condensed.weighted(&regression.weighting.weights);
+        let found = fit(&rows, Unknowns::of(arm, &scales(logs), settings), settings)?;
+        Ok(Self { regression, moves, rows, found })
+    }
+
+    /// Mean logarithm of what is left of each joint's command in each log.
+    fn misfit(&self, logs: &[PreparedLog], equations: &Equations, settings: &Settings) -> f64 {
+        let left = left(logs, equations, self.regression.time, &self.found, settings);
+        let logarithms: Vec<f64> = (left.iter().flat_map(|log| &log.joints).flatten())
+            .map(|joint| joint.share.max(f64::MIN_POSITIVE).ln())
+            .collect();
+        logarithms.iter().sum::<f64>() / logarithms.len().max(1) as f64
+    }
+}
+
+/// Commands held or sampled, whichever leaves less by what is known of the arm: parameters that are free make up for
+/// commands at the wrong time, the more so where friction leads velocity.
+fn better_of_both(
+    held: Fitted,
+    sampled: Fitted,
+    logs: &[PreparedLog],
+    equations: &Equations,
+    settings: &Settings,
+) -> Fitted {
+    let misfit = |fitted: &Fitted| fitted.misfit(logs, equations, settings);
+    if misfit(&sampled) < misfit(&held) { sampled } else { held }
 }
 
 fn regression(

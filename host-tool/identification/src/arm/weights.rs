@@ -14,8 +14,6 @@ use super::settings::Settings;
 pub struct Weighting {
     /// Weight per joint, 0 of one without rows [1 / unit of the command squared].
     pub weights: Vec<f64>,
-    /// Sum of rows times the logarithm of what is left: the smaller, the better the model.
-    pub misfit: f64,
 }
 
 /// Iterates weighted least squares without regard to what is physical.
@@ -41,7 +39,7 @@ pub fn residuals(rows: &JointRows, numbers: &[f64], layout: Layout) -> Vec<f64> 
 }
 
 fn weighed(rows: &[JointRows], numbers: &[f64], layout: Layout) -> Weighting {
-    let (mut weights, mut misfit) = (Vec::new(), 0.0);
+    let mut weights = Vec::new();
     for joint in 0..layout.joints {
         let (mut squares, mut count, mut independent) = (0.0, 0.0, 0.0);
         for of_joint in rows.iter().filter(|rows| rows.joint == joint && rows.rows.nrows() > 0) {
@@ -56,10 +54,9 @@ fn weighed(rows: &[JointRows], numbers: &[f64], layout: Layout) -> Weighting {
             1e-18 * rows.iter().flat_map(|r| &r.command).map(|u| u * u).fold(1e-12, f64::max);
         let variance = variance.max(floor);
         let share = if count > 0.0 { (independent / count).min(1.0) } else { 0.0 };
-        misfit += 0.5 * count * variance.ln();
         weights.push(share / variance);
     }
-    Weighting { weights, misfit }
+    Weighting { weights }
 }
 
 /// Least squares with as little damping as rounding asks, columns scaled to one.
