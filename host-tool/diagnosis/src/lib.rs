@@ -45,6 +45,7 @@ pub use posterior::Posterior;
 pub use report::sentence::sentence;
 pub use result::*;
 
+use fit::command_instants::by_instants;
 use fit::preparation;
 use logs::subject::Subject;
 use logs::usable::Usable;
@@ -136,9 +137,13 @@ fn diagnosed(
     file: &ModelFile,
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnosisError> {
-    let Usable { stretches, mut remarks } = Usable::of(traces, &subject)?;
+    let Usable { mut stretches, mut remarks } = Usable::of(traces, &subject)?;
     let mut searched =
         Searched::of(&subject, stretches.clone(), None, KnownCauses::default(), progress)?;
+    if searched.early_part > 0.0 {
+        remarks.push(early_words(searched.early_part));
+        stretches = by_instants(stretches, searched.early_part);
+    }
     match searched.with_free_parameters(&subject, &stretches, progress) {
         Some(Free::Doubt(relative, known)) => {
             remarks.push(format!(
@@ -154,10 +159,7 @@ fn diagnosed(
         Some(Free::Causes(found)) => searched = *found,
         None => {}
     }
-    let Searched { evidence, selection, fault, early_part } = searched;
-    if early_part > 0.0 {
-        remarks.push(early_words(early_part));
-    }
+    let Searched { evidence, selection, fault, .. } = searched;
     let subject = &subject;
     progress("confirming on logs that chose nothing");
     let noise_v = preparation::noise_left_v(subject, &evidence, &selection.last);
@@ -178,8 +180,8 @@ fn diagnosed(
 
 fn early_words(part: f64) -> String {
     format!(
-        "all joints seem to be driven {:.0} % of a sample period early: commands were taken as read at the instants of \
-         their rows, not held from there on; log the mean over each interval, and faster motion can be told",
+        "the joints seem to be driven {:.0} % of a sample period early: commands were taken as sampled at their rows, \
+         not held from there on; log the mean over each interval, and faster motion can be told",
         100.0 * part
     )
 }

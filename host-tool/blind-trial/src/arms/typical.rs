@@ -16,7 +16,7 @@ pub fn typical(case: &ArmCase, clean: &ArmCampaign, joint: u8) -> Result<Typical
     let plant = plant(&case.truth)?;
     let positions: Vec<f64> =
         clean.recordings.iter().flat_map(|log| log.log.joints[index].position.clone()).collect();
-    // The first joint of an arm that stands bears no load.
+    // A first joint whose axis is vertical carries no gravity.
     let loaded = if joint == 0 { 0..plant.joints() } else { index..index + 1 };
     Ok(Typical {
         command_v: command_v(case, clean, index),

@@ -82,7 +82,9 @@ criteria! {
         /// Commands are those of the instants of their rows where joints seem to be driven early by more than this part
         /// of a sample period: three deviations of what is known of it;
         least_early_part: f64 = 0.15,
-        /// that is, so many of those whose lag the logs tell.
+        /// and the middle one by less than this: half of one, and what the friction of some machines adds;
+        most_early_part: f64 = 0.7,
+        /// that is, this part of the joints whose lag the logs tell.
         early_joints: f64 = 0.8,
     }
 }

@@ -20,7 +20,7 @@ criteria! {
         /// Part of a command too fast for the sampling that is not accounted for, per second between
         /// samples: how the joint moves meanwhile is not known, nor what its friction does.
         between_samples_per_s: f64 = 10.0,
-        /// A row counts half where, after a step of the command, bristles may feel so many times its noise between
+        /// The square of a row counts half where, after a step of the command, bristles may feel so many times its noise between
         /// two samples: a row averages that down to a sixth. At three a delay of 1.8 ms was taken for a lag.
         kick_over_noise: f64 = 6.0,
         /// A joint that would lose more than this part of a log to such steps keeps all of its rows there.

@@ -4,8 +4,8 @@
 //! line between two samples, T apart, where the step accelerates the joint by a. Bristles of stiffness sigma0 then feel
 //! up to sigma0 a T^2 / 8 of what no sample shows, and forget it by e with each bend that the joint goes further. On a
 //! direct drive that is a fraction of a millivolt; on a geared wrist whose friction is compensated, many times the
-//! noise at each reversal. A row that sees u of it beside noise n counts for the part 1 / sqrt(1 + (u / n)^2): it still
-//! tells what is far larger, a late command say.
+//! noise at each reversal. A row that sees u of it beside noise n counts for the part 1 / sqrt(1 + (u / 6 n)^2)
+//! (`kick_over_noise`): it still tells what is far larger, a late command say.
 
 use super::inertia::lightest;
 use crate::criteria::RowCriteria;
@@ -14,8 +14,8 @@ use crate::logs::stretch::Stretch;
 use crate::rows::evidence::Evidence;
 use crate::trial::hypothesis::Hypothesis;
 
-/// The part for which samples of a joint (from 0) in a stretch count; empty where all count in full, and where noise
-/// drives the joints.
+/// The part for which samples of a joint (from 0) in a stretch count; empty, all in full, where noise drives the joints,
+/// and where less than half would count.
 pub fn known_part(
     evidence: &Evidence,
     hypothesis: &Hypothesis,
@@ -76,7 +76,8 @@ impl Kick {
         let at_sample = |k: usize| {
             let bends = ((q_rad[k] - at).abs() / self.bend_rad).floor();
             if bends > 0.0 {
-                (unknown_v, at) = (unknown_v * (-bends).exp(), q_rad[k]);
+                unknown_v *= (-bends).exp();
+                at += (bends * self.bend_rad).min((q_rad[k] - at).abs()).copysign(q_rad[k] - at);
             }
             let of_step = self.unknown_part * (command_v[k] - command_v[k.max(1) - 1]).abs();
             if of_step > unknown_v {

@@ -24,6 +24,7 @@ mod condensed;
 mod drives;
 mod error;
 mod fit;
+mod fitted;
 mod judge;
 mod layout;
 mod link_prior;

@@ -8,24 +8,18 @@ use super::layout::Layout;
 use super::rows::JointRows;
 use super::settings::Settings;
 
-/// Weights by which rows of all joints have residuals of variance one and count as many as are
-/// independent.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Weighting {
-    /// Weight per joint, 0 of one without rows [1 / unit of the command squared].
-    pub weights: Vec<f64>,
-}
-
-/// Iterates weighted least squares without regard to what is physical.
-pub fn weighting(
+/// Weights per joint by which its rows have residuals of variance one and count as many as are independent, 0 of one
+/// without rows [1 / unit of the command squared]: weighted least squares, again and again, without regard to what is
+/// physical.
+pub fn weights(
     rows: &[JointRows],
     condensed: &Condensed,
     layout: Layout,
     settings: &Settings,
-) -> Weighting {
+) -> Vec<f64> {
     let mut found = weighed(rows, &vec![0.0; layout.all()], layout);
     for _ in 0..settings.weighting_passes {
-        let Some(numbers) = solved(&condensed.weighted(&found.weights)) else { break };
+        let Some(numbers) = solved(&condensed.weighted(&found)) else { break };
         found = weighed(rows, &numbers, layout);
     }
     found
@@ -38,25 +32,31 @@ pub fn residuals(rows: &JointRows, numbers: &[f64], layout: Layout) -> Vec<f64> 
     rows.command.iter().zip(explained.iter()).map(|(u, model)| u - model).collect()
 }
 
-fn weighed(rows: &[JointRows], numbers: &[f64], layout: Layout) -> Weighting {
-    let mut weights = Vec::new();
-    for joint in 0..layout.joints {
-        let (mut squares, mut count, mut independent) = (0.0, 0.0, 0.0);
-        for of_joint in rows.iter().filter(|rows| rows.joint == joint && rows.rows.nrows() > 0) {
-            let left = residuals(of_joint, numbers, layout);
-            squares += left.iter().map(|r| r * r).sum::<f64>();
-            count += left.len() as f64;
-            independent += effective_samples(&left);
-        }
-        let variance = squares / f64::max(count, 1.0);
-        // A log without any noise would weigh infinitely.
-        let floor =
-            1e-18 * rows.iter().flat_map(|r| &r.command).map(|u| u * u).fold(1e-12, f64::max);
-        let variance = variance.max(floor);
-        let share = if count > 0.0 { (independent / count).min(1.0) } else { 0.0 };
-        weights.push(share / variance);
-    }
-    Weighting { weights }
+fn weighed(rows: &[JointRows], numbers: &[f64], layout: Layout) -> Vec<f64> {
+    let of_joint = |joint: usize| {
+        let left = left_of(rows, joint, numbers, layout);
+        let count: usize = left.iter().map(Vec::len).sum();
+        let independent: f64 = left.iter().map(|left| effective_samples(left)).sum();
+        let share = if count > 0 { (independent / count as f64).min(1.0) } else { 0.0 };
+        share / variance(rows, joint, numbers, layout)
+    };
+    (0..layout.joints).map(of_joint).collect()
+}
+
+/// Mean square of what the numbers leave of a joint's command [its unit squared].
+fn variance(rows: &[JointRows], joint: usize, numbers: &[f64], layout: Layout) -> f64 {
+    let left = left_of(rows, joint, numbers, layout);
+    let count: usize = left.iter().map(Vec::len).sum();
+    let squares: f64 = left.iter().flatten().map(|r| r * r).sum();
+    // A log without any noise would weigh infinitely.
+    let floor = 1e-18 * rows.iter().flat_map(|r| &r.command).map(|u| u * u).fold(1e-12, f64::max);
+    (squares / f64::max(count as f64, 1.0)).max(floor)
+}
+
+/// What the numbers leave of a joint's command, by rows of one stretch.
+pub fn left_of(rows: &[JointRows], joint: usize, numbers: &[f64], layout: Layout) -> Vec<Vec<f64>> {
+    let of_joint = rows.iter().filter(|rows| rows.joint == joint && rows.rows.nrows() > 0);
+    of_joint.map(|rows| residuals(rows, numbers, layout)).collect()
 }
 
 /// Least squares with as little damping as rounding asks, columns scaled to one.
