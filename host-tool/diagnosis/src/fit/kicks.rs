@@ -70,14 +70,14 @@ impl Kick {
     }
 
     /// What is not known of a joint's friction at every sample [V]: of the largest step, until the joint has gone so
-    /// many bends that a later one is more.
+    /// many bends that a later one is more. A part of a bend beyond whole ones, between two samples, does not count: with
+    /// it a dead zone of 42 mA was named on a wrist that had none.
     fn unknown_v(&self, command_v: &[f64], q_rad: &[f64]) -> Vec<f64> {
         let (mut unknown_v, mut at) = (0.0, q_rad.first().copied().unwrap_or_default());
         let at_sample = |k: usize| {
             let bends = ((q_rad[k] - at).abs() / self.bend_rad).floor();
             if bends > 0.0 {
-                unknown_v *= (-bends).exp();
-                at += (bends * self.bend_rad).min((q_rad[k] - at).abs()).copysign(q_rad[k] - at);
+                (unknown_v, at) = (unknown_v * (-bends).exp(), q_rad[k]);
             }
             let of_step = self.unknown_part * (command_v[k] - command_v[k.max(1) - 1]).abs();
             if of_step > unknown_v {
