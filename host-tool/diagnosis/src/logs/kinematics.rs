@@ -101,6 +101,16 @@ impl Middles {
         Self { joints, q_rad: between(&motion.q_rad), qd_rad_per_s: between(&motion.qd_rad_per_s) }
     }
 
+    /// How many intervals there are.
+    pub fn len(&self) -> usize {
+        self.q_rad.len().checked_div(self.joints).unwrap_or(0)
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
     /// Angles and velocities in the interval after a sample.
     #[inline]
     pub fn at(&self, k: usize) -> (&[f64], &[f64]) {

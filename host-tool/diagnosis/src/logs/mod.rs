@@ -10,6 +10,7 @@ pub mod encoder_step;
 pub mod even_clock;
 pub mod intervals;
 pub mod kinematics;
+pub mod loads;
 pub mod lost_samples;
 pub mod recorded;
 pub mod robot_subject;

@@ -11,6 +11,7 @@ use std::sync::OnceLock;
 use model::Posture;
 
 use super::kinematics::{Kinematics, Middles, Sines};
+use super::loads::LastLoads;
 use super::sampling_jitter::Roughness;
 use files::Role;
 use signal::LowPass;
@@ -38,6 +39,8 @@ pub struct Stretch {
     pub sines: OnceLock<Vec<Sines>>,
     /// Angles and velocities in the middle of the intervals, once asked for.
     pub middles: OnceLock<Middles>,
+    /// Loads of the body that was tried last.
+    pub last_loads: LastLoads,
     /// Whether the commands drive the joints at high frequencies.
     pub broadband: bool,
     /// First sample of each joint from which the bend of its bristles is known.
@@ -68,6 +71,7 @@ impl Stretch {
             postures: Vec::new(),
             sines: OnceLock::new(),
             middles: OnceLock::new(),
+            last_loads: LastLoads::default(),
             broadband: false,
             settled: vec![0; joints],
             unseen: Vec::new(),
@@ -111,6 +115,7 @@ impl Stretch {
             postures: self.postures.get(range.clone()).unwrap_or_default().to_vec(),
             sines: OnceLock::new(),
             middles: OnceLock::new(),
+            last_loads: LastLoads::default(),
             settled: self.settled.iter().map(from_begin).collect(),
             unseen: self.unseen.get(range.clone()).unwrap_or_default().to_vec(),
             known_part: self.known_part.iter().map(part).collect(),

@@ -6,6 +6,7 @@
 
 use std::borrow::Cow;
 use std::cell::OnceCell;
+use std::sync::Arc;
 
 use model::chain::MAX_JOINTS;
 use model::friction::FrictionScale;
@@ -15,6 +16,7 @@ use model::{Dual, Friction, FrictionState, Real};
 use super::hypothesis::Hypothesis;
 use super::reading;
 use crate::logs::kinematics::{Joints, Kinematics, Middles};
+use crate::logs::loads::Loads;
 use crate::logs::stretch::Stretch;
 use rig::Plant;
 use rig::effects::{Effect, JointState, Table, TableAxis, Transmission};
@@ -34,8 +36,8 @@ pub struct ActiveEffects<'a> {
     pub motor: Cow<'a, Kinematics>,
     /// Its middles, where that is not the stretch's.
     middles: OnceCell<Middles>,
-    /// Whether any effect asks for the load.
-    feels_load: bool,
+    /// Load on the joints in every interval, once it is asked for.
+    loads: OnceCell<Arc<Loads>>,
 }
 
 impl<'a> ActiveEffects<'a> {
@@ -45,9 +47,8 @@ impl<'a> ActiveEffects<'a> {
         let mut plant = hypothesis.plant.clone();
         effects.iter().for_each(|effect| effect.change_robot(&mut plant));
         let motor = reading::corrected(&stretch.motion, &effects);
-        let feels_load = effects.iter().any(|effect| effect.feels_load());
-        let middles = OnceCell::new();
-        Self { stretch, hypothesis, effects, plant, motor, middles, feels_load }
+        let (middles, loads) = (OnceCell::new(), OnceCell::new());
+        Self { stretch, hypothesis, effects, plant, motor, middles, loads }
     }
 
     /// Joints (from 0) with a spring between motor and link.
@@ -62,9 +63,9 @@ impl<'a> ActiveEffects<'a> {
         let k_t = &self.plant.torque_constant_nm_per_v;
         let count = k_t.len();
         let mut drive_v = vec![Vec::with_capacity(self.stretch.len()); count];
+        let feels_load = self.hypothesis.drive_feels_load();
         for k in 0..self.stretch.len() {
-            let mut load_nm = Joints::default();
-            let joint_state = self.joint_state(k, &mut load_nm);
+            let joint_state = self.joint_state(k, feels_load);
             let mut command_v = self.command_v(k);
             let command_v = &mut command_v[..count];
             let mut torque_nm = Joints::default();
@@ -95,8 +96,7 @@ impl<'a> ActiveEffects<'a> {
             let mut command_v = self.command_v(k);
             let command_v = &mut command_v[..count];
             (0..count).for_each(|i| sent[i].add(command_v[i]));
-            let mut load_nm = Joints::default();
-            let joint_state = self.joint_state(k, &mut load_nm);
+            let joint_state = self.joint_state(k, false);
             effects.iter_mut().for_each(|e| e.change_command(&joint_state, command_v));
             (0..count).for_each(|i| reached[i].add(command_v[i]));
         }
@@ -144,13 +144,16 @@ impl<'a> ActiveEffects<'a> {
         let half_s = half * T::constant(self.stretch.period_s);
         let v = self.velocity_ahead(joint, lead_s);
         let last = v.len() - 1;
-        let scaled = self.hypothesis.effects.iter().any(|e| e.definition.touches.friction);
+        let scaling = at_rest(self.hypothesis.effects_on_friction_of(joint), self.stretch.period_s);
+        let feels_load = any_feels_load(&scaling);
         let mut bristles = FrictionState { deflection_rad: T::zero() };
         let mut scales = [FrictionScale::unchanged(); MAX_JOINTS];
         let scales = &mut scales[..self.plant.joints()];
         let mut interval = |k: usize| {
-            if scaled {
-                self.scale_friction(k, scales);
+            if !scaling.is_empty() {
+                scales.fill(FrictionScale::unchanged());
+                let joint_state = self.joint_state(k, feels_load);
+                scaling.iter().for_each(|e| e.change_friction(&joint_state, scales));
             }
             let scale = scales[joint].cast();
             let (here, next) = (v[k], v[(k + 1).min(last)]);
@@ -199,13 +202,7 @@ impl<'a> ActiveEffects<'a> {
     pub fn abscissa(&self, joint: usize, axis: TableAxis) -> Vec<f64> {
         let table = Table { joint: joint as u8 + 1, axis, knots: vec![], values_v: vec![] };
         let at = |k: usize| {
-            let mut own_nm = Joints::default();
-            let mut state = self.joint_state(k, &mut own_nm);
-            let mut asked_nm = Joints::default();
-            if axis == TableAxis::Load {
-                self.plant.body.load(state.q_rad, state.qd_rad_per_s, &mut asked_nm);
-                state.load_nm = &asked_nm;
-            }
+            let state = self.joint_state(k, axis == TableAxis::Load);
             table.abscissa(&state, self.stretch.command_v[joint][k])
         };
         (0..self.stretch.len()).map(at).collect()
@@ -214,24 +211,31 @@ impl<'a> ActiveEffects<'a> {
     /// By how much effects scale each joint's friction in an interval.
     fn scale_friction(&self, k: usize, scale: &mut [FrictionScale<f64>]) {
         scale.fill(FrictionScale::unchanged());
-        let mut load_nm = Joints::default();
-        let joint_state = self.joint_state(k, &mut load_nm);
+        let joint_state = self.joint_state(k, any_feels_load(&self.effects));
         self.effects.iter().for_each(|e| e.change_friction(&joint_state, scale));
     }
 
-    /// The middle of an interval, as effects see it; the load goes into the room given.
+    /// The middle of an interval, as effects see it; without a load where none asks for it.
     #[inline]
-    fn joint_state<'b>(&'b self, k: usize, load_nm: &'b mut Joints) -> JointState<'b> {
+    fn joint_state(&self, k: usize, with_load: bool) -> JointState<'_> {
+        const NO_LOAD_NM: Joints = [0.0; MAX_JOINTS];
         let (q_rad, qd_rad_per_s) = self.middles().at(k);
-        if self.feels_load {
-            self.plant.body.load(q_rad, qd_rad_per_s, load_nm);
-        }
+        let load_nm = if with_load { &self.loads().by_interval_nm[k] } else { &NO_LOAD_NM };
         JointState {
             time_s: self.stretch.start_s + (k as f64 + 0.5) * self.stretch.period_s,
             q_rad,
             qd_rad_per_s,
             load_nm: &load_nm[..q_rad.len()],
         }
+    }
+
+    /// Load on the joints in every interval: those of the stretch where the encoders read true.
+    fn loads(&self) -> &Loads {
+        let body = &self.plant.body;
+        self.loads.get_or_init(|| match &self.motor {
+            Cow::Borrowed(_) => self.stretch.last_loads.of(body, self.middles()),
+            Cow::Owned(_) => Arc::new(Loads::of(body, self.middles())),
+        })
     }
 
     /// Middles of the motors' motion: those of the stretch where the encoders read true.
@@ -260,7 +264,14 @@ impl<'a> ActiveEffects<'a> {
 
 /// Effects as they are before a pass over samples so far apart [s]: lags and delays remember.
 fn effects_at_rest(hypothesis: &Hypothesis, period_s: f64) -> Vec<Box<dyn Effect>> {
-    let mut effects = hypothesis.built_effects();
+    at_rest(hypothesis.built_effects(), period_s)
+}
+
+fn any_feels_load(effects: &[Box<dyn Effect>]) -> bool {
+    effects.iter().any(|effect| effect.feels_load())
+}
+
+fn at_rest(mut effects: Vec<Box<dyn Effect>>, period_s: f64) -> Vec<Box<dyn Effect>> {
     for effect in &mut effects {
         effect.set_step(period_s);
         effect.set_interval(period_s);
@@ -269,7 +280,7 @@ fn effects_at_rest(hypothesis: &Hypothesis, period_s: f64) -> Vec<Box<dyn Effect
 }
 
 /// Coriolis and gravity torque on each joint, c + h of eq. (5) [Nm].
-fn load_nm(plant: &Plant, q_rad: &Joints, qd_rad_per_s: &Joints) -> Joints {
+fn load_nm(plant: &Plant, q_rad: &[f64], qd_rad_per_s: &[f64]) -> Joints {
     let mut load_nm = Joints::default();
     plant.body.load(q_rad, qd_rad_per_s, &mut load_nm);
     load_nm

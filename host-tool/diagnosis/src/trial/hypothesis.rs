@@ -145,7 +145,26 @@ impl Hypothesis {
     pub fn built_effects(&self) -> Vec<Box<dyn Effect>> {
         let tables = self.tables.iter().map(|table| Box::new(table.clone()) as Box<dyn Effect>);
         let effects = self.effects.iter().filter_map(EffectInstance::build);
-        let mut effects: Vec<Box<dyn Effect>> = effects.chain(tables).collect();
+        self.geared(effects.chain(tables).collect())
+    }
+
+    /// Those that change the friction of a joint (from 0), ready to act.
+    pub fn effects_on_friction_of(&self, joint: usize) -> Vec<Box<dyn Effect>> {
+        let acts = |effect: &&EffectInstance| {
+            let is_on_joint = [0, joint as u8 + 1].contains(&effect.joint);
+            effect.definition.touches.friction && is_on_joint
+        };
+        self.geared(self.effects.iter().filter(acts).filter_map(EffectInstance::build).collect())
+    }
+
+    /// Whether what drives the joints needs the load.
+    pub fn drive_feels_load(&self) -> bool {
+        let drives = self.effects.iter().filter(|effect| effect.definition.touches.drive);
+        let mut effects = drives.filter_map(EffectInstance::build);
+        effects.any(|effect| effect.feels_load()) || self.tables.iter().any(Effect::feels_load)
+    }
+
+    fn geared(&self, mut effects: Vec<Box<dyn Effect>>) -> Vec<Box<dyn Effect>> {
         effects.iter_mut().for_each(|effect| effect.set_gears(&self.plant.gears));
         effects
     }

@@ -20,6 +20,7 @@ pub fn stretch_of(motion: Kinematics, command_v: Vec<Vec<f64>>, broadband: bool)
         postures,
         sines: Default::default(),
         middles: Default::default(),
+        last_loads: Default::default(),
         command_v,
         broadband,
         settled: vec![0; 3],
