@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use nalgebra::{DMatrix, Dyn, MatrixView, U1};
+use rayon::prelude::*;
 
 use super::joint_slopes::JointSlopes;
 
@@ -35,18 +36,23 @@ pub(super) fn by_groups(
     groups: usize,
     open: usize,
 ) -> Vec<DMatrix<f64>> {
+    let of_joint = |(slopes, runs): (&JointSlopes, &Vec<Run>)| of_joint(slopes, runs, groups);
+    let of_joints: Vec<Vec<DMatrix<f64>>> = joints.par_iter().zip(runs).map(of_joint).collect();
     let mut sums = vec![DMatrix::zeros(open, open); groups];
-    for (slopes, runs) in joints.iter().zip(runs) {
-        let columns = slopes.places.len();
-        let mut own = vec![DMatrix::zeros(columns, columns); groups];
-        for run in runs {
-            add_products(&mut own[run.group], &slopes.matrix, &run.rows);
-        }
-        for (sum, own) in sums.iter_mut().zip(&own) {
-            scatter(sum, own, &slopes.places);
-        }
+    for (slopes, own) in joints.iter().zip(&of_joints) {
+        sums.iter_mut().zip(own).for_each(|(sum, own)| scatter(sum, own, &slopes.places));
     }
     sums
+}
+
+/// The same of one joint, by its own columns.
+fn of_joint(slopes: &JointSlopes, runs: &[Run], groups: usize) -> Vec<DMatrix<f64>> {
+    let columns = slopes.places.len();
+    let mut own = vec![DMatrix::zeros(columns, columns); groups];
+    for run in runs {
+        add_products(&mut own[run.group], &slopes.matrix, &run.rows);
+    }
+    own
 }
 
 /// Adds the products of a matrix' columns over some of its rows, A^T A, by the matrix product of a library that takes

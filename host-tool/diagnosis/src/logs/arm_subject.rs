@@ -60,6 +60,7 @@ impl Subject {
             plant,
             numbers,
             criteria: criteria.clone(),
+            doubt_told: false,
         };
         subject.take_effects(&arm.effects)?;
         Ok(subject)

@@ -5,8 +5,7 @@
 //! undone. Commands are recorded without noise, so nothing is inverted that would amplify it.
 
 use std::borrow::Cow;
-use std::cell::OnceCell;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use model::chain::MAX_JOINTS;
 use model::friction::FrictionScale;
@@ -35,9 +34,9 @@ pub struct ActiveEffects<'a> {
     /// Motion of the motors: borrowed from the stretch where the encoders read true.
     pub motor: Cow<'a, Kinematics>,
     /// Its middles, where that is not the stretch's.
-    middles: OnceCell<Middles>,
+    middles: OnceLock<Middles>,
     /// Load on the joints in every interval, once it is asked for.
-    loads: OnceCell<Arc<Loads>>,
+    loads: OnceLock<Arc<Loads>>,
 }
 
 impl<'a> ActiveEffects<'a> {
@@ -47,7 +46,7 @@ impl<'a> ActiveEffects<'a> {
         let mut plant = hypothesis.plant.clone();
         effects.iter().for_each(|effect| effect.change_robot(&mut plant));
         let motor = reading::corrected(&stretch.motion, &effects);
-        let (middles, loads) = (OnceCell::new(), OnceCell::new());
+        let (middles, loads) = (OnceLock::new(), OnceLock::new());
         Self { stretch, hypothesis, effects, plant, motor, middles, loads }
     }
 

@@ -5,7 +5,7 @@
 //! them.
 
 use std::borrow::Cow;
-use std::cell::OnceCell;
+use std::sync::OnceLock;
 
 use model::{FrictionState, Posture};
 
@@ -37,15 +37,15 @@ pub struct Trial<'a> {
     /// The motors' side of the springs, where another trial has computed it.
     pub(super) motor_side: Option<&'a dyn MotorSide>,
     /// Motion of the links, where some are behind springs.
-    pub(super) link: OnceCell<Kinematics>,
+    pub(super) link: OnceLock<Kinematics>,
     /// Sines and cosines of the links' angles, where those move otherwise than measured.
-    pub(super) postures: OnceCell<Vec<Posture<f64>>>,
+    pub(super) postures: OnceLock<Vec<Posture<f64>>>,
     /// The same by joints, as a chain takes them.
-    pub(super) sines: OnceCell<Vec<Sines>>,
+    pub(super) sines: OnceLock<Vec<Sines>>,
     /// What drives the joints in the intervals [V].
-    drive_v: OnceCell<Vec<Vec<f64>>>,
+    drive_v: OnceLock<Vec<Vec<f64>>>,
     /// What the rigid body needs at the samples [V].
-    needed_v: OnceCell<Vec<Vec<f64>>>,
+    needed_v: OnceLock<Vec<Vec<f64>>>,
 }
 
 impl<'a> Trial<'a> {
@@ -78,11 +78,11 @@ impl<'a> Trial<'a> {
             springs,
             links,
             motor_side,
-            link: OnceCell::new(),
-            postures: OnceCell::new(),
-            sines: OnceCell::new(),
-            drive_v: OnceCell::new(),
-            needed_v: OnceCell::new(),
+            link: OnceLock::new(),
+            postures: OnceLock::new(),
+            sines: OnceLock::new(),
+            drive_v: OnceLock::new(),
+            needed_v: OnceLock::new(),
         }
     }
 

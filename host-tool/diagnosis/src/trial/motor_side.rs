@@ -6,7 +6,7 @@ use super::joint_dynamics::JointDynamics;
 /// The motors' side of springs, by joint: how motors move and what drives them. It is measured,
 /// and thus the same for all hypotheses that differ in a spring alone: a search that varies a
 /// spring computes it once.
-pub trait MotorSide {
+pub trait MotorSide: Sync {
     /// Dynamics of a joint as if it were stiff, by samples; computed by `make` at first.
     fn dynamics(&self, joint: usize, make: &dyn Fn() -> Vec<JointDynamics>) -> &[JointDynamics];
 

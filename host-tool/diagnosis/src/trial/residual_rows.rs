@@ -37,20 +37,23 @@ pub fn train_rows_of(
 }
 
 fn of_first(stretches: usize, evidence: &Evidence, hypothesis: &Hypothesis) -> Rows {
-    let pieces: Vec<Rows> = (0..stretches)
-        .into_par_iter()
-        .map(|s| {
-            let trial = Trial::of(&evidence.stretches[s], hypothesis, &evidence.criteria.fit);
-            let mut rows = evidence.no_rows();
-            for &joint in &evidence.joints {
-                rows[joint] = match s < evidence.train_stretches() {
-                    true => train_rows_of(evidence, s, joint, &trial, &trial.net(joint)),
-                    false => evidence.weighted(s, joint, &trial.residual(joint)),
-                };
-            }
-            rows
-        })
-        .collect();
-    let of_joint = |joint: usize| pieces.iter().flat_map(|piece| &piece[joint]).copied().collect();
-    (0..evidence.joint_count()).map(of_joint).collect()
+    let joints = &evidence.joints;
+    let of_stretch = |s: usize| {
+        let trial = Trial::of(&evidence.stretches[s], hypothesis, &evidence.criteria.fit);
+        let of_joint = |&joint: &usize| rows_of(evidence, s, joint, &trial);
+        joints.par_iter().map(of_joint).collect()
+    };
+    let pieces: Vec<Rows> = (0..stretches).into_par_iter().map(of_stretch).collect();
+    let mut rows = evidence.no_rows();
+    for (place, &joint) in joints.iter().enumerate() {
+        rows[joint] = pieces.iter().flat_map(|piece| &piece[place]).copied().collect();
+    }
+    rows
+}
+
+fn rows_of(evidence: &Evidence, s: usize, joint: usize, trial: &Trial) -> Vec<f64> {
+    match s < evidence.train_stretches() {
+        true => train_rows_of(evidence, s, joint, trial, &trial.net(joint)),
+        false => evidence.weighted(s, joint, &trial.residual(joint)),
+    }
 }

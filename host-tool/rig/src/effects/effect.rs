@@ -23,7 +23,7 @@ pub struct JointState<'a> {
 /// What an effect does to the simulated robot; it does nothing unless it says so.
 ///
 /// Several act one after the other in the order in which they are given.
-pub trait Effect: Debug + Send {
+pub trait Effect: Debug + Send + Sync {
     /// Changes the robot itself, before it moves.
     fn change_robot(&self, _plant: &mut Plant) {}
 
