@@ -1,5 +1,7 @@
 //! A model that is fitted to the logs, and what it leaves of them.
 
+use std::sync::OnceLock;
+
 use super::gauss_newton::{fit, fit_with_slopes, open_in};
 use super::linearisation::Linearisation;
 use super::residual_stats::ResidualStats;
@@ -25,6 +27,8 @@ pub struct FittedModel {
     pub stats: ResidualStats,
     /// How much of the commands of each train stretch reaches each motor, rms by rms.
     command_gain: Vec<Vec<f64>>,
+    /// Size and correlation of what it leaves, once asked for.
+    misfit: OnceLock<Misfit>,
 }
 
 impl FittedModel {
@@ -34,7 +38,8 @@ impl FittedModel {
         let left_out_v = evidence.volts(&linear.left_out(&evidence));
         let stats = ResidualStats::of(&evidence, &linear, &residual_v);
         let command_gain = command_gain(&evidence, &linear.hypothesis);
-        Self { linear, evidence, residual_v, left_out_v, stats, command_gain }
+        let misfit = OnceLock::new();
+        Self { linear, evidence, residual_v, left_out_v, stats, command_gain, misfit }
     }
 
     /// A model fitted to rows, then to rows that are weighted by what it leaves of them itself:
@@ -68,10 +73,9 @@ impl FittedModel {
     /// gains by that. A fit that is not yet at its end leaves rows that hang together; by what it
     /// leaves they weigh little, and the prior would draw it back from where the logs have led it.
     fn reweighted(evidence: &Evidence, subject: &Subject, first: Linearisation) -> Option<Self> {
-        let misfit = Misfit::of(evidence, &evidence.volts(&first.residual));
-        let own = misfit.weigh(evidence);
-        let again = first.clone().reweighted(evidence, &own)?;
         let before = Self::of(evidence.clone(), first);
+        let own = before.misfit().weigh(evidence);
+        let again = before.linear.reweighted(evidence, &own)?;
         let steps = subject.criteria.fit.reweighted_steps;
         let after = Self::of(own.clone(), fit_with_slopes(&own, subject, again, steps));
         Some(if after.gain_over(&before) < 0.0 { before } else { after })
@@ -87,11 +91,17 @@ impl FittedModel {
 
     /// The same model on rows that all count, where what it leaves was taken to be systematic.
     pub fn by_all_rows(&self) -> Self {
-        let mut all = self.clone();
-        if std::mem::take(&mut all.evidence.systematic) {
-            return all.clone().on_own_rows().unwrap_or(all);
+        if !self.evidence.systematic {
+            return self.clone();
         }
-        all
+        let all = self.clone().taken_as_systematic(false);
+        all.clone().on_own_rows().unwrap_or(all)
+    }
+
+    /// The same where what it leaves is taken to be systematic, or not.
+    pub fn taken_as_systematic(mut self, systematic: bool) -> Self {
+        self.evidence.systematic = systematic;
+        Self { misfit: OnceLock::new(), ..self }
     }
 
     /// The same with weights and fit in agreement: a model with an effect more, whose rows are
@@ -116,7 +126,7 @@ impl FittedModel {
     /// Log-likelihood that a model gains over another. Rows count as independent as in what that one
     /// of them leaves that lasts less: what is left of a missing effect is no noise that lasts.
     pub fn gain_over(&self, other: &Self) -> f64 {
-        let misfit = self.misfit().at_least_as_independent(&other.misfit());
+        let misfit = self.misfit().clone().at_least_as_independent(other.misfit());
         self.log_likelihood(&misfit) - other.log_likelihood(&misfit)
     }
 
@@ -131,8 +141,8 @@ impl FittedModel {
     }
 
     /// The size and the correlation of what it leaves.
-    pub fn misfit(&self) -> Misfit {
-        Misfit::of(&self.evidence, &self.residual_v)
+    pub fn misfit(&self) -> &Misfit {
+        self.misfit.get_or_init(|| Misfit::of(&self.evidence, &self.residual_v))
     }
 
     /// Log-likelihood of train rows that were left out, and of the parameters by what is known of

@@ -139,8 +139,8 @@ fn simpler_first(finalists: &mut [Finalist], least: f64) {
 fn rank(before: &FittedModel, finalists: &mut [Finalist]) {
     let gaining = finalists.iter().filter(|finalist| finalist.gain > 0.0);
     let misfits = gaining.map(|finalist| finalist.model.misfit());
-    let common =
-        misfits.fold(before.misfit(), |common, misfit| common.at_least_as_independent(&misfit));
+    let common = misfits
+        .fold(before.misfit().clone(), |common, misfit| common.at_least_as_independent(misfit));
     let without = before.log_likelihood(&common);
     for finalist in finalists.iter_mut() {
         finalist.gain = finalist.model.log_likelihood(&common) - without;

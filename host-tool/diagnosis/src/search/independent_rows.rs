@@ -33,7 +33,7 @@ impl IndependentRows {
         if misfit.longest_correlation() < subject.criteria.search.lasting_rows {
             return Vec::new();
         }
-        let own = misfit.independent();
+        let own = misfit.clone().independent();
         let pooled = own.clone().pooled();
         [own, pooled].iter().filter_map(|misfit| Self::of(misfit, before, now)).collect()
     }

@@ -150,8 +150,7 @@ impl Search<'_> {
             return None;
         }
         progress("taking what is left to be systematic");
-        let mut start = self.last.clone();
-        start.evidence.systematic = true;
+        let start = self.last.clone().taken_as_systematic(true);
         let last = start.on_own_rows()?.settled(self.subject);
         let (gap, rivals) = (self.gap.clone(), self.rivals.clone());
         let mut further = Self { subject: self.subject, gap, last, rivals, further_off: None };
