@@ -49,9 +49,6 @@ impl Searched {
         progress("refitting the model");
         let (evidence, refitted, early_part) = prepared_by_instants(subject, stretches, near)?;
         let selection = select(subject, refitted, known, progress);
-        if selection.further_off.is_some() {
-            return Ok(Self { evidence, selection, fault: None, early_part });
-        }
         progress("trying whether the model itself is at fault");
         let fault = model_faults::find(subject, &evidence, &selection.refitted, &selection.last);
         let Some(found) = fault else {
@@ -81,8 +78,7 @@ impl Searched {
             return None;
         }
         let last = &self.selection.last.by_all_rows();
-        let further_off = self.selection.further_off;
-        if let Some(relative) = further_off.or_else(|| doubt::wider(subject, last)) {
+        if let Some(relative) = doubt::wider(subject, last) {
             return Some(Free::Doubt(relative, self.selection.known(subject)));
         }
         let prior = &subject.criteria.prior;
@@ -118,8 +114,7 @@ impl Searched {
         progress: &dyn Fn(&str),
     ) -> Option<Self> {
         let known = self.selection.known(subject).and(wide.selection.known(subject));
-        let asked = Subject { doubt_told: true, ..subject.clone() };
-        let selection = select(&asked, self.selection.refitted.clone(), known, progress);
+        let selection = select(subject, self.selection.refitted.clone(), known, progress);
         let gain = selection.last.by_all_rows().gain_over(last);
         (gain > subject.criteria.prior.least_gain).then(|| Self {
             evidence: self.evidence.clone(),

@@ -15,9 +15,6 @@ criteria! {
         /// and so much log-likelihood is gained by that beyond what causes gain. The doubt then becomes the
         /// one by which the logs are most likely;
         least_gain: f64 = 50.0,
-        /// causes are those of the whole search, or the first so many where more are found: held too near, parameters ask
-        /// for ever more effects that stand in for them;
-        doubt_after: usize = 4,
         /// where a log is left with more than so many times the noise, effects are searched for with
         /// parameters all but free first: held far from the truth, they hide a cause.
         much_left: f64 = 6.0,

@@ -60,7 +60,6 @@ impl Subject {
             plant,
             numbers,
             criteria: criteria.clone(),
-            doubt_told: false,
         };
         subject.take_effects(&arm.effects)?;
         Ok(subject)

@@ -64,7 +64,6 @@ impl Subject {
             plant: Plant::of_robot(&robot),
             numbers,
             criteria: criteria.clone(),
-            doubt_told: false,
         };
         subject.take_effects(&file.effects)?;
         Ok(subject)

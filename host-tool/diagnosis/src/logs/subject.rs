@@ -53,8 +53,6 @@ pub struct Subject {
     pub friction_names: Vec<[String; FRICTION_COUNT]>,
     /// The thresholds by which it is diagnosed.
     pub criteria: Criteria,
-    /// Whether logs have told already how far the model is off.
-    pub doubt_told: bool,
 }
 
 /// The joint of the arm that takes the place of the only joint of a rig.
@@ -94,7 +92,6 @@ impl Subject {
 
     /// Takes the parameters of the model for doubtful by this part of themselves.
     pub fn doubt(&mut self, relative: f64) {
-        self.doubt_told = true;
         let before = std::mem::replace(&mut self.criteria.prior.relative, relative);
         match self.plant.body.as_rrr() {
             Some(rrr) => {

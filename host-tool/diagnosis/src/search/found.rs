@@ -16,8 +16,6 @@ pub struct Selection {
     pub added: Vec<Added>,
     /// Candidates that were not accepted at the end, the best first.
     pub refused: Vec<Rival>,
-    /// How far the model turned out to be off, in parts of its parameters, where that ended the search before its time.
-    pub further_off: Option<f64>,
 }
 
 /// An effect that was added.

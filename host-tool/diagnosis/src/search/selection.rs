@@ -7,7 +7,6 @@ use super::objection::objection_to;
 use super::policy::{gain, is_done};
 use super::refit::Finalist;
 use super::winner::{Winner, is_all_physical};
-use crate::fit::doubt;
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::fit::preparation::as_given;
@@ -25,8 +24,7 @@ pub fn select(
 ) -> Selection {
     let refitted = refitted_from_given(subject, refitted);
     let gap = refitted.stats.clone();
-    let (last, rivals) = (refitted.clone(), Vec::new());
-    let mut search = Search { subject, gap, last, rivals, further_off: None };
+    let mut search = Search { subject, gap, last: refitted.clone(), rivals: Vec::new() };
     search.begin_with(known);
     let mut refused = search.searched(0, progress);
     if refused.is_some()
@@ -37,8 +35,7 @@ pub fn select(
     progress("comparing each cause with its rivals");
     let added = search.compared();
     let refused = refused.map_or_else(Vec::new, |refused| refused.rivals(subject));
-    let Search { last, further_off, .. } = search;
-    Selection { refitted, last, added, refused, further_off }
+    Selection { refitted, last: search.last, added, refused }
 }
 
 /// Candidates that were not accepted, and the model that they were tried in.
@@ -70,8 +67,6 @@ pub(super) struct Search<'a> {
     pub(super) last: FittedModel,
     /// What lost against each of the effects added.
     pub(super) rivals: Vec<Vec<EffectInstance>>,
-    /// How far the model turned out to be off, where that ended the search.
-    further_off: Option<f64>,
 }
 
 impl Search<'_> {
@@ -96,12 +91,6 @@ impl Search<'_> {
             if round > 0 && is_chain(self.subject) {
                 self.refit_from_given();
             }
-            if round == criteria.prior.doubt_after {
-                self.further_off = self.seen_further_off();
-            }
-            if self.further_off.is_some() {
-                return None;
-            }
             // Before any is known all are tried: one may gain much where no log is left far above its noise.
             if round > 0 && is_done(&self.gap, &self.last.stats, criteria) {
                 return None;
@@ -112,13 +101,6 @@ impl Search<'_> {
             }
         }
         None
-    }
-
-    /// How far logs that have not told it yet tell, with the effects so far, that the model is off, in parts of its
-    /// parameters, where that is further than is thought: then a search by that doubt takes the place of this one.
-    fn seen_further_off(&self) -> Option<f64> {
-        let is_open = !self.subject.doubt_told;
-        is_open.then(|| doubt::wider(self.subject, &self.last.by_all_rows())).flatten()
     }
 
     /// The model refitted from the parameters as given where it gains by that, as candidates are: what a better
@@ -153,7 +135,7 @@ impl Search<'_> {
         let start = self.last.clone().taken_as_systematic(true);
         let last = start.on_own_rows()?.settled(self.subject);
         let (gap, rivals) = (self.gap.clone(), self.rivals.clone());
-        let mut further = Self { subject: self.subject, gap, last, rivals, further_off: None };
+        let mut further = Self { subject: self.subject, gap, last, rivals };
         // What paid by rows that all count is not taken out by rows of which few do.
         let refused = further.searched(self.rivals.len(), progress);
         (further.rivals.len() > self.rivals.len()).then_some((further, refused))
@@ -260,7 +242,7 @@ fn whole_from_given(
 pub fn update_gains(subject: &Subject, last: &FittedModel, added: &mut [Added]) {
     let known = subject.known_effects.len();
     let (gap, rivals) = (last.stats.clone(), Vec::new());
-    let search = Search { subject, gap, last: last.clone(), rivals, further_off: None };
+    let search = Search { subject, gap, last: last.clone(), rivals };
     for (index, added) in added.iter_mut().enumerate() {
         if let Some(without) = search.without(known + index) {
             added.gain = gain(&without, last);

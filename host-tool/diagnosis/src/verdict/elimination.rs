@@ -47,7 +47,7 @@ pub struct Elimination<'a> {
 impl<'a> Elimination<'a> {
     /// All that was selected; `noise_v` is that of rows, rms by joint and stretch [V].
     pub fn of(subject: &'a Subject, selection: Selection, noise_v: &[Vec<f64>]) -> Self {
-        let Selection { refitted, last, added, refused, .. } = selection;
+        let Selection { refitted, last, added, refused } = selection;
         Self {
             held: Held::of(subject, &refitted),
             anothers: joints_of_another(subject, &refitted),
