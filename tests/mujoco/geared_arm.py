@@ -74,7 +74,7 @@ def scene(arm, payload_kg):
     text += "</body>" * len(arm.origins_m)
     step = f'timestep="{arm.engine_step_s}" integrator="implicitfast"'
     option = f'<option {step} gravity="0 0 -9.81"/>'
-    return f'<mujoco><compiler angle="radian"/>{option}<worldbody>{text}</worldbody></mujoco>'
+    return f'<mujoco><compiler angle="radian" eulerseq="XYZ"/>{option}<worldbody>{text}</worldbody></mujoco>'
 
 
 def _xml(values):
@@ -186,4 +186,3 @@ def write_as_asked(arm, description):
     parser.add_argument("--rate", type=int, default=125, help="rows per second")
     arguments = parser.parse_args()
     write_case(arm, arguments.out, arguments.seed, arguments.payload, arguments.rate)
-

@@ -1,8 +1,8 @@
 """A case of six axes like a light industrial arm's, whose gears' friction is of nobody's formula.
 
 Friction has a peak of a quarter of its level below 0.06 rad/s, grows by 6 % of the motor's torque,
-is viscous by the power 0.85 of the velocity, falls by 10 % in 200 s as it warms, and ripples with
-the motor's second harmonic; the model that the diagnosis is given knows Coulomb and viscous
+is viscous by the power 0.85 of the velocity, falls by 1 % within a log as it warms, and ripples
+with the motor's second harmonic; the model that the diagnosis is given knows Coulomb and viscous
 friction.
 """
 

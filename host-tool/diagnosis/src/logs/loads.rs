@@ -25,7 +25,7 @@ impl Loads {
     }
 }
 
-/// The loads that were asked for last: most of what is tried after another has the same body.
+/// The loads along one motion that were asked for last: most of what is tried after another has the same body.
 #[derive(Debug, Default)]
 pub struct LastLoads(Mutex<Option<Arc<Loads>>>);
 

@@ -39,7 +39,7 @@ pub struct Stretch {
     pub sines: OnceLock<Vec<Sines>>,
     /// Angles and velocities in the middle of the intervals, once asked for.
     pub middles: OnceLock<Middles>,
-    /// Loads of the body that was tried last.
+    /// Loads of the body that was tried last, along this motion.
     pub last_loads: LastLoads,
     /// Whether the commands drive the joints at high frequencies.
     pub broadband: bool,

@@ -2,6 +2,7 @@
 
 use std::sync::OnceLock;
 
+use crate::logs::loads::LastLoads;
 use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
 use crate::trial::hypothesis::EffectInstance;
@@ -136,6 +137,7 @@ impl ModelFault {
         }
         stretch.sines = OnceLock::new();
         stretch.middles = OnceLock::new();
+        stretch.last_loads = LastLoads::default();
         if !stretch.postures.is_empty() {
             stretch.postures = stretch.motion.postures();
         }

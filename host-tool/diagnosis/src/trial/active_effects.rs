@@ -89,13 +89,14 @@ impl<'a> ActiveEffects<'a> {
     pub fn command_gain(&self) -> Vec<f64> {
         let mut effects = effects_at_rest(self.hypothesis, self.stretch.period_s);
         let count = self.plant.joints();
+        let feels_load = self.hypothesis.drive_feels_load();
         let (mut sent, mut reached) =
             (vec![Spread::default(); count], vec![Spread::default(); count]);
         for k in 0..self.stretch.len() {
             let mut command_v = self.command_v(k);
             let command_v = &mut command_v[..count];
             (0..count).for_each(|i| sent[i].add(command_v[i]));
-            let joint_state = self.joint_state(k, false);
+            let joint_state = self.joint_state(k, feels_load);
             effects.iter_mut().for_each(|e| e.change_command(&joint_state, command_v));
             (0..count).for_each(|i| reached[i].add(command_v[i]));
         }
@@ -184,9 +185,12 @@ impl<'a> ActiveEffects<'a> {
         let mut scale = vec![FrictionScale::unchanged(); self.plant.joints()];
         let velocity: Vec<Cow<[f64]>> =
             (0..self.plant.joints()).map(|joint| self.sliding_velocity(joint)).collect();
+        let feels_load = any_feels_load(&self.effects);
         let mut at = |k: usize| {
             let before = bristles.clone();
-            self.scale_friction(k, &mut scale);
+            scale.fill(FrictionScale::unchanged());
+            let joint_state = self.joint_state(k, feels_load);
+            self.effects.iter().for_each(|e| e.change_friction(&joint_state, &mut scale));
             for (joint, state) in bristles.iter_mut().enumerate() {
                 let v = velocity[joint][k];
                 let friction = &self.plant.friction[joint];
@@ -207,14 +211,7 @@ impl<'a> ActiveEffects<'a> {
         (0..self.stretch.len()).map(at).collect()
     }
 
-    /// By how much effects scale each joint's friction in an interval.
-    fn scale_friction(&self, k: usize, scale: &mut [FrictionScale<f64>]) {
-        scale.fill(FrictionScale::unchanged());
-        let joint_state = self.joint_state(k, any_feels_load(&self.effects));
-        self.effects.iter().for_each(|e| e.change_friction(&joint_state, scale));
-    }
-
-    /// The middle of an interval, as effects see it; without a load where none asks for it.
+    /// The middle of an interval, as effects see it; the load is zero unless it is asked for.
     #[inline]
     fn joint_state(&self, k: usize, with_load: bool) -> JointState<'_> {
         const NO_LOAD_NM: Joints = [0.0; MAX_JOINTS];
@@ -279,7 +276,7 @@ fn at_rest(mut effects: Vec<Box<dyn Effect>>, period_s: f64) -> Vec<Box<dyn Effe
 }
 
 /// Coriolis and gravity torque on each joint, c + h of eq. (5) [Nm].
-fn load_nm(plant: &Plant, q_rad: &[f64], qd_rad_per_s: &[f64]) -> Joints {
+fn load_nm(plant: &Plant, q_rad: &Joints, qd_rad_per_s: &Joints) -> Joints {
     let mut load_nm = Joints::default();
     plant.body.load(q_rad, qd_rad_per_s, &mut load_nm);
     load_nm

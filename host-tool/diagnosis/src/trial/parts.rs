@@ -140,9 +140,10 @@ pub fn touched(effect: &EffectInstance, others: &[EffectInstance], tables: &[Tab
 
 #[cfg(test)]
 mod tests {
+    use model::friction::FrictionScale;
     use model::reference_robot::reference_robot;
     use rig::Plant;
-    use rig::effects::{Catalogue, Definition, DrawContext, Random};
+    use rig::effects::{Catalogue, Definition, DrawContext, JointState, Random};
 
     use super::*;
     use crate::criteria::FitCriteria;
@@ -239,6 +240,24 @@ mod tests {
                     joint + 1 != usize::from(effect.joint) && changes.iter().any(|c| c[joint])
                 });
                 assert!(definition.couples_joints || !elsewhere, "{}", definition.name);
+            }
+        }
+    }
+
+    #[test]
+    fn an_effect_on_a_joint_leaves_the_friction_of_others_alone() {
+        let here = JointState {
+            time_s: 1.0,
+            q_rad: &[0.4; 3],
+            qd_rad_per_s: &[0.7; 3],
+            load_nm: &[2.0; 3],
+        };
+        for definition in catalogue().iter().filter(|definition| !definition.whole_robot) {
+            for effect in instances(definition, &mut Lcg(3)) {
+                let mut scale = [FrictionScale::unchanged(); 3];
+                hypothesis(&[&effect]).built_effects()[0].change_friction(&here, &mut scale);
+                scale[usize::from(effect.joint) - 1] = FrictionScale::unchanged();
+                assert_eq!(scale, [FrictionScale::unchanged(); 3], "{}", definition.name);
             }
         }
     }

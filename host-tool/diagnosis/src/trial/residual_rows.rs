@@ -43,7 +43,8 @@ fn of_first(stretches: usize, evidence: &Evidence, hypothesis: &Hypothesis) -> R
         let of_joint = |&joint: &usize| rows_of(evidence, s, joint, &trial);
         joints.par_iter().map(of_joint).collect()
     };
-    let pieces: Vec<Rows> = (0..stretches).into_par_iter().map(of_stretch).collect();
+    // Of each stretch the rig's joints, in their order.
+    let pieces: Vec<Vec<Vec<f64>>> = (0..stretches).into_par_iter().map(of_stretch).collect();
     let mut rows = evidence.no_rows();
     for (place, &joint) in joints.iter().enumerate() {
         rows[joint] = pieces.iter().flat_map(|piece| &piece[place]).copied().collect();
