@@ -255,7 +255,8 @@ mod tests {
         for definition in catalogue().iter().filter(|definition| !definition.whole_robot) {
             for effect in instances(definition, &mut Lcg(3)) {
                 let mut scale = [FrictionScale::unchanged(); 3];
-                hypothesis(&[&effect]).built_effects()[0].change_friction(&here, &mut scale);
+                let built = hypothesis(&[&effect]).built_effects();
+                built.iter().for_each(|built| built.change_friction(&here, &mut scale));
                 scale[usize::from(effect.joint) - 1] = FrictionScale::unchanged();
                 assert_eq!(scale, [FrictionScale::unchanged(); 3], "{}", definition.name);
             }
