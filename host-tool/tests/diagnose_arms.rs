@@ -195,6 +195,28 @@ fn a_geared_arm_as_its_model_has_no_gap() {
     assert_eq!((report.verdict, report.causes.len()), (Verdict::None, 0));
 }
 
+/// A model by which friction is off by these parts of itself, joint by joint.
+fn with_friction_off(mut arm: ArmFile, parts: [f64; 6]) -> ArmFile {
+    for (joint, part) in arm.joints.iter_mut().zip(parts) {
+        let friction = joint.friction.as_mut().unwrap();
+        friction.alpha0 = friction.alpha0.map(|level| level / (1.0 + part));
+        friction.alpha2 = friction.alpha2.map(|viscous| viscous / (1.0 - part));
+    }
+    arm
+}
+
+/// Masses that are doubted as friction must be would stand in for the load.
+#[test]
+fn a_load_is_told_although_friction_is_far_from_the_models() {
+    let hidden = ["payload:mass_kg=0.5,com_m=0.05 0 0.1"];
+    let ArmCampaign { arm, recordings } = recorded(&six_axes(), 250.0, 10.0, &hidden);
+    let arm = with_friction_off(arm, [0.4, -0.3, 0.3, -0.4, 0.35, -0.3]);
+    let Diagnosis { report, .. } = diagnosed(&ArmCampaign { arm, recordings });
+    names(&report, "payload", 0, ("mass_kg", 0.5), 0.1);
+    let apart = |remark: &String| remark.contains("of masses and inertias and");
+    assert!(report.remarks.iter().any(apart), "{:?}", report.remarks);
+}
+
 #[test]
 fn a_load_and_friction_of_a_geared_arm_are_named_with_joint_and_size() {
     let cases: &[Case] = &[

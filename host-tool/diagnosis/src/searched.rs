@@ -1,5 +1,6 @@
 //! What a search finds by one doubt about the model, and what its logs say of that doubt.
 
+use crate::criteria::Doubt;
 use crate::fit::command_instants::prepared_by_instants;
 use crate::fit::doubt;
 use crate::fit::fitted_model::FittedModel;
@@ -26,9 +27,8 @@ pub struct Searched {
 
 /// What shows once the model's parameters are all but free.
 pub enum Free {
-    /// They are further off than was thought: the doubt by which the logs are likeliest, in parts of them, and the
-    /// causes that tell it.
-    Doubt(f64, KnownCauses),
+    /// They are further off than was thought: the doubt by which the logs are likeliest, and the causes that tell it.
+    Doubt(Doubt, KnownCauses),
     /// They are not, but held they had hidden causes: a search begun with those.
     Causes(Box<Searched>),
 }
@@ -78,15 +78,15 @@ impl Searched {
             return None;
         }
         let last = &self.selection.last.by_all_rows();
-        if let Some(relative) = doubt::wider(subject, last) {
-            return Some(Free::Doubt(relative, self.selection.known(subject)));
+        if let Some(doubt) = doubt::wider(subject, last) {
+            return Some(Free::Doubt(doubt, self.selection.known(subject)));
         }
         let prior = &subject.criteria.prior;
         if last.stats.worst() <= prior.much_left {
             return None;
         }
         let mut free = subject.clone();
-        free.doubt(prior.widest);
+        free.doubt(Doubt::both(prior.widest));
         let near = &self.selection.refitted.linear.hypothesis;
         let wide =
             Self::of(&free, stretches.to_vec(), Some(near), KnownCauses::default(), progress)
@@ -97,7 +97,7 @@ impl Searched {
             return None;
         }
         match doubt::seen(subject, &wide_last) {
-            Some(relative) => Some(Free::Doubt(relative, wide.selection.known(subject))),
+            Some(doubt) => Some(Free::Doubt(doubt, wide.selection.known(subject))),
             None => {
                 Some(Free::Causes(Box::new(self.with_causes_of(wide, subject, last, progress)?)))
             }

@@ -19,7 +19,9 @@ pub fn told(case: &Case, campaign: &Campaign) -> Vec<Option<f64>> {
     campaign.robot_file.effects = tables.values().cloned().collect();
     let mut criteria = Criteria::default();
     if let Some(reality) = &case.reality {
-        criteria.prior.relative = criteria.prior.relative.max(reality.model_error.parameters);
+        let off = reality.model_error.parameters;
+        criteria.prior.relative = criteria.prior.relative.max(off);
+        criteria.prior.relative_friction = criteria.prior.relative_friction.max(off);
     }
     let shares = told_shares(&campaign, &Catalogue::standard(), &criteria).unwrap_or_default();
     let of_known: BTreeMap<usize, Option<f64>> = tables.into_keys().zip(shares).collect();

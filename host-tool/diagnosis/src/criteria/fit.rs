@@ -6,15 +6,21 @@ criteria! {
     /// What is known of the model beforehand: standard deviations of the true parameters about
     /// those of the model as given, and bounds.
     PriorCriteria {
-        /// Deviation of a parameter in parts of it: identification leaves two to three per cent.
+        /// Deviation of a mass, an inertia or what follows from them in parts of it: identification leaves two to
+        /// three per cent.
         relative: f64 = 0.025,
-        /// The most that this may become where logs show a model that is further off.
+        /// The same of Coulomb and viscous friction.
+        relative_friction: f64 = 0.025,
+        /// The most that these may become where logs show a model that is further off.
         widest: f64 = 0.3,
         /// That is where a typical parameter, once all are free, is off by so many deviations,
         least_typical: f64 = 2.0,
         /// and so much log-likelihood is gained by that beyond what causes gain. The doubt then becomes the
-        /// one by which the logs are most likely;
+        /// one by which the logs are most likely,
         least_gain: f64 = 50.0,
+        /// or one of masses and another of friction where these are likelier by so much log-likelihood, a factor of
+        /// twenty;
+        least_gain_apart: f64 = 3.0,
         /// where a log is left with more than so many times the noise, effects are searched for with
         /// parameters all but free first: held far from the truth, they hide a cause.
         much_left: f64 = 6.0,

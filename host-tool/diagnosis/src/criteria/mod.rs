@@ -5,6 +5,7 @@
 //! are sums of squares of rows in its units.
 
 mod axes;
+mod doubt;
 mod faults;
 mod fit;
 mod logs;
@@ -23,6 +24,7 @@ use serde::{Deserialize, Serialize};
 use files::{FileError, settings};
 
 pub use axes::AxisCriteria;
+pub use doubt::Doubt;
 pub use faults::FaultCriteria;
 pub use fit::{FitCriteria, PriorCriteria};
 pub use logs::LogCriteria;

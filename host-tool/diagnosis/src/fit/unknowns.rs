@@ -115,7 +115,7 @@ fn friction_deviation(
         STRIBECK_VELOCITY => shape.max(1e-6),
         _ => own,
     };
-    let usual = prior.relative * values[parameter].abs() + least;
+    let usual = prior.relative_friction * values[parameter].abs() + least;
     match (parameter, subject.friction_deviations[joint][parameter]) {
         (COULOMB | VISCOUS | DAMPING, Some(told)) => told.max(1e-6 * values[COULOMB]),
         _ => usual,

@@ -4,7 +4,7 @@ use rig::Plant;
 use rig::plant::{JointUnits, PlantError};
 use std::collections::BTreeMap;
 
-use crate::criteria::Criteria;
+use crate::criteria::{Criteria, Doubt};
 use crate::logs::arm_prior::LinkSpread;
 use crate::logs::base_prior::of_closed_form;
 use files::FileError;
@@ -90,9 +90,10 @@ impl Subject {
         model::HANGING_RAD.get(joint).copied().unwrap_or(0.0)
     }
 
-    /// Takes the parameters of the model for doubtful by this part of themselves.
-    pub fn doubt(&mut self, relative: f64) {
-        let before = std::mem::replace(&mut self.criteria.prior.relative, relative);
+    /// Takes the parameters of the model for doubtful by so much.
+    pub fn doubt(&mut self, doubt: Doubt) {
+        self.criteria.prior.relative_friction = doubt.friction;
+        let before = std::mem::replace(&mut self.criteria.prior.relative, doubt.masses);
         match self.plant.body.as_rrr() {
             Some(rrr) => {
                 let deviations = of_closed_form(&rrr.base, &self.criteria.prior);
@@ -101,7 +102,7 @@ impl Subject {
                 }
             }
             None => {
-                self.link_spread.widen(relative / before);
+                self.link_spread.widen(doubt.masses / before);
                 self.base_prior = self.link_spread.deviations().into_iter().enumerate().collect();
             }
         }
