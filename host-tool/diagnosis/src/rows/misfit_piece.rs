@@ -12,9 +12,7 @@ pub struct Piece {
     pub class: Vec<u8>,
     /// Mean square by class [V^2].
     pub square_v2: Vec<f64>,
-    /// By what square every row counts.
-    known: Vec<f64>,
-    /// Rows with weight, by class, those that count in part by the square of that.
+    /// Rows with weight, by class.
     count: Vec<f64>,
     /// How many neighbouring rows say the same, at least 1.
     pub correlation: f64,
@@ -34,8 +32,7 @@ impl Piece {
         let criteria = &evidence.criteria.rows;
         let floor_v2 = evidence.floor_v(joint, s).powi(2);
         let class = classes(evidence, joint, s, edges);
-        let known = evidence.known_squares(joint, s).collect();
-        let mut piece = Self { class, known, correlation: 1.0, repeated: 1.0, ..Self::default() };
+        let mut piece = Self { class, correlation: 1.0, repeated: 1.0, ..Self::default() };
         let (sums, count) = piece.sums(residual_v, edges.len() + 1);
         let whole: f64 = sums.iter().sum::<f64>() / count.iter().sum::<f64>().max(1.0);
         let pooled = criteria.pooled_rows;
@@ -81,10 +78,9 @@ impl Piece {
     /// Squares and rows with weight, by class. Rows that are exactly zero have none.
     fn sums(&self, residual_v: &[f64], classes: usize) -> (Vec<f64>, Vec<f64>) {
         let (mut sums, mut count) = (vec![0.0; classes], vec![0.0; classes]);
-        let rows = self.class.iter().zip(&self.known).zip(residual_v);
-        for ((&class, known), &row) in rows.filter(|(_, row)| **row != 0.0) {
+        for (&class, &row) in self.class.iter().zip(residual_v).filter(|(_, row)| **row != 0.0) {
             sums[usize::from(class)] += row * row;
-            count[usize::from(class)] += known;
+            count[usize::from(class)] += 1.0;
         }
         (sums, count)
     }
