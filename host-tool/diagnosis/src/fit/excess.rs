@@ -47,7 +47,7 @@ fn of_stretches(
     let of_role = ranges.filter(move |(s, _)| evidence.stretches[*s].role == role);
     of_role.map(move |(s, range)| {
         let square_v2 = residual_v[joint][range].iter().map(|row| row * row).sum();
-        let rows = evidence.used_rows(joint, s);
+        let rows = evidence.used_rows(joint, s) as f64;
         (s, LeftOfLog { square_v2, noise_v2: rows * evidence.floor_v(joint, s).powi(2) })
     })
 }

@@ -98,11 +98,8 @@ fn most_within(values: &[f64], reach: usize) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::criteria::Criteria;
-    use crate::fit::excess::{LeftOfLog, left_by_log};
     use crate::logs::kinematics::Kinematics;
-    use crate::trial::test_stretch::{stretch_of, white_noise};
-    use files::Role;
+    use crate::trial::test_stretch::stretch_of;
 
     /// A joint that goes 1 rad/s under a command that steps by 1 V after half of a second.
     fn stepped() -> Stretch {
@@ -127,23 +124,6 @@ mod tests {
         assert!((known[500 - reach] - 0.2_f64.sqrt()).abs() < 1e-12, "{}", known[500 - reach]);
         assert!(known[515] < known[530] && known[530] < known[560], "{:?}", &known[510..560]);
         assert!(known[600] > 0.999, "{}", known[600]);
-    }
-
-    #[test]
-    fn rows_that_count_in_part_have_the_noise_of_their_squares() {
-        let all =
-            Evidence::new(vec![stepped()], vec![0, 1, 2], &white_noise(), &Criteria::default());
-        let half = all.with_known_parts(|evidence, _, s| vec![0.5; evidence.stretches[s].len()]);
-        assert!(all.used_rows(0, 0) > 0.0);
-        assert_eq!(half.used_rows(0, 0), 0.25 * all.used_rows(0, 0));
-        let left_v = vec![vec![0.3; all.row_count(0, 0)]; 3];
-        let rows = |evidence: &Evidence| {
-            let mut rows = left_v.clone();
-            rows.iter_mut().enumerate().for_each(|(joint, rows)| evidence.weigh(0, joint, rows));
-            left_by_log(evidence, &evidence.volts(&rows), Role::Train)[0]
-        };
-        let ratio = |left: LeftOfLog| left.square_v2 / left.noise_v2;
-        assert!((ratio(rows(&half)) / ratio(rows(&all)) - 1.0).abs() < 1e-12);
     }
 
     #[test]

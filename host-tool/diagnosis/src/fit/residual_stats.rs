@@ -77,9 +77,7 @@ fn of_joint(evidence: &Evidence, joint: usize, residual_v: &Rows) -> OfJoint {
     for (s, range) in ranges.enumerate() {
         let rows = &residual_v[joint][range];
         // A joint at rest that nothing drives leaves exact zeros, and no noise either.
-        let moving =
-            rows.iter().zip(evidence.known_squares(joint, s)).filter(|(row, _)| **row != 0.0);
-        let used = moving.map(|(_, part)| part).sum::<f64>().max(1.0);
+        let used = rows.iter().filter(|row| **row != 0.0).count().max(1) as f64;
         let square_v2: f64 = rows.iter().map(|row| row * row).sum();
         let noise_v2 = used * evidence.floor_v(joint, s).powi(2);
         sums.ratios.push((square_v2 / noise_v2).sqrt());

@@ -246,20 +246,14 @@ impl Evidence {
         (0..self.joint_count()).map(in_volts).collect()
     }
 
-    /// How many rows of a joint in a stretch count, those that count in part by the square of that: what they have
-    /// of noise.
-    pub fn used_rows(&self, joint: usize, s: usize) -> f64 {
-        self.used_between(joint, s, 0..self.known[joint][s].len())
+    /// How many rows of a joint in a stretch have weight.
+    pub fn used_rows(&self, joint: usize, s: usize) -> usize {
+        self.weights[joint][s].iter().filter(|weight| **weight > 0.0).count()
     }
 
-    /// The same of some rows, counted from the stretch's first.
-    pub fn used_between(&self, joint: usize, s: usize, rows: Range<usize>) -> f64 {
-        self.known[joint][s][rows].iter().map(|part| part * part).sum()
-    }
-
-    /// The square of the part for which every row of a joint counts.
-    pub fn known_squares(&self, joint: usize, s: usize) -> impl Iterator<Item = f64> {
-        self.known[joint][s].iter().map(|part| part * part)
+    /// How many of some rows of a joint, counted from the stretch's first, have weight.
+    pub fn used_between(&self, joint: usize, s: usize, rows: Range<usize>) -> usize {
+        self.weights[joint][s][rows].iter().filter(|weight| **weight > 0.0).count()
     }
 
     /// Filter of a joint's rows in a stretch.

@@ -57,8 +57,9 @@ mod tests {
     use super::*;
     use crate::criteria::Criteria;
     use crate::logs::kinematics::Kinematics;
+    use crate::rows::noise::{Noise, NoiseByRate};
     use crate::trial::hypothesis::Hypothesis;
-    use crate::trial::test_stretch::{PERIOD_S, stretch_of, white_noise};
+    use crate::trial::test_stretch::{PERIOD_S, stretch_of};
 
     #[test]
     fn rows_of_the_regressor_tell_what_another_body_needs() {
@@ -74,7 +75,10 @@ mod tests {
         }
         motion.raw_rad = motion.q_rad.clone();
         let criteria = Criteria::default();
-        let noise = white_noise();
+        let white: Vec<f64> = (0..6000).map(|k| (f64::from(k * k % 977)).sin()).collect();
+        let seen = Noise::of(&[&white], PERIOD_S, &criteria.rows);
+        let mut noise = NoiseByRate::default();
+        noise.push(PERIOD_S, &[seen; 3], vec![0.0; 3]);
         let stretch = stretch_of(motion, vec![vec![0.0; 6000]; 3], false);
         let evidence = Evidence::new(vec![stretch], vec![0, 1, 2], &noise, &criteria);
         let given = Hypothesis::bare(Plant::of_robot(&reference_robot()));

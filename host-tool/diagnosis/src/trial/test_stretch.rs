@@ -2,10 +2,8 @@
 
 use files::Role;
 
-use crate::criteria::RowCriteria;
 use crate::logs::kinematics::Kinematics;
 use crate::logs::stretch::Stretch;
-use crate::rows::noise::{Noise, NoiseByRate};
 
 /// Distance of its samples [s].
 pub const PERIOD_S: f64 = 1e-3;
@@ -32,13 +30,4 @@ pub fn stretch_of(motion: Kinematics, command_v: Vec<Vec<f64>>, broadband: bool)
         at_rest_rad: vec![0.0; 3],
         sampled_s: PERIOD_S,
     }
-}
-
-/// White noise of three joints, no steps of encoders.
-pub fn white_noise() -> NoiseByRate {
-    let white: Vec<f64> = (0..6000).map(|k| (f64::from(k * k % 977)).sin()).collect();
-    let seen = Noise::of(&[&white], PERIOD_S, &RowCriteria::default());
-    let mut noise = NoiseByRate::default();
-    noise.push(PERIOD_S, &[seen; 3], vec![0.0; 3]);
-    noise
 }

@@ -66,7 +66,7 @@ impl Blocks {
                     let square = |rows: &[f64]| rows.iter().map(|row| row * row).sum::<f64>();
                     let left = models.iter().map(|model| square(&model[joint][rows.clone()]));
                     let in_stretch = rows.start - range.start..rows.end - range.start;
-                    let used = evidence.used_between(joint, s, in_stretch);
+                    let used = evidence.used_between(joint, s, in_stretch) as f64;
                     let noise_v2 = used * noise_v(joint, s).powi(2);
                     left.chain([noise_v2]).map(|v2| v2 * per_unit).collect()
                 }));
@@ -123,12 +123,12 @@ fn block_rows(block_s: f64, evidence: &Evidence, joint: usize, s: usize) -> usiz
 pub fn confirming_rms_v(evidence: &Evidence, residual_v: &Rows) -> Vec<f64> {
     let rms = |&joint: &usize| {
         let ranges = evidence.ranges(joint).into_iter().enumerate();
-        let (mut square_v2, mut count) = (0.0, 0.0);
+        let (mut square_v2, mut count) = (0.0, 0);
         for (s, range) in ranges.filter(|(s, _)| evidence.stretches[*s].role == Role::Holdout) {
             square_v2 += residual_v[joint][range].iter().map(|row| row * row).sum::<f64>();
             count += evidence.used_rows(joint, s);
         }
-        (square_v2 / f64::max(count, 1.0)).sqrt()
+        (square_v2 / count.max(1) as f64).sqrt()
     };
     evidence.joints.iter().map(rms).collect()
 }
