@@ -51,14 +51,9 @@ criteria! {
 }
 
 impl RowCriteria {
-    /// Samples per row of signals of a period; `broadband` where the motion is driven at high frequencies.
-    pub fn samples_per_row(&self, broadband: bool, period_s: f64) -> usize {
+    /// How far the low-pass of rows reaches to either side [s].
+    pub fn reach_s(&self, broadband: bool) -> f64 {
         let rows_per_s = if broadband { self.broadband_rows_per_s } else { self.calm_rows_per_s };
-        (1.0 / (rows_per_s * period_s)).round().max(1.0) as usize
-    }
-
-    /// How far the low-pass of such rows reaches to either side [samples].
-    pub fn reach_samples(&self, broadband: bool, period_s: f64) -> f64 {
-        0.5 * self.samples_per_row(broadband, period_s) as f64 / self.cutoff_part
+        0.5 / (self.cutoff_part * rows_per_s)
     }
 }

@@ -61,7 +61,7 @@ impl Kick {
         criteria: &RowCriteria,
     ) -> Vec<f64> {
         let unknown_v = self.unknown_v(&stretch.command_v[joint], &stretch.motion.q_rad[joint]);
-        let reach = criteria.reach_samples(stretch.broadband, stretch.period_s).ceil() as usize;
+        let reach = (criteria.reach_s(stretch.broadband) / stretch.period_s).ceil() as usize;
         let part = |unknown_v: f64| 1.0 / (unknown_v / noise_v).hypot(1.0);
         let known: Vec<f64> = most_within(&unknown_v, reach).into_iter().map(part).collect();
         let squares: f64 = known.iter().map(|part| part * part).sum();
@@ -119,7 +119,7 @@ mod tests {
         let (stretch, criteria) = (stepped(), RowCriteria::default());
         let kick = Kick { unknown_part: 0.01, bend_rad: 0.0105 };
         let known = kick.known_part(&stretch, 0, 5e-3, &criteria);
-        let reach = criteria.reach_samples(stretch.broadband, stretch.period_s).ceil() as usize;
+        let reach = (criteria.reach_s(stretch.broadband) / stretch.period_s).ceil() as usize;
         assert_eq!(known[500 - reach - 1], 1.0);
         assert!((known[500 - reach] - 0.2_f64.sqrt()).abs() < 1e-12, "{}", known[500 - reach]);
         assert!(known[515] < known[530] && known[530] < known[560], "{:?}", &known[510..560]);

@@ -41,8 +41,7 @@ pub fn stretches_of(trace: &Trace, log: usize, subject: &Subject) -> Vec<Stretch
 /// Samples from which a row would see a gap longer than this [s]: those within the reach of its
 /// low-pass. Empty where there is none.
 fn near_lost(stretch: &Stretch, trace: &Trace, longest_s: f64, subject: &Subject) -> Vec<bool> {
-    let rows = &subject.criteria.rows;
-    let reach_s = rows.reach_samples(stretch.broadband, stretch.period_s) * stretch.period_s;
+    let reach_s = subject.criteria.rows.reach_s(stretch.broadband);
     let begin_s = trace.time_s[0] + stretch.start_s;
     let end_s = begin_s + stretch.duration_s();
     let sample = |time_s: f64| ((time_s - begin_s) / stretch.period_s).round().max(0.0) as usize;

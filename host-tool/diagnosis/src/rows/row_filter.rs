@@ -23,12 +23,14 @@ impl RowFilter {
     /// For signals of a period; `broadband` where the motion is driven at high frequencies,
     /// `corner_hz` as above.
     pub fn new(period_s: f64, broadband: bool, corner_hz: f64, criteria: &RowCriteria) -> Self {
-        let every = criteria.samples_per_row(broadband, period_s);
-        let cutoff_hz = criteria.cutoff_part / (every as f64 * period_s);
+        let wanted =
+            if broadband { criteria.broadband_rows_per_s } else { criteria.calm_rows_per_s };
+        let every = (1.0 / (wanted * period_s)).round().max(1.0);
+        let cutoff_hz = criteria.cutoff_part / (every * period_s);
         Self {
             low_pass: LowPass::new(cutoff_hz, period_s).behind_first_order(corner_hz, period_s),
             margin: (criteria.margin_s / period_s).round() as usize,
-            every,
+            every: every as usize,
             period_s,
         }
     }
