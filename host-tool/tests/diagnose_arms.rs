@@ -213,7 +213,7 @@ fn a_load_is_told_although_friction_is_far_from_the_models() {
     let arm = with_friction_off(arm, [0.4, -0.3, 0.3, -0.4, 0.35, -0.3]);
     let Diagnosis { report, .. } = diagnosed(&ArmCampaign { arm, recordings });
     names(&report, "payload", 0, ("mass_kg", 0.5), 0.1);
-    let apart = |remark: &String| remark.contains("of masses and inertias and");
+    let apart = |remark: &String| remark.contains("about masses and inertias was taken as");
     assert!(report.remarks.iter().any(apart), "{:?}", report.remarks);
 }
 

@@ -126,7 +126,7 @@ fn chosen(path: Option<&Path>, model_doubt: Option<f64>) -> PyResult<Criteria> {
             "model_doubt is {doubt}, but must be a part of the parameters above 0, at most 1: 0.2 for 20 %"
         ))),
         Some(doubt) => {
-            (criteria.prior.relative, criteria.prior.widest) = (doubt, doubt);
+            criteria.prior.hold_at(doubt);
             Ok(criteria)
         }
         None => Ok(criteria),

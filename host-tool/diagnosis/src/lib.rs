@@ -146,7 +146,7 @@ fn diagnosed(
     }
     match searched.with_free_parameters(&subject, &stretches, progress) {
         Some(Free::Doubt(doubt, known)) => {
-            remarks.push(doubt_words(subject.criteria.prior.doubt(), doubt));
+            remarks.push(report::doubt::words(subject.criteria.prior.doubt(), doubt));
             subject.doubt(doubt);
             let near = searched.selection.refitted.linear.hypothesis.clone();
             searched = Searched::of(&subject, stretches, Some(&near), known, progress)?;
@@ -171,20 +171,6 @@ fn diagnosed(
         fault,
     };
     Ok(assembly.diagnosis(file, remarks))
-}
-
-fn doubt_words(given: Doubt, seen: Doubt) -> String {
-    let percent = |part: f64| format!("{:.*} %", usize::from(part < 0.1), 100.0 * part);
-    let (masses, friction) = (percent(seen.masses), percent(seen.friction));
-    let seen = match seen.masses == seen.friction {
-        true => format!("{masses}, as by --model-doubt {:.2}", seen.masses),
-        false => format!("{masses} of masses and inertias and {friction} of friction"),
-    };
-    let given = percent(given.masses.max(given.friction));
-    format!(
-        "the parameters of the model are further off than {given}: the doubt about them was taken as {seen}; identify \
-         the model anew, and more can be said"
-    )
 }
 
 fn early_words(part: f64) -> String {

@@ -86,7 +86,7 @@ impl Searched {
             return None;
         }
         let mut free = subject.clone();
-        free.doubt(Doubt::both(prior.widest));
+        free.doubt(prior.widest_doubt());
         let near = &self.selection.refitted.linear.hypothesis;
         let wide =
             Self::of(&free, stretches.to_vec(), Some(near), KnownCauses::default(), progress)

@@ -85,7 +85,7 @@ pub fn diagnose(arguments: &Arguments) -> Result<Diagnosis, Failure> {
     let criteria = arguments.criteria.as_deref().map(Criteria::read).transpose()?;
     let mut criteria = criteria.unwrap_or_default();
     if let Some(doubt) = arguments.model_doubt {
-        criteria.prior.take(doubt);
+        criteria.prior.hold_at(doubt);
     }
     let steps = Steps::new();
     let diagnosis = judge(&arguments.dataset, &arguments.model, &criteria, &|what| steps.at(what))?;

@@ -7,7 +7,7 @@ use super::PriorCriteria;
 pub struct Doubt {
     /// Masses, inertias and what follows from them.
     pub masses: f64,
-    /// Coulomb and viscous friction.
+    /// Friction's parameters.
     pub friction: f64,
 }
 
@@ -24,8 +24,32 @@ impl PriorCriteria {
         Doubt { masses: self.relative, friction: self.relative_friction }
     }
 
-    /// Takes a doubt for what it is, whatever logs show.
-    pub fn take(&mut self, relative: f64) {
+    /// The widest that it may become: no narrower than it is.
+    pub fn widest_doubt(&self) -> Doubt {
+        let Doubt { masses, friction } = self.doubt();
+        Doubt { masses: masses.max(self.widest), friction: friction.max(self.widest) }
+    }
+
+    /// Holds all parameters to one doubt, whatever logs show.
+    pub fn hold_at(&mut self, relative: f64) {
         (self.relative, self.relative_friction, self.widest) = (relative, relative, relative);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_doubt_that_is_held_is_that_of_all_parameters() {
+        let mut prior = PriorCriteria::default();
+        prior.hold_at(0.2);
+        assert_eq!((prior.doubt(), prior.widest_doubt()), (Doubt::both(0.2), Doubt::both(0.2)));
+    }
+
+    #[test]
+    fn no_doubt_becomes_narrower() {
+        let prior = PriorCriteria { relative_friction: 0.5, ..Default::default() };
+        assert_eq!(prior.widest_doubt(), Doubt { masses: prior.widest, friction: 0.5 });
     }
 }

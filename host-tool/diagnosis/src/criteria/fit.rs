@@ -9,7 +9,7 @@ criteria! {
         /// Deviation of a mass, an inertia or what follows from them in parts of it: identification leaves two to
         /// three per cent.
         relative: f64 = 0.025,
-        /// The same of Coulomb and viscous friction.
+        /// The same of friction's parameters.
         relative_friction: f64 = 0.025,
         /// The most that these may become where logs show a model that is further off.
         widest: f64 = 0.3,

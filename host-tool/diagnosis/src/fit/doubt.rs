@@ -18,7 +18,7 @@ const MEDIAN_OF_NORMAL: f64 = 0.6745;
 pub fn wider(subject: &Subject, last: &FittedModel) -> Option<Doubt> {
     let prior = &subject.criteria.prior;
     let mut doubting = subject.clone();
-    doubting.doubt(Doubt::both(prior.widest));
+    doubting.doubt(prior.widest_doubt());
     let start = last.linear.hypothesis.clone();
     let steps = subject.criteria.fit.refit_steps;
     let free = FittedModel::fitted(&last.evidence, &doubting, start, steps)?.settled(&doubting);
@@ -32,20 +32,18 @@ pub fn seen(subject: &Subject, free: &FittedModel) -> Option<Doubt> {
     if off > subject.criteria.prior.least_typical { likeliest(subject, free) } else { None }
 }
 
-/// The doubt by which the logs are most likely: one about all parameters, or one about masses and another about
-/// friction where that is more likely by more than a choice. None where it is what the subject has.
+/// The doubt by which the logs are most likely: both kinds widened by the same step, or each by its own where that is
+/// more likely by more than a choice. None where it is what the subject has.
 fn likeliest(subject: &Subject, free: &FittedModel) -> Option<Doubt> {
     let prior = &subject.criteria.prior;
-    let (masses, friction) = (steps(prior.relative, prior), steps(prior.relative_friction, prior));
-    let alike = masses.into_iter().zip(friction);
-    let alike = likeliest_of(
-        subject,
-        free,
-        alike.map(|(masses, friction)| Doubt { masses, friction }).collect(),
-    )?;
+    let (given, widest) = (prior.doubt(), prior.widest_doubt());
+    let masses = steps(given.masses, widest.masses).into_iter();
+    let both = masses.zip(steps(given.friction, widest.friction));
+    let of_both = both.map(|(masses, friction)| Doubt { masses, friction }).collect();
+    let alike = likeliest_of(subject, free, of_both)?;
     let apart = apart(subject, free, alike)?;
     let (best, _) = if apart.1 - alike.1 > prior.least_gain_apart { apart } else { alike };
-    (best != prior.doubt()).then_some(best)
+    Some(without_needless(subject, free, best)?).filter(|best| *best != given)
 }
 
 /// The likeliest doubts about masses and about friction, either sought where the other was found, from those
@@ -53,30 +51,51 @@ fn likeliest(subject: &Subject, free: &FittedModel) -> Option<Doubt> {
 fn apart(subject: &Subject, free: &FittedModel, alike: (Doubt, f64)) -> Option<(Doubt, f64)> {
     const ROUNDS: usize = 2;
     let prior = &subject.criteria.prior;
+    let (given, widest) = (prior.doubt(), prior.widest_doubt());
+    let (of_masses, of_friction) =
+        (steps(given.masses, widest.masses), steps(given.friction, widest.friction));
     let mut best = alike;
     for _ in 0..ROUNDS {
-        let now = best.0;
-        let masses = steps(prior.relative, prior).into_iter();
-        let of_masses = masses.map(|masses| Doubt { masses, ..now }).collect();
-        let now = likeliest_of(subject, free, of_masses)?.0;
-        let friction = steps(prior.relative_friction, prior).into_iter();
-        let of_friction = friction.map(|friction| Doubt { friction, ..now }).collect();
-        best = likeliest_of(subject, free, of_friction)?;
+        let of = |&masses: &f64| Doubt { masses, ..best.0 };
+        best = likeliest_of(subject, free, of_masses.iter().map(of).collect())?;
+        let of = |&friction: &f64| Doubt { friction, ..best.0 };
+        best = likeliest_of(subject, free, of_friction.iter().map(of).collect())?;
     }
     Some(best)
 }
 
-/// The likeliest of some doubts, with the logarithm of its likelihood.
-fn likeliest_of(subject: &Subject, free: &FittedModel, doubts: Vec<Doubt>) -> Option<(Doubt, f64)> {
-    let of = |doubt: Doubt| Some((doubt, likelihood(subject, free, doubt)?));
-    doubts.into_par_iter().filter_map(of).max_by(|a, b| a.1.total_cmp(&b.1))
+/// A doubt that is as given of a kind of which logs tell nothing: all masses may be told by the file.
+fn without_needless(subject: &Subject, free: &FittedModel, doubt: Doubt) -> Option<Doubt> {
+    let given = subject.criteria.prior.doubt();
+    let narrower = |narrower: Doubt, doubt: Doubt| {
+        likeliest_of(subject, free, vec![narrower, doubt]).map(|(doubt, _)| doubt)
+    };
+    let doubt = narrower(Doubt { masses: given.masses, ..doubt }, doubt)?;
+    narrower(Doubt { friction: given.friction, ..doubt }, doubt)
 }
 
-/// Doubts from one that there is to the widest, on a logarithmic scale.
-fn steps(least: f64, prior: &PriorCriteria) -> Vec<f64> {
+/// The likeliest of some doubts, with the logarithm of its likelihood; the first where they are as likely, since what
+/// logs do not tell is no further off for that.
+fn likeliest_of(subject: &Subject, free: &FittedModel, doubts: Vec<Doubt>) -> Option<(Doubt, f64)> {
+    let of = |doubt: Doubt| {
+        let likelihood = likelihood(subject, free, doubt)?;
+        likelihood.is_finite().then_some((doubt, likelihood))
+    };
+    let all: Vec<(Doubt, f64)> = doubts.into_par_iter().filter_map(of).collect();
+    all.into_iter().reduce(likelier)
+}
+
+/// The second of two doubts where it is likelier by more than rounding.
+fn likelier(first: (Doubt, f64), second: (Doubt, f64)) -> (Doubt, f64) {
+    const ROUNDING: f64 = 1e-3;
+    if second.1 > first.1 + ROUNDING { second } else { first }
+}
+
+/// Doubts from the one given to the widest, on a logarithmic scale.
+fn steps(given: f64, widest: f64) -> Vec<f64> {
     const STEPS: usize = 16;
-    let part = |step: usize| (prior.widest / least).powf(step as f64 / STEPS as f64);
-    (0..=STEPS).map(|step| least * part(step)).collect()
+    let part = |step: usize| (widest / given).powf(step as f64 / STEPS as f64);
+    (0..=STEPS).map(|step| given * part(step)).collect()
 }
 
 /// Logarithm of the likelihood of the logs, whatever the parameters are, by a doubt about them.
@@ -122,6 +141,25 @@ fn is_of_model(unknown: Unknown) -> bool {
 mod tests {
     use super::*;
     use crate::Criteria;
+
+    #[test]
+    fn of_doubts_that_are_as_likely_the_narrowest_is_taken() {
+        let doubts = [0.025, 0.05, 0.1].map(Doubt::both);
+        let taken = |likelihoods: [f64; 3]| {
+            doubts.into_iter().zip(likelihoods).reduce(likelier).unwrap().0.masses
+        };
+        assert_eq!(taken([-7.0, -7.0 + 1e-9, -7.0 + 2e-9]), 0.025);
+        assert_eq!(taken([-7.0, -2.0, -3.0]), 0.05);
+    }
+
+    #[test]
+    fn doubts_go_from_the_one_there_is_to_the_widest() {
+        let prior = Criteria::default().prior;
+        let all = steps(prior.relative, prior.widest);
+        assert_eq!(all[0], prior.relative);
+        assert!((all[all.len() - 1] - prior.widest).abs() < 1e-12);
+        assert!(all.windows(2).all(|pair| pair[1] > pair[0]));
+    }
 
     #[test]
     fn a_parameter_near_zero_says_nothing_of_the_doubt() {

@@ -3,6 +3,7 @@
 pub mod amended;
 pub mod assembly;
 pub mod causes;
+pub mod doubt;
 pub mod log_residuals;
 pub mod motion_gap;
 pub mod parameters_changed;
