@@ -43,7 +43,7 @@ fn likeliest(subject: &Subject, free: &FittedModel) -> Option<Doubt> {
     let alike = likeliest_of(subject, free, of_both)?;
     let apart = apart(subject, free, alike)?;
     let (best, _) = if apart.1 - alike.1 > prior.least_gain_apart { apart } else { alike };
-    Some(without_needless(subject, free, best)?).filter(|best| *best != given)
+    without_needless(subject, free, best).filter(|best| *best != given)
 }
 
 /// The likeliest doubts about masses and about friction, either sought where the other was found, from those
