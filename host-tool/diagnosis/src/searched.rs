@@ -6,10 +6,10 @@ use crate::fit::doubt;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
-use crate::model_faults::{self, FoundFault};
+use crate::model_faults::{Faults, FoundFault};
 use crate::rows::evidence::Evidence;
 use crate::search::found::{KnownCauses, Selection};
-use crate::search::selection::select;
+use crate::search::selection::{SoFar, select};
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use recordings::StepError;
 
@@ -48,15 +48,21 @@ impl Searched {
     ) -> Result<Self, StepError> {
         progress("refitting the model");
         let (evidence, refitted, early_part) = prepared_by_instants(subject, stretches, near)?;
-        let selection = select(subject, refitted, known, progress);
+        let faults = Faults::of(subject, &evidence);
+        let is_first = near.is_none();
+        let ends = |so_far: SoFar| {
+            faults.is_sure(so_far.refitted, so_far.last)
+                || (is_first && doubt::comes_next(subject, so_far.last, so_far.gained))
+        };
+        let selection = select(subject, refitted, known, &ends, progress);
         progress("trying whether the model itself is at fault");
-        let fault = model_faults::find(subject, &evidence, &selection.refitted, &selection.last);
-        let Some(found) = fault else {
+        let Some(found) = faults.found(&selection.refitted, &selection.last) else {
             return Ok(Self { evidence, selection, fault: None, early_part });
         };
         let effects = found.fault.as_effects(subject);
         let with = |effects: &[EffectInstance]| {
-            select(subject, selection.refitted.clone(), KnownCauses::alone(effects), progress)
+            let (refitted, known) = (selection.refitted.clone(), KnownCauses::alone(effects));
+            select(subject, refitted, known, &|_| false, progress)
         };
         let said = (!effects.is_empty()).then(|| with(&effects));
         let (selection, fault) = match said.filter(|said| said.holds(&effects)) {
@@ -114,7 +120,8 @@ impl Searched {
         progress: &dyn Fn(&str),
     ) -> Option<Self> {
         let known = self.selection.known(subject).and(wide.selection.known(subject));
-        let selection = select(subject, self.selection.refitted.clone(), known, progress);
+        let refitted = self.selection.refitted.clone();
+        let selection = select(subject, refitted, known, &|_| false, progress);
         let gain = selection.last.by_all_rows().gain_over(last);
         (gain > subject.criteria.prior.least_gain).then(|| Self {
             evidence: self.evidence.clone(),

@@ -6,12 +6,11 @@
 //! intervals about it, whatever the frequency.
 
 use std::ops::Range;
-use std::sync::OnceLock;
 
 use model::Posture;
 
-use super::kinematics::{Kinematics, Middles, Sines};
-use super::loads::LastLoads;
+use super::derived::Derived;
+use super::kinematics::{Kinematics, Sines};
 use super::sampling_jitter::Roughness;
 use files::Role;
 use signal::LowPass;
@@ -35,12 +34,8 @@ pub struct Stretch {
     pub command_v: Vec<Vec<f64>>,
     /// Sines and cosines of the measured motion, where the closed form takes them.
     pub postures: Vec<Posture<f64>>,
-    /// Sines and cosines of all joints' angles, which a chain takes, once asked for.
-    pub sines: OnceLock<Vec<Sines>>,
-    /// Angles and velocities in the middle of the intervals, once asked for.
-    pub middles: OnceLock<Middles>,
-    /// Loads of the body that was tried last, along this motion.
-    pub last_loads: LastLoads,
+    /// What follows from the motion.
+    pub derived: Derived,
     /// Whether the commands drive the joints at high frequencies.
     pub broadband: bool,
     /// First sample of each joint from which the bend of its bristles is known.
@@ -69,9 +64,7 @@ impl Stretch {
             motion: Kinematics::of_joints(joints),
             command_v: vec![Vec::new(); joints],
             postures: Vec::new(),
-            sines: OnceLock::new(),
-            middles: OnceLock::new(),
-            last_loads: LastLoads::default(),
+            derived: Derived::default(),
             broadband: false,
             settled: vec![0; joints],
             unseen: Vec::new(),
@@ -113,9 +106,7 @@ impl Stretch {
             },
             command_v: of(&self.command_v),
             postures: self.postures.get(range.clone()).unwrap_or_default().to_vec(),
-            sines: OnceLock::new(),
-            middles: OnceLock::new(),
-            last_loads: LastLoads::default(),
+            derived: Derived::default(),
             settled: self.settled.iter().map(from_begin).collect(),
             unseen: self.unseen.get(range.clone()).unwrap_or_default().to_vec(),
             known_part: self.known_part.iter().map(part).collect(),
@@ -127,7 +118,7 @@ impl Stretch {
 
     /// Sines and cosines of all joints' angles.
     pub fn sines(&self) -> &[Sines] {
-        self.sines.get_or_init(|| self.motion.sines())
+        self.derived.sines.get_or_init(|| self.motion.sines())
     }
 
     /// How many samples there are.

@@ -1,8 +1,6 @@
 //! What may be wrong with a model's description of its robot.
 
-use std::sync::OnceLock;
-
-use crate::logs::loads::LastLoads;
+use crate::logs::derived::Derived;
 use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
 use crate::trial::hypothesis::EffectInstance;
@@ -135,9 +133,7 @@ impl ModelFault {
             Self::Late([late_s]) => stretch.act_later(*late_s),
             Self::Lengths(_) => {}
         }
-        stretch.sines = OnceLock::new();
-        stretch.middles = OnceLock::new();
-        stretch.last_loads = LastLoads::default();
+        stretch.derived = Derived::default();
         if !stretch.postures.is_empty() {
             stretch.postures = stretch.motion.postures();
         }

@@ -5,8 +5,9 @@
 //! One that explains nearly all of the gap, and no less than the causes found do, is said in their
 //! place: parameters and effects that make up for a wrong length are those of no robot.
 
+mod best;
 mod fault;
 mod trials;
 
+pub use best::{Faults, FoundFault};
 pub use fault::ModelFault;
-pub use trials::{FoundFault, find};

@@ -15,7 +15,7 @@ use model::{Dual, Friction, FrictionState, Real};
 use super::hypothesis::Hypothesis;
 use super::reading;
 use crate::logs::kinematics::{Joints, Kinematics, Middles};
-use crate::logs::loads::Loads;
+use crate::logs::loads::loads;
 use crate::logs::stretch::Stretch;
 use rig::Plant;
 use rig::effects::{Effect, JointState, Table, TableAxis, Transmission};
@@ -36,7 +36,7 @@ pub struct ActiveEffects<'a> {
     /// Its middles, where that is not the stretch's.
     middles: OnceLock<Middles>,
     /// Load on the joints in every interval, once it is asked for.
-    loads: OnceLock<Arc<Loads>>,
+    loads: OnceLock<Arc<Vec<Joints>>>,
 }
 
 impl<'a> ActiveEffects<'a> {
@@ -216,7 +216,7 @@ impl<'a> ActiveEffects<'a> {
     fn joint_state(&self, k: usize, with_load: bool) -> JointState<'_> {
         const NO_LOAD_NM: Joints = [0.0; MAX_JOINTS];
         let (q_rad, qd_rad_per_s) = self.middles().at(k);
-        let load_nm = if with_load { &self.loads().by_interval_nm[k] } else { &NO_LOAD_NM };
+        let load_nm = if with_load { &self.loads()[k] } else { &NO_LOAD_NM };
         JointState {
             time_s: self.stretch.start_s + (k as f64 + 0.5) * self.stretch.period_s,
             q_rad,
@@ -226,11 +226,12 @@ impl<'a> ActiveEffects<'a> {
     }
 
     /// Load on the joints in every interval: those of the stretch where the encoders read true.
-    fn loads(&self) -> &Loads {
+    fn loads(&self) -> &[Joints] {
         let body = &self.plant.body;
+        let make = || loads(body, self.middles());
         self.loads.get_or_init(|| match &self.motor {
-            Cow::Borrowed(_) => self.stretch.last_loads.of(body, self.middles()),
-            Cow::Owned(_) => Arc::new(Loads::of(body, self.middles())),
+            Cow::Borrowed(_) => self.stretch.derived.loads.of(body, make),
+            Cow::Owned(_) => Arc::new(make()),
         })
     }
 
@@ -238,7 +239,7 @@ impl<'a> ActiveEffects<'a> {
     fn middles(&self) -> &Middles {
         let make = || Middles::of(&self.motor);
         match &self.motor {
-            Cow::Borrowed(_) => self.stretch.middles.get_or_init(make),
+            Cow::Borrowed(_) => self.stretch.derived.middles.get_or_init(make),
             Cow::Owned(_) => self.middles.get_or_init(make),
         }
     }

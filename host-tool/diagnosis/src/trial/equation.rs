@@ -5,17 +5,17 @@
 //! them.
 
 use std::borrow::Cow;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use model::{FrictionState, Posture};
 
 use super::active_effects::{ActiveEffects, FRICTION_SLOPES};
 use super::hypothesis::Hypothesis;
-use super::joint_dynamics::JointDynamics;
 use super::motor_side::MotorSide;
 use super::rigid_body::{Path, regressor_columns, torques};
 use crate::criteria::FitCriteria;
 use crate::logs::intervals::at_samples;
+use crate::logs::joint_dynamics::JointDynamics;
 use crate::logs::kinematics::{Kinematics, Sines};
 use crate::logs::stretch::Stretch;
 use rig::Plant;
@@ -226,7 +226,12 @@ impl<'a> Trial<'a> {
 
     /// Whether the links move as the encoders tell.
     pub fn moves_as_measured(&self) -> bool {
-        self.springs.is_empty() && matches!(self.effects.motor, Cow::Borrowed(_))
+        self.springs.is_empty() && self.has_true_encoders()
+    }
+
+    /// Whether the motors move as the encoders tell.
+    pub(super) fn has_true_encoders(&self) -> bool {
+        matches!(self.effects.motor, Cow::Borrowed(_))
     }
 
     /// Whether they do, and the rigid body is the model's own, changed by no effect.
@@ -242,7 +247,12 @@ impl<'a> Trial<'a> {
     }
 
     /// Dynamics of a joint as if it were stiff, at the samples.
-    pub fn dynamics(&self, joint: usize) -> Vec<JointDynamics> {
-        JointDynamics::along(joint, self.motor(), &self.plant().body)
+    pub fn dynamics(&self, joint: usize) -> Arc<Vec<JointDynamics>> {
+        let body = &self.plant().body;
+        let make = || JointDynamics::along(joint, self.motor(), &self.motor_sines(), body);
+        match self.has_true_encoders() {
+            true => self.stretch.derived.dynamics[joint].of(body, make),
+            false => Arc::new(make()),
+        }
     }
 }

@@ -2,8 +2,8 @@
 
 use nalgebra::RowVector2;
 
-use super::joint_dynamics::JointDynamics;
 use super::link_covariance::LinkCovariance;
+use crate::logs::joint_dynamics::JointDynamics;
 use crate::logs::kinematics::Kinematics;
 use rig::effects::Transmission;
 use signal::derivative;

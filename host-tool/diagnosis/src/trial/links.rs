@@ -1,6 +1,7 @@
 //! How the links of a trial move: as measured, or behind springs as those drive them.
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
 use model::Posture;
 
@@ -45,6 +46,18 @@ impl<'a> Trial<'a> {
         }
     }
 
+    /// Sines and cosines of the motors' angles, as a chain takes them.
+    pub(super) fn motor_sines(&self) -> Cow<'_, [Sines]> {
+        if self.plant().body.as_rrr().is_some() {
+            return Cow::Borrowed(&[]);
+        }
+        let Stretch { motion, .. } = self.stretch;
+        match self.has_true_encoders() {
+            true => Cow::Borrowed(self.stretch.sines()),
+            false => Cow::Owned(self.motor().sines_near(motion, self.stretch.sines())),
+        }
+    }
+
     /// The spring that was added last, with its joint (from 0).
     pub(super) fn last_spring(&self) -> Option<(usize, &Transmission)> {
         self.springs.last().map(|(joint, spring)| (*joint, spring))
@@ -63,8 +76,8 @@ impl<'a> Trial<'a> {
     /// Motion of a joint's link behind a spring.
     fn behind(&self, joint: usize, spring: &Transmission) -> JointMotion {
         let dynamics = match self.motor_side {
-            Some(known) => Cow::Borrowed(known.dynamics(joint, &|| self.dynamics(joint))),
-            None => Cow::Owned(self.dynamics(joint)),
+            Some(known) => Arc::clone(known.dynamics(joint, &|| self.dynamics(joint))),
+            None => self.dynamics(joint),
         };
         let push_nm = match self.motor_side {
             Some(known) => self.push_nm(joint, known.net_v(joint)),

@@ -4,7 +4,6 @@ pub mod active_effects;
 pub mod coupling;
 pub mod equation;
 pub mod hypothesis;
-pub mod joint_dynamics;
 pub mod link_covariance;
 pub mod link_motion;
 mod links;

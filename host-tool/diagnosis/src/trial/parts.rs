@@ -1,13 +1,13 @@
 //! What a model's equation consists of along a stretch, and how it changes with an effect.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use super::coupling::Coupling;
 use super::equation::Trial;
 use super::hypothesis::EffectInstance;
-use super::joint_dynamics::JointDynamics;
 use super::motor_side::MotorSide;
 use crate::logs::intervals::at_samples;
+use crate::logs::joint_dynamics::JointDynamics;
 use rig::effects::{Table, Touches};
 
 /// The equation of a joint over a stretch, on the log's clock [V].
@@ -24,7 +24,7 @@ pub struct Parts {
     /// Part of the torque that its constant says which the motor gives.
     motor_gain: f64,
     /// Dynamics of the joint as if it were stiff, by samples; once a spring on it is tried.
-    dynamics: OnceLock<Vec<JointDynamics>>,
+    dynamics: OnceLock<Arc<Vec<JointDynamics>>>,
     /// What a link of the joint ahead of its motor pulls at all joints; likewise.
     coupling: OnceLock<Coupling>,
 }
@@ -105,7 +105,11 @@ impl Parts {
 }
 
 impl MotorSide for Vec<Parts> {
-    fn dynamics(&self, joint: usize, make: &dyn Fn() -> Vec<JointDynamics>) -> &[JointDynamics] {
+    fn dynamics(
+        &self,
+        joint: usize,
+        make: &dyn Fn() -> Arc<Vec<JointDynamics>>,
+    ) -> &Arc<Vec<JointDynamics>> {
         self[joint].dynamics.get_or_init(make)
     }
 

@@ -14,7 +14,7 @@ impl Trial<'_> {
         let (Some((own, spring)), Some(known)) = (self.last_spring(), self.motor_side()) else {
             return vec![Vec::new(); joints.len()];
         };
-        let make = || Coupling::along(own, self.motor(), &self.plant().body);
+        let make = || Coupling::along(own, self.motor(), &self.motor_sines(), &self.plant().body);
         let coupling = known.coupling(own, &make);
         let ahead = self.link_ahead(own, spring);
         let of_joint = |&joint: &usize| -> Vec<f64> {
