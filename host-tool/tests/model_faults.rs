@@ -1,6 +1,8 @@
 //! A clean robot whose model or logs are wrong in one thing is told that thing, and no cause.
 #![allow(missing_docs)]
 
+use std::cell::Cell;
+
 use diagnosis::{Criteria, Report, Verdict, diagnose};
 use recordings::Campaign;
 use rig::effects::Catalogue;
@@ -11,9 +13,18 @@ use short_campaign::short_campaign;
 
 /// What is said of a clean robot's logs once something is wrong with them or with the model.
 fn said_of(spoil: impl Fn(&mut Campaign)) -> Report {
+    said_with_rounds(spoil).0
+}
+
+/// The same, with the rounds of the search for causes.
+fn said_with_rounds(spoil: impl Fn(&mut Campaign)) -> (Report, usize) {
     let mut campaign = short_campaign(Vec::new);
     spoil(&mut campaign);
-    diagnose(&campaign, &Catalogue::standard(), &Criteria::default(), &|_| ()).unwrap().report
+    let rounds = Cell::new(0);
+    let progress = |stage: &str| rounds.set(rounds.get() + usize::from(stage.contains("round")));
+    let (catalogue, criteria) = (Catalogue::standard(), Criteria::default());
+    let report = diagnose(&campaign, &catalogue, &criteria, &progress).unwrap().report;
+    (report, rounds.get())
 }
 
 fn assert_fault(report: &Report, words: &str) {
@@ -45,15 +56,17 @@ fn a_joint_that_counts_the_other_way() {
     assert_fault(&report, "joint 1 counts and is driven the other way round");
 }
 
+/// The search ends once two causes leave more than noise.
 #[test]
 fn exchanged_joints() {
-    let report = said_of(|campaign| {
+    let (report, rounds) = said_with_rounds(|campaign| {
         for trace in &mut campaign.traces {
             trace.joints.swap(1, 2);
             (trace.joints[1].number, trace.joints[2].number) = (2, 3);
         }
     });
     assert_fault(&report, "joints 2 and 3 are exchanged");
+    assert!(rounds <= 3, "{rounds}");
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! What a search finds by one doubt about the model, and what its logs say of that doubt.
 
+use std::cell::Cell;
+
 use crate::criteria::Doubt;
 use crate::fit::command_instants::prepared_by_instants;
 use crate::fit::doubt;
@@ -23,6 +25,8 @@ pub struct Searched {
     pub fault: Option<FoundFault>,
     /// By what part of a sample period commands act before the intervals of their rows.
     pub early_part: f64,
+    /// A wider doubt about the model for which the search was not carried to its end.
+    doubt: Option<Doubt>,
 }
 
 /// What shows once the model's parameters are all but free.
@@ -49,27 +53,19 @@ impl Searched {
         progress("refitting the model");
         let (evidence, refitted, early_part) = prepared_by_instants(subject, stretches, near)?;
         let faults = Faults::of(subject, &evidence);
-        let is_first = near.is_none();
-        let ends = |so_far: SoFar| {
-            faults.is_sure(so_far.refitted, so_far.last)
-                || (is_first && doubt::comes_next(subject, so_far.last, so_far.gained))
+        let is_fault = |so_far: SoFar| faults.is_sure(so_far.refitted, so_far.last);
+        let (mut selection, doubt) = match near {
+            None => until_doubted(subject, refitted, known, &is_fault, progress),
+            Some(_) => (select(subject, refitted, known, &is_fault, progress), None),
         };
-        let selection = select(subject, refitted, known, &ends, progress);
-        progress("trying whether the model itself is at fault");
-        let Some(found) = faults.found(&selection.refitted, &selection.last) else {
-            return Ok(Self { evidence, selection, fault: None, early_part });
-        };
-        let effects = found.fault.as_effects(subject);
-        let with = |effects: &[EffectInstance]| {
-            let (refitted, known) = (selection.refitted.clone(), KnownCauses::alone(effects));
-            select(subject, refitted, known, &|_| false, progress)
-        };
-        let said = (!effects.is_empty()).then(|| with(&effects));
-        let (selection, fault) = match said.filter(|said| said.holds(&effects)) {
-            Some(said) => (said, None),
-            None => (selection.without_effects(), Some(found)),
-        };
-        Ok(Self { evidence, selection, fault, early_part })
+        let mut fault = None;
+        // A search that was not carried to its end is no measure of a fault.
+        if doubt.is_none() {
+            progress("trying whether the model itself is at fault");
+            let found = faults.found(&selection.refitted, &selection.last);
+            (selection, fault) = with_fault(subject, selection, found, progress);
+        }
+        Ok(Self { evidence, selection, fault, early_part, doubt })
     }
 
     /// A wider doubt that the logs show with the causes found or, where much is left, with those that are found
@@ -84,7 +80,7 @@ impl Searched {
             return None;
         }
         let last = &self.selection.last.by_all_rows();
-        if let Some(doubt) = doubt::wider(subject, last) {
+        if let Some(doubt) = self.doubt.or_else(|| doubt::wider(subject, last)) {
             return Some(Free::Doubt(doubt, self.selection.known(subject)));
         }
         let prior = &subject.criteria.prior;
@@ -128,6 +124,57 @@ impl Searched {
             selection,
             fault: None,
             early_part: self.early_part,
+            doubt: None,
         })
+    }
+}
+
+/// A search that is not carried to its end where a wider doubt comes next, with that doubt; nor where it `is_fault`.
+fn until_doubted(
+    subject: &Subject,
+    refitted: FittedModel,
+    known: KnownCauses,
+    is_fault: &dyn Fn(SoFar) -> bool,
+    progress: &dyn Fn(&str),
+) -> (Selection, Option<Doubt>) {
+    let is_doubted = Cell::new(false);
+    let ends = |so_far: SoFar| {
+        is_fault(so_far) || {
+            is_doubted.set(doubt::comes_next(subject, so_far.last, so_far.gained));
+            is_doubted.get()
+        }
+    };
+    let selection = select(subject, refitted, known, &ends, progress);
+    if !is_doubted.get() {
+        return (selection, None);
+    }
+    match doubt::wider(subject, &selection.last.by_all_rows()) {
+        Some(doubt) => (selection, Some(doubt)),
+        // Without those that were taken out in the end nothing comes of it.
+        None => {
+            let (refitted, known) = (selection.refitted.clone(), selection.known(subject));
+            (select(subject, refitted, known, is_fault, progress), None)
+        }
+    }
+}
+
+/// A search once a fault of the model is found, if one is: begun anew with the effects that say the same, where there are
+/// some and all are accepted; without any cause else.
+fn with_fault(
+    subject: &Subject,
+    selection: Selection,
+    found: Option<FoundFault>,
+    progress: &dyn Fn(&str),
+) -> (Selection, Option<FoundFault>) {
+    let Some(found) = found else { return (selection, None) };
+    let effects = found.fault.as_effects(subject);
+    let with = |effects: &[EffectInstance]| {
+        let (refitted, known) = (selection.refitted.clone(), KnownCauses::alone(effects));
+        select(subject, refitted, known, &|_| false, progress)
+    };
+    let said = (!effects.is_empty()).then(|| with(&effects));
+    match said.filter(|said| said.holds(&effects)) {
+        Some(said) => (said, None),
+        None => (selection.without_effects(), Some(found)),
     }
 }

@@ -8,7 +8,8 @@ criteria! {
         /// Faults are tried where a refitted model leaves so many times the noise in some log.
         least_ratio: f64 = 3.0,
         /// They are not where so few causes leave noise alone: what a fault explains, nothing else
-        /// explains so simply, but for commands that come late, which are delays of all joints.
+        /// explains so simply, but for commands that come late, which are delays of all joints. Once so many leave
+        /// more than noise, a sure one ends the search.
         few_causes: usize = 2,
         /// They are tried on so much of each train log [s].
         part_s: f64 = 12.0,
@@ -20,7 +21,7 @@ criteria! {
         explained: f64 = 0.9,
         /// and leaves no more than so many times what the causes found leave.
         as_good: f64 = 1.2,
-        /// or than this part of the gap, for several causes can always make up for one fault.
+        /// or than this part of the gap, which is sure, for several causes can always make up for one fault.
         sure: f64 = 0.01,
         /// Doubt about a length, in parts of it.
         length_part: f64 = 0.1,

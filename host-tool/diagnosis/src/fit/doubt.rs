@@ -19,12 +19,11 @@ pub fn wider(subject: &Subject, last: &FittedModel) -> Option<Doubt> {
     wider_for(subject, last, subject.criteria.prior.least_gain)
 }
 
-/// Whether a wider doubt explains more of what a search has left so far than the last effect gained that it added: the
-/// next one would gain no more than that one, and would be sought by parameters that are held where they are not.
+/// Whether a wider doubt explains more of what a search has left so far than the last effect gained that it added: most
+/// that come next gain less than that one, and would be sought by parameters that are held where they are not.
 pub fn comes_next(subject: &Subject, last: &FittedModel, gained: f64) -> bool {
     let prior = &subject.criteria.prior;
-    let effects = last.linear.hypothesis.effects.len() - subject.known_effects.len();
-    effects >= prior.least_effects
+    last.causes(subject) >= prior.causes_before_doubt
         && wider_for(subject, last, gained.max(prior.least_gain)).is_some()
 }
 

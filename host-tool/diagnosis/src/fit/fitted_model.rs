@@ -155,6 +155,11 @@ impl FittedModel {
             - 0.5 * self.linear.prior_penalty()
     }
 
+    /// How many causes it has: effects that the subject's model as given does not hold already.
+    pub fn causes(&self, subject: &Subject) -> usize {
+        self.linear.hypothesis.effects.len() - subject.known_effects.len()
+    }
+
     /// Whether the last of its effects is a spring between motor and link.
     pub fn ends_with_spring(&self) -> bool {
         self.linear.hypothesis.effects.last().is_some_and(EffectInstance::is_spring)

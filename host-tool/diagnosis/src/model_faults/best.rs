@@ -4,6 +4,7 @@ use std::cell::OnceCell;
 
 use super::fault::ModelFault;
 use super::trials::{Trial, first_part, left};
+use crate::criteria::{Criteria, FaultCriteria};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::gauss_newton::fit;
 use crate::logs::subject::Subject;
@@ -46,13 +47,9 @@ impl<'a> Faults<'a> {
     /// Whether one is said whatever causes a search goes on to find after those of the model so far, `last`: it leaves
     /// hardly anything, and as many causes as may be said in its place leave more than noise.
     pub fn is_sure(&self, refitted: &FittedModel, last: &FittedModel) -> bool {
-        let criteria = &self.subject.criteria.faults;
-        if self.causes(last) < criteria.few_causes
-            || last.stats.is_clean(&self.subject.criteria.fit)
-        {
-            return false;
-        }
-        self.best(refitted).is_some_and(|best| best.left <= criteria.sure * best.whole)
+        let Criteria { faults, fit, .. } = &self.subject.criteria;
+        let goes_on = last.causes(self.subject) >= faults.few_causes && !last.stats.is_clean(fit);
+        goes_on && self.best(refitted).is_some_and(|best| best.is_sure(faults))
     }
 
     /// The fault that explains nearly all that the refitted model leaves, and no less than the model with all causes,
@@ -60,20 +57,15 @@ impl<'a> Faults<'a> {
     pub fn found(&self, refitted: &FittedModel, last: &FittedModel) -> Option<FoundFault> {
         let criteria = &self.subject.criteria.faults;
         let is_clean = last.stats.is_clean(&self.subject.criteria.fit);
-        if is_clean && self.causes(last) <= criteria.few_causes && !is_pushed(last) {
+        if is_clean && last.causes(self.subject) <= criteria.few_causes && !is_pushed(last) {
             return None;
         }
         let best = self.best(refitted)?;
         let by_causes = left_by(last, &best.part, self.subject)?;
-        let as_good =
-            best.left <= f64::max(criteria.as_good * by_causes, criteria.sure * best.whole);
+        let as_good = best.left <= criteria.as_good * by_causes || best.is_sure(criteria);
         let explained = 1.0 - best.left / best.whole.max(1e-300);
         (best.whole > 0.0 && explained > criteria.explained && as_good)
             .then(|| FoundFault { fault: best.fault.clone(), explained })
-    }
-
-    fn causes(&self, last: &FittedModel) -> usize {
-        last.linear.hypothesis.effects.len() - self.subject.known_effects.len()
     }
 
     fn best(&self, refitted: &FittedModel) -> Option<&Best> {
@@ -100,9 +92,14 @@ impl Best {
         tried.extend(sized.into_iter().filter_map(|fault| Some(bare(fault)?.with_size_found())));
         let best =
             tried.into_iter().min_by(|a, b| a.linear.objective.total_cmp(&b.linear.objective))?;
-        let (left, fault) = (left(&part, subject, &best.linear), best.fault.clone());
+        let (by_fault, fault) = (left(&part, subject, &best.linear), best.fault.clone());
         drop(best);
-        Some(Self { part, fault, whole, left })
+        Some(Self { part, fault, whole, left: by_fault })
+    }
+
+    /// Whether it leaves hardly anything of a gap that there is.
+    fn is_sure(&self, criteria: &FaultCriteria) -> bool {
+        self.whole > 0.0 && self.left <= criteria.sure * self.whole
     }
 }
 

@@ -43,6 +43,7 @@ pub fn select(
 }
 
 /// A search so far, for one who says whether it ends.
+#[derive(Clone, Copy)]
 pub struct SoFar<'a> {
     /// The refitted model without effects.
     pub refitted: &'a FittedModel,
@@ -189,10 +190,15 @@ impl Search<'_> {
     fn add(&mut self, effect: &EffectInstance, finished: FittedModel, rivals: Vec<EffectInstance>) {
         let known = self.subject.known_effects.len();
         let before = &self.last.linear.hypothesis;
-        if let Some(place) = before.spring_replaced_by(effect, known) {
-            self.rivals.remove(place - known);
-        }
-        self.gained = finished.gain_over(&self.last);
+        let gained = finished.gain_over(&self.last);
+        self.gained = match before.spring_replaced_by(effect, known) {
+            // It gains what the spring did, and something more.
+            Some(place) => {
+                self.rivals.remove(place - known);
+                self.gained.max(gained)
+            }
+            None => gained,
+        };
         self.last = finished;
         self.rivals.push(rivals);
     }
