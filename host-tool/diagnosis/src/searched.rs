@@ -1,7 +1,5 @@
 //! What a search finds by one doubt about the model, and what its logs say of that doubt.
 
-use std::cell::Cell;
-
 use crate::criteria::Doubt;
 use crate::fit::command_instants::prepared_by_instants;
 use crate::fit::doubt;
@@ -11,7 +9,7 @@ use crate::logs::subject::Subject;
 use crate::model_faults::{Faults, FoundFault};
 use crate::rows::evidence::Evidence;
 use crate::search::found::{KnownCauses, Selection};
-use crate::search::selection::{SoFar, select};
+use crate::search::selection::select;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use recordings::StepError;
 
@@ -25,8 +23,6 @@ pub struct Searched {
     pub fault: Option<FoundFault>,
     /// By what part of a sample period commands act before the intervals of their rows.
     pub early_part: f64,
-    /// A wider doubt about the model for which the search was not carried to its end.
-    doubt: Option<Doubt>,
 }
 
 /// What shows once the model's parameters are all but free.
@@ -53,19 +49,12 @@ impl Searched {
         progress("refitting the model");
         let (evidence, refitted, early_part) = prepared_by_instants(subject, stretches, near)?;
         let faults = Faults::of(subject, &evidence);
-        let is_fault = |so_far: SoFar| faults.is_sure(so_far.refitted, so_far.last);
-        let (mut selection, doubt) = match near {
-            None => until_doubted(subject, refitted, known, &is_fault, progress),
-            Some(_) => (select(subject, refitted, known, &is_fault, progress), None),
-        };
-        let mut fault = None;
-        // A search that was not carried to its end is no measure of a fault.
-        if doubt.is_none() {
-            progress("trying whether the model itself is at fault");
-            let found = faults.found(&selection.refitted, &selection.last);
-            (selection, fault) = with_fault(subject, selection, found, progress);
-        }
-        Ok(Self { evidence, selection, fault, early_part, doubt })
+        let is_fault = |refitted: &FittedModel, last: &FittedModel| faults.is_sure(refitted, last);
+        let selection = select(subject, refitted, known, &is_fault, progress);
+        progress("trying whether the model itself is at fault");
+        let found = faults.found(&selection.refitted, &selection.last);
+        let (selection, fault) = with_fault(subject, selection, found, progress);
+        Ok(Self { evidence, selection, fault, early_part })
     }
 
     /// A wider doubt that the logs show with the causes found or, where much is left, with those that are found
@@ -80,7 +69,7 @@ impl Searched {
             return None;
         }
         let last = &self.selection.last.by_all_rows();
-        if let Some(doubt) = self.doubt.or_else(|| doubt::wider(subject, last)) {
+        if let Some(doubt) = doubt::wider(subject, last) {
             return Some(Free::Doubt(doubt, self.selection.known(subject)));
         }
         let prior = &subject.criteria.prior;
@@ -117,44 +106,14 @@ impl Searched {
     ) -> Option<Self> {
         let known = self.selection.known(subject).and(wide.selection.known(subject));
         let refitted = self.selection.refitted.clone();
-        let selection = select(subject, refitted, known, &|_| false, progress);
+        let selection = select(subject, refitted, known, &|_, _| false, progress);
         let gain = selection.last.by_all_rows().gain_over(last);
         (gain > subject.criteria.prior.least_gain).then(|| Self {
             evidence: self.evidence.clone(),
             selection,
             fault: None,
             early_part: self.early_part,
-            doubt: None,
         })
-    }
-}
-
-/// A search that is not carried to its end where a wider doubt comes next, with that doubt; nor where it `is_fault`.
-fn until_doubted(
-    subject: &Subject,
-    refitted: FittedModel,
-    known: KnownCauses,
-    is_fault: &dyn Fn(SoFar) -> bool,
-    progress: &dyn Fn(&str),
-) -> (Selection, Option<Doubt>) {
-    let is_doubted = Cell::new(false);
-    let ends = |so_far: SoFar| {
-        is_fault(so_far) || {
-            is_doubted.set(doubt::comes_next(subject, so_far.last, so_far.gained));
-            is_doubted.get()
-        }
-    };
-    let selection = select(subject, refitted, known, &ends, progress);
-    if !is_doubted.get() {
-        return (selection, None);
-    }
-    match doubt::wider(subject, &selection.last.by_all_rows()) {
-        Some(doubt) => (selection, Some(doubt)),
-        // Without those that were taken out in the end nothing comes of it.
-        None => {
-            let (refitted, known) = (selection.refitted.clone(), selection.known(subject));
-            (select(subject, refitted, known, is_fault, progress), None)
-        }
     }
 }
 
@@ -170,7 +129,7 @@ fn with_fault(
     let effects = found.fault.as_effects(subject);
     let with = |effects: &[EffectInstance]| {
         let (refitted, known) = (selection.refitted.clone(), KnownCauses::alone(effects));
-        select(subject, refitted, known, &|_| false, progress)
+        select(subject, refitted, known, &|_, _| false, progress)
     };
     let said = (!effects.is_empty()).then(|| with(&effects));
     match said.filter(|said| said.holds(&effects)) {

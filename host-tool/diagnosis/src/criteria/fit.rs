@@ -21,9 +21,6 @@ criteria! {
         /// or one of masses and another of friction where these are likelier by so much log-likelihood, a factor of
         /// twenty;
         least_gain_apart: f64 = 3.0,
-        /// It is asked for once so many causes are found, and after each further one, and ends the search where it gains
-        /// more than that one did: those that gain most are known before parameters may stand in for them;
-        causes_before_doubt: usize = 3,
         /// where a log is left with more than so many times the noise, effects are searched for with
         /// parameters all but free first: held far from the truth, they hide a cause.
         much_left: f64 = 6.0,

@@ -16,26 +16,13 @@ const MEDIAN_OF_NORMAL: f64 = 0.6745;
 /// more once its parameters are all but free, and most of them, not some, go far then. Those that are
 /// held would not tell: what they leave counts as misfit, and against misfit rows weigh little.
 pub fn wider(subject: &Subject, last: &FittedModel) -> Option<Doubt> {
-    wider_for(subject, last, subject.criteria.prior.least_gain)
-}
-
-/// Whether a wider doubt explains more of what a search has left so far than the last effect gained that it added: most
-/// that come next gain less than that one, and would be sought by parameters that are held where they are not.
-pub fn comes_next(subject: &Subject, last: &FittedModel, gained: f64) -> bool {
-    let prior = &subject.criteria.prior;
-    last.causes(subject) >= prior.causes_before_doubt
-        && wider_for(subject, last, gained.max(prior.least_gain)).is_some()
-}
-
-/// The wider doubt where parameters that are all but free gain more than this.
-fn wider_for(subject: &Subject, last: &FittedModel, least_gain: f64) -> Option<Doubt> {
     let prior = &subject.criteria.prior;
     let mut doubting = subject.clone();
     doubting.doubt(prior.widest_doubt());
     let start = last.linear.hypothesis.clone();
     let steps = subject.criteria.fit.refit_steps;
     let free = FittedModel::fitted(&last.evidence, &doubting, start, steps)?.settled(&doubting);
-    if free.gain_over(last) > least_gain { seen(subject, &free) } else { None }
+    if free.gain_over(last) > prior.least_gain { seen(subject, &free) } else { None }
 }
 
 /// The doubt that a model shows whose parameters are all but free: none where a typical one is within

@@ -15,22 +15,20 @@ use crate::fit::unknowns::kept_physical;
 use crate::logs::subject::Subject;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 
-/// Adds effects to a refitted model, those that are known already first, until `ends` says that no effect but something
-/// else comes next; `progress` hears what is tried.
+/// Adds effects to a refitted model, those that are known already first, unless something else `explains_all` that it
+/// leaves, told by it and by the model so far; `progress` hears what is tried.
 pub fn select(
     subject: &Subject,
     refitted: FittedModel,
     known: KnownCauses,
-    ends: &dyn Fn(SoFar) -> bool,
+    explains_all: &dyn Fn(&FittedModel, &FittedModel) -> bool,
     progress: &dyn Fn(&str),
 ) -> Selection {
     let refitted = refitted_from_given(subject, refitted);
     let gap = refitted.stats.clone();
-    let rivals = Vec::new();
-    let mut search = Search { subject, gap, last: refitted.clone(), gained: 0.0, rivals };
+    let mut search = Search { subject, gap, last: refitted.clone(), rivals: Vec::new() };
     search.begin_with(known);
-    let ends = |last: &FittedModel, gained| ends(SoFar { refitted: &refitted, last, gained });
-    let mut refused = search.searched(0, &ends, progress);
+    let mut refused = search.searched(0, &|last| explains_all(&refitted, last), progress);
     if refused.is_some()
         && let Some((further, others)) = search.by_systematic_misfit(progress)
     {
@@ -41,20 +39,6 @@ pub fn select(
     let refused = refused.map_or_else(Vec::new, |refused| refused.rivals(subject));
     Selection { refitted, last: search.last, added, refused }
 }
-
-/// A search so far, for one who says whether it ends.
-#[derive(Clone, Copy)]
-pub struct SoFar<'a> {
-    /// The refitted model without effects.
-    pub refitted: &'a FittedModel,
-    /// The model with those that were added.
-    pub last: &'a FittedModel,
-    /// Log-likelihood that the last of them gained.
-    pub gained: f64,
-}
-
-/// Whether a search ends that has come to a model whose last effect gained so much.
-type Ends<'a> = dyn Fn(&FittedModel, f64) -> bool + 'a;
 
 /// Candidates that were not accepted, and the model that they were tried in.
 struct Refused {
@@ -83,18 +67,21 @@ pub(super) struct Search<'a> {
     /// What the refitted model leaves.
     gap: ResidualStats,
     pub(super) last: FittedModel,
-    /// Log-likelihood that the last effect gained that was added.
-    gained: f64,
     /// What lost against each of the effects added.
     pub(super) rivals: Vec<Vec<EffectInstance>>,
 }
 
 impl Search<'_> {
-    /// Adds effects as long as what is left asks for one, one is accepted, and nothing else `ends` it, and takes out
+    /// Adds effects as long as what is left asks for one, one is accepted, and nothing else explains it, and takes out
     /// those, from the place `first` on, that later ones make needless; what was refused in the end, where one was asked
     /// for.
-    fn searched(&mut self, first: usize, ends: &Ends, progress: &dyn Fn(&str)) -> Option<Refused> {
-        let finalists = self.rounds(ends, progress);
+    fn searched(
+        &mut self,
+        first: usize,
+        is_explained: &dyn Fn(&FittedModel) -> bool,
+        progress: &dyn Fn(&str),
+    ) -> Option<Refused> {
+        let finalists = self.rounds(is_explained, progress);
         // Rounds go on by independent rows where a fit to them was kept; what is found counts by what it leaves.
         if let Some(own) = self.last.clone().on_own_rows() {
             self.last = own;
@@ -104,7 +91,11 @@ impl Search<'_> {
         finalists.map(|finalists| Refused { finalists, before })
     }
 
-    fn rounds(&mut self, ends: &Ends, progress: &dyn Fn(&str)) -> Option<Vec<Finalist>> {
+    fn rounds(
+        &mut self,
+        is_explained: &dyn Fn(&FittedModel) -> bool,
+        progress: &dyn Fn(&str),
+    ) -> Option<Vec<Finalist>> {
         let criteria = &self.subject.criteria;
         for round in self.rivals.len()..criteria.selection.most_effects {
             progress(&format!("trying every effect on every joint, round {}", round + 1));
@@ -114,7 +105,7 @@ impl Search<'_> {
             }
             // Before any is known all are tried: one may gain much where no log is left far above its noise.
             let is_done = || is_done(&self.gap, &self.last.stats, criteria);
-            if round > 0 && (is_done() || ends(&self.last, self.gained)) {
+            if round > 0 && (is_done() || is_explained(&self.last)) {
                 return None;
             }
             match self.round() {
@@ -157,9 +148,9 @@ impl Search<'_> {
         let start = self.last.clone().taken_as_systematic(true);
         let last = start.on_own_rows()?.settled(self.subject);
         let (gap, rivals) = (self.gap.clone(), self.rivals.clone());
-        let mut further = Self { subject: self.subject, gap, last, gained: 0.0, rivals };
+        let mut further = Self { subject: self.subject, gap, last, rivals };
         // What paid by rows that all count is not taken out by rows of which few do.
-        let refused = further.searched(self.rivals.len(), &|_, _| false, progress);
+        let refused = further.searched(self.rivals.len(), &|_| false, progress);
         (further.rivals.len() > self.rivals.len()).then_some((further, refused))
     }
 
@@ -190,15 +181,9 @@ impl Search<'_> {
     fn add(&mut self, effect: &EffectInstance, finished: FittedModel, rivals: Vec<EffectInstance>) {
         let known = self.subject.known_effects.len();
         let before = &self.last.linear.hypothesis;
-        let gained = finished.gain_over(&self.last);
-        self.gained = match before.spring_replaced_by(effect, known) {
-            // It gains what the spring did, and something more.
-            Some(place) => {
-                self.rivals.remove(place - known);
-                self.gained.max(gained)
-            }
-            None => gained,
-        };
+        if let Some(place) = before.spring_replaced_by(effect, known) {
+            self.rivals.remove(place - known);
+        }
         self.last = finished;
         self.rivals.push(rivals);
     }
@@ -270,7 +255,7 @@ fn whole_from_given(
 pub fn update_gains(subject: &Subject, last: &FittedModel, added: &mut [Added]) {
     let known = subject.known_effects.len();
     let (gap, rivals) = (last.stats.clone(), Vec::new());
-    let search = Search { subject, gap, last: last.clone(), gained: 0.0, rivals };
+    let search = Search { subject, gap, last: last.clone(), rivals };
     for (index, added) in added.iter_mut().enumerate() {
         if let Some(without) = search.without(known + index) {
             added.gain = gain(&without, last);
