@@ -97,10 +97,16 @@ impl Best {
         Some(Self { part, fault, whole, left: by_fault })
     }
 
-    /// Whether it leaves hardly anything of a gap that there is.
+    /// Whether it leaves hardly anything of the gap.
     fn is_sure(&self, criteria: &FaultCriteria) -> bool {
-        self.whole > 0.0 && self.left <= criteria.sure * self.whole
+        is_hardly_any(self.left, self.whole, criteria)
     }
+}
+
+/// Whether squares are hardly any part of others. Of none they are none: a gap on one joint, or one that comes later,
+/// may not show among all rows of the first seconds.
+fn is_hardly_any(left: f64, whole: f64, criteria: &FaultCriteria) -> bool {
+    whole > 0.0 && left <= criteria.sure * whole
 }
 
 /// Squares above the noise that a model leaves of a part of the logs, refitted to it.
@@ -114,4 +120,16 @@ fn left_by(model: &FittedModel, part: &Evidence, subject: &Subject) -> Option<f6
 fn is_pushed(model: &FittedModel) -> bool {
     let effects = &model.linear.hypothesis.effects;
     effects.iter().any(|effect| effect.definition.name == "tip_force")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_left_of_no_gap_is_no_fault() {
+        let is_sure = |left: f64, whole: f64| is_hardly_any(left, whole, &FaultCriteria::default());
+        assert!(is_sure(0.0, 50.0) && is_sure(0.5, 50.0));
+        assert!(!is_sure(0.6, 50.0) && !is_sure(0.0, 0.0));
+    }
 }
