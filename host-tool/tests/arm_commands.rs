@@ -74,6 +74,34 @@ fn inverse_dynamics_has_the_units_of_the_joints() {
     }
 }
 
+/// Friction that grows with the load, and with the square of the velocity, is what the drive must put out, too.
+#[test]
+fn inverse_dynamics_has_effects_of_friction() {
+    let place = directory();
+    let effects = "friction = { alpha0_V = 0.1, alpha2_V_s_per_rad = 0.05 }
+[[effect]]
+effect = \"load_friction\"
+joint = 2
+parameters = { coefficient_V_per_Nm = 0.02 }
+[[effect]]
+effect = \"quadratic_drag\"
+joint = 2
+parameters = { coefficient_V_s2_per_rad2 = -0.01 }
+";
+    let model =
+        ARM.replace("[joint.drive]\nkind = \"torque\"\n", "drive = { kind = \"torque\" }\n");
+    run(place.path(), &(model + effects), STATES).success().stderr("");
+    let text = std::fs::read_to_string(place.path().join("out.csv")).unwrap();
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines[0], "tau1_N,tau2_Nm,u1_A,friction2_Nm,needed2_Nm");
+    let weight = 0.5 * 9.81;
+    let friction = 0.1 + 0.05 * 2.0 + 0.02 * weight - 0.01 * 4.0;
+    let row: Vec<f64> = lines[1].split(',').map(|x| x.parse().unwrap()).collect();
+    assert!((row[3] - friction).abs() < 1e-12, "{}", lines[1]);
+    assert!((row[4] - weight - friction).abs() < 1e-12, "{}", lines[1]);
+    assert!(lines[2].split(',').nth(3) == Some("0"), "{}", lines[2]);
+}
+
 #[test]
 fn inverse_dynamics_names_what_is_wrong_with_an_arm() {
     let states = STATES.replace("q1_m,", "q1_rad,");

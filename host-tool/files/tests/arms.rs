@@ -139,6 +139,27 @@ fn a_file_written_is_read_the_same() {
     );
 }
 
+/// How well sums of links' values are known.
+#[test]
+fn base_parameters_have_their_standard_errors() {
+    let table = "\n[[base_parameter]]\nname = \"joint[2].mx_kg_m\"\nstandard_error = 1e-3\n";
+    let arm = parse(&format!("{ARM}{table}")).unwrap();
+    assert_eq!(arm.base_errors.len(), 1);
+    assert_eq!(arm.base_errors[0].name, "joint[2].mx_kg_m");
+    assert_eq!(arm.base_errors[0].standard_error, 1e-3);
+    let again = parse(&arm.to_toml().unwrap()).unwrap();
+    assert_eq!(again.base_errors, arm.base_errors);
+    for (wrong, parts) in [
+        ("standard_error = -1e-3", ["standard_error", "[[base_parameter]]"]),
+        ("standard_error = \"small\"", ["standard_error", "number"]),
+        ("value = 1e-3", ["standard_error", "[[base_parameter]]"]),
+        ("standard_error = 1e-3\nvalue = 1.0", ["value", "standard_error"]),
+    ] {
+        let text = format!("{ARM}{}", table.replace("standard_error = 1e-3", wrong));
+        assert_says(&parse(&text).unwrap_err().to_string(), &parts);
+    }
+}
+
 #[test]
 fn an_arm_is_a_chain() {
     let chain = parse(ARM).unwrap().chain().unwrap();

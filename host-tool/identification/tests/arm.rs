@@ -1,8 +1,8 @@
 //! Identification of arms of any kind from simulated logs.
 
-use files::arm_file::Encoder;
+use files::arm_file::{ArmFriction, Encoder};
 use files::example_arms::{six_axes, two_link_pendulum};
-use files::{ArmFile, Dataset};
+use files::{ArmFile, Dataset, EffectTable};
 use identification::arm::{CommandTime, IdentifiedArm, Settings, identify};
 use recordings::ArmCampaign;
 
@@ -209,4 +209,47 @@ fn commands_beyond_the_drive_s_limit_do_no_harm() {
     assert!(beyond.count() > 100);
     let found = identified(&truth, &robot, &[recorder.clone(), other(&recorder, 2)]);
     assert_within(&truth, &found, &recorder, 0.01);
+}
+
+/// A geared arm whose friction has a peak near rest, grows with the load on one joint, and on another less than with
+/// the velocity.
+#[test]
+fn friction_of_gears_is_found_with_what_it_grows_with() {
+    let effect = |effect: &str, joint: u8, parameter: &str, value: f64| EffectTable {
+        effect: effect.into(),
+        joint,
+        parameters: [(parameter.to_owned(), value.into())].into_iter().collect(),
+        extra: Default::default(),
+    };
+    let mut truth = pendulum();
+    let given = truth.joints[0].friction.unwrap();
+    truth.joints[0].friction =
+        Some(ArmFriction { alpha1: Some(0.1), stribeck_velocity: Some(0.1), ..given });
+    truth.effects = vec![
+        effect("load_friction", 1, "coefficient_V_per_Nm", 0.03),
+        effect("quadratic_drag", 2, "coefficient_V_s2_per_rad2", -0.002),
+    ];
+    let mut robot = truth.clone();
+    forget_links(&mut robot);
+    robot.effects.clear();
+    let recorder = Recorder { noise: 0.002, ..of_pendulum() };
+    let slow = Recorder { fastest_hz: 0.15, seed: 5, ..recorder.clone() };
+    let found = identified(&truth, &robot, &[recorder.clone(), slow, other(&recorder, 2)]);
+    println!("{:#?} {:#?}", found.model.effects, found.friction_terms);
+    assert_within(&truth, &found, &recorder, 0.01);
+    let terms = &found.friction_terms;
+    let growth = terms[0].load_friction.unwrap().value;
+    assert!((growth - 0.03).abs() < 0.003, "{growth}");
+    let peak = found.model.joints[0].friction.unwrap().peak().unwrap();
+    assert!((peak[0] - 0.1).abs() < 0.03, "{peak:?}");
+    let square = terms[1].quadratic_drag.unwrap().value;
+    assert!((square + 0.002).abs() < 0.0005, "{square}");
+    assert_eq!((terms[1].load_friction, terms[1].stribeck_peak), (None, None));
+    assert!(terms.iter().all(|terms| terms.constant.is_none()));
+    assert_eq!(found.model.effects.len(), 2);
+    // Sums of links' values are known, the links are not; the file tells both.
+    let told = parse(&found.model.to_toml().unwrap()).base_errors;
+    let of_base = found.base.iter().map(|base| (&base.name, base.standard_error));
+    assert!(told.iter().map(|told| (&told.name, told.standard_error)).eq(of_base));
+    assert!(told[0].standard_error < 0.001 && told[0].name.contains("0.3 joint[2].mass_kg"));
 }

@@ -32,6 +32,8 @@ pub fn linked(arm: &ArmFile, chain: SerialChain<f64>, doubt: f64) -> (LinkedBody
 pub struct LinkSpread {
     /// By link value: the link, which of its values, its standard deviation, and what that moves.
     moves: Vec<Move>,
+    /// Standard deviations of base parameters that the file tells.
+    told: Vec<Option<f64>>,
 }
 
 /// What one link value moves.
@@ -59,14 +61,16 @@ impl LinkSpread {
                 moves.push(Move { link, value, deviation, is_told, by });
             }
         }
-        Self { moves }
+        let told = base.combinations.iter().map(|sum| told(arm, &sum.to_string()));
+        Self { moves, told: told.collect() }
     }
 
-    /// Standard deviations of base parameters: those of all links' values.
+    /// Standard deviations of base parameters: as the file tells them, or those of all links' values.
     pub fn deviations(&self) -> Vec<f64> {
         let count = self.moves.first().map_or(0, |of_value| of_value.by.len());
-        let variance =
+        let of_links =
             |k: usize| self.moves.iter().map(|of_value| of_value.by[k].powi(2)).sum::<f64>();
+        let variance = |k: usize| self.told[k].map_or_else(|| of_links(k), |told| told * told);
         let variances: Vec<f64> = (0..count).map(variance).collect();
         // What is exact may yet be off by rounding.
         let largest = variances.iter().copied().fold(0.0, f64::max);
@@ -93,6 +97,12 @@ impl LinkSpread {
         let both = self.moves.iter().zip(pull.iter());
         both.map(|(of, pull)| (of.link, of.value, of.deviation * pull)).collect()
     }
+}
+
+/// The standard error of a base parameter that a file tells.
+fn told(arm: &ArmFile, name: &str) -> Option<f64> {
+    let of_name = arm.base_errors.iter().find(|error| error.name == name);
+    of_name.map(|error| error.standard_error)
 }
 
 /// Whether a file tells the standard error of a link's value.
@@ -159,5 +169,33 @@ fn rotor_deviation(joint: &ArmJoint, inertia: f64, doubt: f64) -> f64 {
         (Some(error), _) => *error,
         (None, Some(armature)) => doubt * armature,
         (None, None) => doubt * inertia,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use files::arm_file::BaseError;
+    use files::example_arms::two_link_pendulum;
+
+    use super::*;
+
+    #[test]
+    fn a_sum_whose_error_is_told_is_known_so_well_and_others_as_their_links_are() {
+        let mut arm = two_link_pendulum();
+        let chain = arm.chain().unwrap();
+        let (_, by_links) = linked(&arm, chain, 0.1);
+        let base = BaseParameters::of(&chain, &mechanism::Settings::default());
+        let name = base.combinations[1].to_string();
+        arm.base_errors = vec![
+            BaseError { name, standard_error: 1e-4 },
+            BaseError { name: "joint[9].mx_kg_m".to_owned(), standard_error: 1.0 },
+        ];
+        let (_, told) = linked(&arm, chain, 0.1);
+        let (before, after) = (by_links.deviations(), told.deviations());
+        assert!(before[1] > 1e-3, "{before:?}");
+        for (k, (before, after)) in before.iter().zip(&after).enumerate() {
+            let expected = if k == 1 { 1e-4 } else { *before };
+            assert!((after - expected).abs() < 1e-12, "{k}: {after} {expected}");
+        }
     }
 }

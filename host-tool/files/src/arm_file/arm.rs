@@ -4,6 +4,9 @@ use super::joint::ArmJoint;
 use crate::robot_file::EffectTable;
 use crate::toml_source::TomlSource;
 
+/// The table of [`BaseError`].
+pub(super) const BASE: &str = "base_parameter";
+
 /// A serial chain of revolute and prismatic joints with its drives: what is known of it.
 ///
 /// ```
@@ -35,6 +38,19 @@ pub struct ArmFile {
     pub joints: Vec<ArmJoint>,
     /// Effects that the model carries beyond rigid body and friction, in order.
     pub effects: Vec<EffectTable>,
+    /// How well the sums of link parameters that torques depend on are known, where that is told.
+    pub base_errors: Vec<BaseError>,
     /// Where the values came from, for messages.
     pub(super) source: TomlSource,
+}
+
+/// How well a base parameter is known: links' values that the logs do not tell apart may each be uncertain, and their
+/// sum is not.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BaseError {
+    /// The sum, as `joint[2].mx_kg_m + 0.2 joint[3].mass_kg`.
+    pub name: String,
+    /// Its standard error, in its unit.
+    pub standard_error: f64,
 }

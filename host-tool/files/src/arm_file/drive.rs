@@ -95,5 +95,12 @@ pub struct ArmFriction {
     pub sigma1: Option<f64>,
 }
 
+impl ArmFriction {
+    /// Height and width of the Stribeck peak of eq. (10), where both are told [unit of the command; rad/s or m/s].
+    pub fn peak(&self) -> Option<[f64; 2]> {
+        Some([self.alpha1?, self.stribeck_velocity?])
+    }
+}
+
 /// Standard errors by the names of the values, one entry per component.
 pub type StandardErrors = BTreeMap<String, Vec<f64>>;

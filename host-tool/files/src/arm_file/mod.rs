@@ -23,6 +23,6 @@ mod urdf;
 mod urdf_tree;
 mod write;
 
-pub use arm::ArmFile;
+pub use arm::{ArmFile, BaseError};
 pub use drive::{ArmFriction, Drive, DriveKind, Encoder, EncoderSide};
 pub use joint::{ArmJoint, LinkTable};

@@ -5,7 +5,7 @@ use std::path::Path;
 use model::chain::MAX_JOINTS;
 use serde::Deserialize;
 
-use super::arm::ArmFile;
+use super::arm::{ArmFile, BASE, BaseError};
 use super::joint::ArmJoint;
 use super::read_joint::read_joint;
 use super::urdf;
@@ -72,6 +72,7 @@ fn arm_of(path: &Path, source: &TomlSource) -> Result<ArmFile, FileError> {
         sample_period_s: sample_period(&robot)?,
         joints: joints(path, &robot, &tables)?,
         effects: effects(&file, source)?,
+        base_errors: base_errors(&file)?,
         source: TomlSource::default(),
     };
     tables.into_iter().try_for_each(Section::finish)?;
@@ -133,6 +134,23 @@ fn effects(file: &Section, source: &TomlSource) -> Result<Vec<EffectTable>, File
         table.finish()?;
     }
     Ok(source.parse::<Effects>()?.effect)
+}
+
+/// How well base parameters are known.
+fn base_errors(file: &Section) -> Result<Vec<BaseError>, FileError> {
+    let of_table = |table: Section| {
+        let missing = |name: &str| Problem::MissingParameter(format!("{name} of a [[{BASE}]]"));
+        let Some(name) = table.text("name")? else {
+            return Err(table.problem("name", missing("name")));
+        };
+        let Some(standard_error) = table.number("standard_error")?.filter(|error| *error >= 0.0)
+        else {
+            return Err(table.problem("standard_error", missing("standard_error, at least 0,")));
+        };
+        table.finish()?;
+        Ok(BaseError { name, standard_error })
+    };
+    file.sections(BASE)?.into_iter().map(of_table).collect()
 }
 
 impl ArmFile {

@@ -6,7 +6,7 @@ use std::path::Path;
 use model::mechanism::JointKind;
 use toml::{Table, Value};
 
-use super::arm::ArmFile;
+use super::arm::{ArmFile, BASE};
 use super::drive::{ArmFriction, Drive, Encoder, EncoderSide};
 use super::joint::ArmJoint;
 use super::read_drive::{DRIVE_KINDS, SIDES};
@@ -45,6 +45,10 @@ impl ArmFile {
         if !self.effects.is_empty() {
             let effects = Value::try_from(&self.effects)?;
             sections.push(toml::to_string(&Table::from_iter([("effect".to_owned(), effects)]))?);
+        }
+        if !self.base_errors.is_empty() {
+            let errors = Value::try_from(&self.base_errors)?;
+            sections.push(toml::to_string(&Table::from_iter([(BASE.to_owned(), errors)]))?);
         }
         Ok(sections.join("\n"))
     }

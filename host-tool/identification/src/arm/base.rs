@@ -7,6 +7,7 @@ use nalgebra::DMatrix;
 use serde::Serialize;
 
 use super::fit::Fit;
+use super::friction_terms::Term;
 use super::layout::{FRICTION, Layout};
 
 /// A combination of link parameters.
@@ -44,11 +45,16 @@ pub fn base_parameters(
 pub fn condition_number(
     rows: &DMatrix<f64>,
     base: &BaseParameters,
-    layout: Layout,
+    fit: &Fit,
     moves: &[bool],
 ) -> Option<f64> {
-    let own = (0..layout.joints).filter(|joint| moves[*joint]);
-    let own = own.flat_map(|joint| layout.own(joint)..layout.own(joint) + FRICTION);
+    let joints = &fit.unknowns.joints;
+    let layout = Layout { joints: joints.len() };
+    let of_joint = |joint: usize| {
+        let terms = Term::ALL.into_iter().filter(move |term| joints[joint].terms[*term as usize]);
+        (0..FRICTION).chain(terms.map(Term::number)).map(move |which| layout.own(joint) + which)
+    };
+    let own = (0..layout.joints).filter(|joint| moves[*joint]).flat_map(of_joint);
     let columns: Vec<usize> = base.columns().into_iter().chain(own).collect();
     let mut chosen = rows.select_columns(&columns);
     for mut column in chosen.column_iter_mut() {

@@ -27,6 +27,12 @@ impl Fit {
         self.unknowns.numbers(&self.values)
     }
 
+    /// One of a joint's own numbers and its standard error.
+    pub fn own(&self, joint: usize, which: usize) -> [f64; 2] {
+        let at = OF_JOINT * joint + COULOMB + which;
+        [self.values[at], self.covariance[(at, at)].sqrt()]
+    }
+
     /// Whether a joint's unknown rotor may be none: an unknown link takes its place easily.
     fn is_rotor_in_doubt(&self, joint: usize, settings: &Settings) -> bool {
         let at = OF_JOINT * joint + ROTOR;
@@ -53,14 +59,18 @@ impl Fit {
     }
 }
 
-/// Fits; then without each unknown rotor that the fit can do without, and without Coulomb friction
+/// Fits from a start; then without each unknown rotor that the fit can do without, and without Coulomb friction
 /// that would drive.
 ///
 /// # Errors
 /// The search comes to nothing.
-pub fn fit(rows: &DMatrix<f64>, unknowns: Unknowns, settings: &Settings) -> Result<Fit, ArmError> {
-    let start = unknowns.start();
-    let mut found = search(rows, unknowns, &start)?;
+pub fn fit(
+    rows: &DMatrix<f64>,
+    unknowns: Unknowns,
+    start: &[f64],
+    settings: &Settings,
+) -> Result<Fit, ArmError> {
+    let mut found = search(rows, unknowns, start)?;
     for index in 0..found.unknowns.joints.len() {
         if found.is_rotor_in_doubt(index, settings) {
             let mut without = found.unknowns.clone();

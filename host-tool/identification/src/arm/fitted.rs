@@ -1,18 +1,21 @@
 //! An arm fitted to its logs, commands held from row to row or sampled at the rows.
 
 use files::ArmFile;
+use model::chain::SerialChain;
+use model::mechanism::Mechanism;
 use nalgebra::DMatrix;
 
-use super::condensed::Condensed;
+use super::choice_of_terms::shown;
 use super::error::ArmError;
 use super::fit::{Fit, fit};
+use super::fitting::{Fitting, count};
+use super::friction_terms::FrictionTerms;
 use super::layout::Layout;
 use super::logs::PreparedLog;
 use super::motion::CommandTime;
 use super::rows::{Equations, JointRows};
 use super::settings::Settings;
-use super::unknowns::Unknowns;
-use super::weights::{left_of, weights};
+use super::weights::left_of;
 
 /// What is found where commands act at a given time.
 pub struct Fitted {
@@ -20,6 +23,8 @@ pub struct Fitted {
     pub time: CommandTime,
     /// Which joints have rows enough.
     pub moves: Vec<bool>,
+    /// What commands have beyond Coulomb's level and viscous friction.
+    pub terms: FrictionTerms,
     /// All rows, condensed and weighted.
     pub rows: DMatrix<f64>,
     /// The numbers found.
@@ -36,46 +41,73 @@ pub struct Fitted {
 pub fn likelier(
     arm: &ArmFile,
     logs: &[PreparedLog],
-    equations: &Equations,
+    equations: Equations,
     settings: &Settings,
 ) -> Result<Fitted, ArmError> {
-    let [held, sampled] = [CommandTime::Held, CommandTime::Sampled]
-        .map(|time| Fitted::of(arm, logs, equations, time, settings));
-    match (held, sampled) {
-        (Ok(held), Ok(sampled)) if sampled.misfit < held.misfit => Ok(sampled),
-        (Err(_), Ok(sampled)) => Ok(sampled),
-        (held, _) => held,
-    }
+    let fitting = |time| Fitting { arm, logs, equations, time, settings };
+    let [held, sampled] =
+        [CommandTime::Held, CommandTime::Sampled].map(|time| without_terms(&fitting(time)));
+    let plain = match (held, sampled) {
+        (Ok(held), Ok(sampled)) if sampled.misfit < held.misfit => sampled,
+        (Err(_), Ok(sampled)) => sampled,
+        (held, _) => held?,
+    };
+    Ok(with_terms(&fitting(plain.time), plain))
 }
 
-impl Fitted {
-    fn of(
-        arm: &ArmFile,
-        logs: &[PreparedLog],
-        equations: &Equations,
-        time: CommandTime,
-        settings: &Settings,
-    ) -> Result<Self, ArmError> {
-        let layout = Layout { joints: equations.constants.len() };
-        let all: Vec<JointRows> =
-            logs.iter().flat_map(|log| log.rows(equations, time, settings)).collect();
-        let counts: Vec<usize> = (0..layout.joints).map(|joint| count(&all, joint)).collect();
-        let moves: Vec<bool> = counts.iter().map(|count| *count >= settings.fewest_rows).collect();
-        if !moves.contains(&true) {
-            return Err(ArmError::NoMotion);
-        }
-        let condensed = Condensed::of(&all, layout);
-        let rows = condensed.weighted(&weights(&all, &condensed, layout, settings));
-        let found = fit(&rows, Unknowns::of(arm, &scales(logs), settings), settings)?;
-        let numbers = found.numbers();
-        let of_joint = |(joint, count): (usize, &usize)| {
-            *count as f64 * typical_left(&all, joint, &numbers, layout).ln()
-        };
-        let moving = || counts.iter().enumerate().filter(|(joint, _)| moves[*joint]);
-        let misfit = moving().map(of_joint).sum::<f64>()
-            / moving().map(|(_, count)| *count as f64).sum::<f64>();
-        Ok(Self { time, moves, rows, found, misfit })
+fn without_terms(fitting: &Fitting) -> Result<Fitted, ArmError> {
+    fitted(fitting, FrictionTerms::none(fitting.equations.chain), None)
+}
+
+/// The fit with the terms that the logs show, loads by the links found without, and once more by those found with
+/// them. Where terms leave a parameter open, the logs do not show them.
+fn with_terms(fitting: &Fitting, plain: Fitted) -> Fitted {
+    let loaded = |by: &Fitted| with_links(fitting.equations.chain, &by.found);
+    let none = FrictionTerms { chain: loaded(&plain), ..plain.terms.clone() };
+    let terms = shown(fitting, none, &plain.moves);
+    if terms.is_none() {
+        return plain;
     }
+    let again = |found: Fitted| {
+        let terms = FrictionTerms { chain: loaded(&found), ..found.terms.clone() };
+        fitted(fitting, terms, Some(&found))
+    };
+    fitted(fitting, terms, Some(&plain)).and_then(again).unwrap_or(plain)
+}
+
+/// The fit with some terms, searched from another fit or from what is given.
+fn fitted(
+    fitting: &Fitting,
+    terms: FrictionTerms,
+    near: Option<&Fitted>,
+) -> Result<Fitted, ArmError> {
+    let rows = fitting.rows(&terms);
+    let moves = rows.moves(fitting.settings);
+    if !moves.contains(&true) {
+        return Err(ArmError::NoMotion);
+    }
+    let unknowns = fitting.unknowns(&terms);
+    let start = near.map_or_else(|| unknowns.start(), |near| near.found.values.clone());
+    let found = fit(&rows.rows, unknowns, &start, fitting.settings)?;
+    let misfit = mean_misfit(&rows.all, &moves, &found, fitting.layout());
+    Ok(Fitted { time: fitting.time, moves, terms, rows: rows.rows, found, misfit })
+}
+
+/// The chain with the links that a fit found.
+pub fn with_links(chain: &SerialChain<f64>, fit: &Fit) -> SerialChain<f64> {
+    let mut found = *chain;
+    found.set_parameters(&fit.numbers()[..chain.parameter_count()]);
+    found
+}
+
+/// Logarithm of what is typically left of a joint's command, mean over the rows of joints that move.
+fn mean_misfit(all: &[JointRows], moves: &[bool], found: &Fit, layout: Layout) -> f64 {
+    let numbers = found.numbers();
+    let moving = || (0..layout.joints).filter(|joint| moves[*joint]);
+    let of_joint =
+        |joint| count(all, joint) as f64 * typical_left(all, joint, &numbers, layout).ln();
+    let rows = moving().map(|joint| count(all, joint) as f64).sum::<f64>();
+    moving().map(of_joint).sum::<f64>() / rows
 }
 
 /// The median of what the numbers leave of a joint's command, in size: where it turns round, friction that leads or lags
@@ -85,17 +117,4 @@ fn typical_left(rows: &[JointRows], joint: usize, numbers: &[f64], layout: Layou
     let mut sizes: Vec<f64> = left.into_iter().flatten().map(f64::abs).collect();
     sizes.sort_by(f64::total_cmp);
     sizes.get(sizes.len() / 2).copied().unwrap_or_default().max(f64::MIN_POSITIVE)
-}
-
-/// Rows of a joint.
-fn count(rows: &[JointRows], joint: usize) -> usize {
-    let of_joint = rows.iter().filter(|rows| rows.joint == joint);
-    of_joint.map(|rows| rows.command.len()).sum()
-}
-
-fn scales(logs: &[PreparedLog]) -> Vec<[f64; 2]> {
-    let larger = |a: Vec<[f64; 2]>, b: Vec<[f64; 2]>| {
-        a.iter().zip(&b).map(|(a, b)| [a[0].max(b[0]), a[1].max(b[1])]).collect()
-    };
-    logs.iter().map(PreparedLog::scales).reduce(larger).unwrap_or_default()
 }

@@ -3,6 +3,7 @@
 use serde::Serialize;
 use signal::rms;
 
+use super::friction_terms::Term;
 use super::layout::Layout;
 use super::rows::JointRows;
 use super::weights::residuals;
@@ -27,11 +28,11 @@ pub struct LogLeft {
     pub joints: Vec<Option<JointLeft>>,
 }
 
-/// Judges the numbers on the rows of a log; constants beside the friction do not count, since no
+/// Judges the numbers on the rows of a log; constants do not count, since no
 /// model holds them.
 pub fn judged(file: &str, rows: &[JointRows], numbers: &[f64], layout: Layout) -> LogLeft {
     let mut numbers = numbers.to_vec();
-    (0..layout.joints).for_each(|joint| numbers[layout.own(joint) + 2] = 0.0);
+    (0..layout.joints).for_each(|joint| numbers[layout.own(joint) + Term::Constant.number()] = 0.0);
     let of_joint = |joint: usize| {
         let rows: Vec<_> = rows.iter().filter(|rows| rows.joint == joint).collect();
         let left: Vec<f64> =

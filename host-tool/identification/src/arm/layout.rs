@@ -2,13 +2,16 @@
 
 use model::chain::LINK_PARAMETERS;
 
-/// Friction's numbers per joint: Coulomb level, viscous coefficient, and a constant beside.
-pub const OWN: usize = 3;
+/// Friction's numbers per joint: Coulomb level, viscous coefficient, and terms beyond.
+pub const OWN: usize = FRICTION + TERMS;
 
-/// Those of them that are friction, the first.
+/// Those of them that every joint's friction has, the first.
 pub const FRICTION: usize = 2;
 
-/// Link parameters of n joints, then per joint Coulomb, viscous, constant.
+/// Those that a command may have beyond, after them.
+pub const TERMS: usize = 4;
+
+/// Link parameters of n joints, then per joint Coulomb, viscous, terms beyond.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Layout {
     /// Number of joints n.

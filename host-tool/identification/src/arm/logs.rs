@@ -5,6 +5,7 @@ use recordings::ArmRecording;
 
 use super::band::Band;
 use super::error::ArmError;
+use super::friction_terms::FrictionTerms;
 use super::motion::{CommandTime, Motion};
 use super::rows::{Equations, JointRows};
 use super::settings::Settings;
@@ -57,10 +58,12 @@ impl PreparedLog {
         &self,
         equations: &Equations,
         time: CommandTime,
+        terms: &FrictionTerms,
         settings: &Settings,
     ) -> Vec<JointRows> {
         let of_stretch = |stretch: &Stretch| {
-            equations.rows(&Motion::of(stretch, &self.band, time), &self.band, settings)
+            let motion = Motion::of(stretch, &self.band, time);
+            equations.rows(&motion, &self.band, terms, settings)
         };
         self.stretches.iter().flat_map(of_stretch).collect()
     }

@@ -12,7 +12,10 @@
 //! | `motion.rs` | smoothed motion and command |
 //! | `layout.rs`, `rows.rs`, `logs.rs` | rows of the regression, where a joint moves |
 //! | `condensed.rs`, `weights.rs` | all rows as few, weighted by what the fit leaves |
+//! | `linear.rs` | least squares without regard to what is physical |
 //! | `link_prior.rs`, `own_prior.rs` | what is thought of link, rotor and friction before |
+//! | `friction_terms.rs`, `choice_of_terms.rs` | what friction has beyond Coulomb's level and viscous friction |
+//! | `fitting.rs`, `fitted.rs` | rows of all logs, and what is found by them |
 //! | `unknowns.rs`, `fit.rs` | the search for the possible arm that leaves least |
 //! | `base.rs`, `judge.rs`, `remarks.rs` | how good it is |
 //! | `model_file.rs`, `result.rs` | what is written |
@@ -20,13 +23,17 @@
 
 mod band;
 mod base;
+mod choice_of_terms;
 mod condensed;
 mod drives;
 mod error;
 mod fit;
 mod fitted;
+mod fitting;
+mod friction_terms;
 mod judge;
 mod layout;
+mod linear;
 mod link_prior;
 mod logs;
 mod model_file;

@@ -1,9 +1,10 @@
 //! The robot file with what was found.
 
-use files::{ArmFile, ArmJoint};
+use files::{ArmFile, ArmJoint, EffectTable};
 use model::chain::BODY_PARAMETERS;
 
 use super::fit::Fit;
+use super::friction_terms::{FrictionTerms, JointTerms, Term};
 use super::layout::OWN;
 use super::link_prior::{LinkValues, values_of};
 use super::own_prior::Rotor;
@@ -13,7 +14,7 @@ use super::unknowns::{COULOMB, OF_JOINT, ROTOR, link_numbers};
 const CHANGE: f64 = 1e-3;
 
 /// The model: given values where the logs say nothing, else what was found, with standard errors.
-pub fn model_file(arm: &ArmFile, fit: &Fit, moves: &[bool]) -> ArmFile {
+pub fn model_file(arm: &ArmFile, fit: &Fit, moves: &[bool], terms: &FrictionTerms) -> ArmFile {
     let mut model = arm.clone();
     let errors = fit.standard_errors(all_values);
     let values = all_values(&fit.values);
@@ -26,7 +27,44 @@ pub fn model_file(arm: &ArmFile, fit: &Fit, moves: &[bool]) -> ArmFile {
             put_friction(joint, &values[COULOMB..], &errors[COULOMB..], index, fit);
         }
     }
+    for (joint, terms) in terms.joints.iter().enumerate() {
+        put_terms(&mut model, joint, terms, fit);
+    }
     model
+}
+
+/// What a joint's friction, from 0, has beyond Coulomb's level and viscous friction.
+fn put_terms(model: &mut ArmFile, joint: usize, terms: &JointTerms, fit: &Fit) {
+    for term in Term::ALL.into_iter().filter(|term| terms.open[*term as usize]) {
+        let [value, error] = fit.own(joint, term.number());
+        match term {
+            Term::Peak => put_peak(&mut model.joints[joint], value, error, terms.stribeck_velocity),
+            Term::Load => {
+                put_effect(model, joint, "load_friction", "coefficient_V_per_Nm", value);
+            }
+            Term::Square => {
+                put_effect(model, joint, "quadratic_drag", "coefficient_V_s2_per_rad2", value);
+            }
+            Term::Constant => {}
+        }
+    }
+}
+
+fn put_peak(joint: &mut ArmJoint, height: f64, error: f64, width: f64) {
+    let mut friction = joint.friction.unwrap_or_default();
+    (friction.alpha1, friction.stribeck_velocity) = (Some(height), Some(width));
+    joint.friction = Some(friction);
+    let [_, peak, ..] = joint.friction_names();
+    joint.standard_error.insert(peak, vec![error]);
+}
+
+/// An effect of a joint, from 0, in place of one that was given.
+fn put_effect(model: &mut ArmFile, joint: usize, effect: &str, parameter: &str, value: f64) {
+    let joint = u8::try_from(joint + 1).expect("a chain has ten joints at most");
+    model.effects.retain(|table| table.effect != effect || table.joint != joint);
+    let parameters = toml::Table::from_iter([(parameter.to_owned(), value.into())]);
+    let (effect, extra) = (effect.to_owned(), toml::Table::new());
+    model.effects.push(EffectTable { effect, joint, parameters, extra });
 }
 
 /// The values of a file by the unknowns: link, rotor where it is searched, friction and constant.

@@ -1,26 +1,24 @@
 //! The whole way from logs to a model.
 
-use files::arm_file::ArmFriction;
+use files::arm_file::{ArmFriction, BaseError};
 use files::{FileError, Role};
-use model::chain::SerialChain;
-use model::mechanism::Mechanism;
 use recordings::{ArmCampaign, ArmRecording};
 
-use super::base::{base_parameters, condition_number};
+use super::base::{BaseParameter, base_parameters, condition_number};
 use super::drives::torque_constants;
 use super::error::ArmError;
 use super::fit::Fit;
-use super::fitted::{Fitted, likelier};
+use super::fitted::{Fitted, likelier, with_links};
+use super::friction_terms::{FrictionTerms, JointTerms, Term};
 use super::judge::{LogLeft, judged};
 use super::layout::Layout;
 use super::logs::PreparedLog;
 use super::model_file::model_file;
 use super::motion::CommandTime;
 use super::remarks::remarks;
-use super::result::{Constant, IdentifiedArm, LogBand};
+use super::result::{Constant, FoundTerms, IdentifiedArm, LogBand};
 use super::rows::Equations;
 use super::settings::Settings;
-use super::unknowns::{COULOMB, OF_JOINT};
 
 /// Identifies an arm from the `train` logs of a campaign and judges it on those held out.
 ///
@@ -38,21 +36,21 @@ pub fn identify(campaign: &ArmCampaign, settings: &Settings) -> Result<Identifie
     if logs.is_empty() {
         return Err(ArmError::NoLog);
     }
-    let Fitted { time, moves, rows, found, .. } = likelier(arm, &logs, &equations, settings)?;
-    let layout = Layout { joints: arm.joints.len() };
-    let (basis, base) = base_parameters(&with_links(&chain, &found, layout), &found);
+    let Fitted { time, moves, terms, rows, found, .. } = likelier(arm, &logs, equations, settings)?;
+    let (basis, base) = base_parameters(&with_links(&chain, &found), &found);
     let judged_on = if held_out.is_empty() { &logs } else { &held_out };
     let mut result = IdentifiedArm {
-        model: model_file(arm, &found, &moves),
+        model: model_file(arm, &found, &moves, &terms),
         command_time: time,
-        left: left(judged_on, &equations, time, &found, settings),
+        left: left(judged_on, &equations, time, &terms, &found, settings),
         is_held_out: !held_out.is_empty(),
-        condition_number: condition_number(&rows, &basis, layout, &moves),
+        condition_number: condition_number(&rows, &basis, &found, &moves),
         base,
-        constants: constants_beside(&found),
+        friction_terms: friction_terms(&found, &terms),
         bands: logs.iter().map(band).collect(),
         remarks: Vec::new(),
     };
+    result.model.base_errors = base_errors(&result.base);
     result.remarks = remarks(arm, &found, &moves, &result);
     Ok(result)
 }
@@ -70,34 +68,44 @@ fn prepared(
     campaign.of_role(role).map(of).collect()
 }
 
-fn with_links(chain: &SerialChain<f64>, fit: &Fit, layout: Layout) -> SerialChain<f64> {
-    let mut found = *chain;
-    found.set_parameters(&fit.numbers()[..layout.links()]);
-    found
-}
-
 fn left(
     logs: &[PreparedLog],
     equations: &Equations,
     time: CommandTime,
+    terms: &FrictionTerms,
     fit: &Fit,
     settings: &Settings,
 ) -> Vec<LogLeft> {
     let layout = Layout { joints: equations.constants.len() };
     let numbers = fit.numbers();
     let of_log = |log: &PreparedLog| {
-        judged(&log.file, &log.rows(equations, time, settings), &numbers, layout)
+        judged(&log.file, &log.rows(equations, time, terms, settings), &numbers, layout)
     };
     logs.iter().map(of_log).collect()
 }
 
-fn constants_beside(fit: &Fit) -> Vec<Constant> {
-    let at = |index| OF_JOINT * index + COULOMB + 2;
-    let of_joint = |index: usize| Constant {
-        value: fit.values[at(index)],
-        standard_error: fit.covariance[(at(index), at(index))].sqrt(),
+fn base_errors(base: &[BaseParameter]) -> Vec<BaseError> {
+    let of = |base: &BaseParameter| BaseError {
+        name: base.name.clone(),
+        standard_error: base.standard_error,
     };
-    (0..fit.unknowns.joints.len()).map(of_joint).collect()
+    base.iter().map(of).collect()
+}
+
+fn friction_terms(fit: &Fit, terms: &FrictionTerms) -> Vec<FoundTerms> {
+    let of_joint = |(joint, terms): (usize, &JointTerms)| {
+        let found = |term: Term| terms.open[term as usize].then(|| own(fit, joint, term.number()));
+        let [stribeck_peak, load_friction, quadratic_drag, constant] = Term::ALL.map(found);
+        let stribeck_velocity = stribeck_peak.map(|_| terms.stribeck_velocity);
+        FoundTerms { stribeck_peak, stribeck_velocity, load_friction, quadratic_drag, constant }
+    };
+    terms.joints.iter().enumerate().map(of_joint).collect()
+}
+
+/// One of a joint's own numbers.
+fn own(fit: &Fit, joint: usize, which: usize) -> Constant {
+    let [value, standard_error] = fit.own(joint, which);
+    Constant { value, standard_error }
 }
 
 fn band(log: &PreparedLog) -> LogBand {

@@ -4,7 +4,7 @@ use files::{ArmFile, ArmJoint};
 
 use super::fit::Fit;
 use super::own_prior::Rotor;
-use super::result::{Constant, IdentifiedArm};
+use super::result::{Constant, FoundTerms, IdentifiedArm};
 
 /// Remarks on joints, from the file as given, the fit and which joints move.
 pub fn remarks(arm: &ArmFile, fit: &Fit, moves: &[bool], found: &IdentifiedArm) -> Vec<String> {
@@ -29,7 +29,13 @@ pub fn remarks(arm: &ArmFile, fit: &Fit, moves: &[bool], found: &IdentifiedArm) 
         if fit.unknowns.joints[index].without_coulomb {
             all.push(format!("joint {number}: Coulomb friction came out below 0 and is held at 0"));
         }
-        all.extend(of_constant(number, joint.command_unit(), &found.constants[index], found));
+        all.extend(of_terms(number, joint, &found.friction_terms[index]));
+        all.extend(of_constant(
+            number,
+            joint.command_unit(),
+            found.friction_terms[index].constant,
+            found,
+        ));
     }
     all
 }
@@ -49,18 +55,38 @@ fn of_link(number: usize, given: &ArmJoint, found: &ArmJoint) -> Option<String> 
     })
 }
 
+/// Terms of friction that the model carries as effects.
+fn of_terms(number: usize, joint: &ArmJoint, terms: &FoundTerms) -> Vec<String> {
+    let unit = joint.command_unit();
+    let load = terms.load_friction.map(|growth| {
+        let Constant { value, standard_error } = growth;
+        format!(
+            "joint {number}: friction grows with the load by {value:.3e} {unit}/Nm, give or take \
+             {standard_error:.1e} (effect load_friction of the model)"
+        )
+    });
+    let square = terms.quadratic_drag.map(|drag| {
+        let how = if drag.value > 0.0 { "more" } else { "less" };
+        format!(
+            "joint {number}: friction grows {how} than with the velocity (effect quadratic_drag of \
+             the model)"
+        )
+    });
+    load.into_iter().chain(square).collect()
+}
+
 /// A constant that is sure and not small.
 fn of_constant(
     number: usize,
     unit: &str,
-    constant: &Constant,
+    constant: Option<Constant>,
     found: &IdentifiedArm,
 ) -> Option<String> {
     /// Smaller parts of the command are of no account.
     const PART: f64 = 0.02;
     let commands = found.left.iter().filter_map(|log| log.joints[number - 1]);
     let command = commands.map(|left| left.command_rms).fold(0.0, f64::max);
-    let Constant { value, standard_error } = *constant;
+    let Constant { value, standard_error } = constant?;
     let is_sure = value.abs() > 3.0 * standard_error && value.abs() > PART * command;
     is_sure.then(|| {
         format!(

@@ -24,21 +24,37 @@ pub struct IdentifiedArm {
     pub condition_number: Option<f64>,
     /// The combinations of link parameters that count.
     pub base: Vec<BaseParameter>,
-    /// A constant beside the friction per joint, which the model does not hold.
-    pub constants: Vec<Constant>,
+    /// What commands have beyond Coulomb's level and viscous friction, per joint.
+    pub friction_terms: Vec<FoundTerms>,
     /// The band of each log fitted to.
     pub bands: Vec<LogBand>,
     /// What the user should know.
     pub remarks: Vec<String>,
 }
 
-/// A constant that a joint's commands carry, in the unit of the command.
+/// A number of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Constant {
     /// Its value.
     pub value: f64,
     /// Its standard error.
     pub standard_error: f64,
+}
+
+/// What a joint's command has beyond Coulomb's level and viscous friction, where the logs show it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct FoundTerms {
+    /// alpha1 of eq. (10) [unit of the command].
+    pub stribeck_peak: Option<Constant>,
+    /// Its width, the best of those tried [rad/s; m/s].
+    pub stribeck_velocity: Option<f64>,
+    /// Growth with the joint's load [unit of the command by Nm; by N], effect `load_friction`.
+    pub load_friction: Option<Constant>,
+    /// Growth with the square of the velocity, effect `quadratic_drag`; negative where friction grows less than with
+    /// the velocity.
+    pub quadratic_drag: Option<Constant>,
+    /// A constant, which the model does not hold [unit of the command].
+    pub constant: Option<Constant>,
 }
 
 /// The band in which a log was judged.

@@ -7,7 +7,8 @@ use nalgebra::DMatrix;
 use signal::LowPass;
 
 use super::band::Band;
-use super::layout::{Layout, OWN};
+use super::friction_terms::FrictionTerms;
+use super::layout::{Layout, TERMS};
 use super::motion::Motion;
 use super::settings::Settings;
 
@@ -23,6 +24,7 @@ pub struct JointRows {
 }
 
 /// What rows need to know of an arm.
+#[derive(Clone, Copy)]
 pub struct Equations<'a> {
     /// The chain; its link parameters do not matter.
     pub chain: &'a SerialChain<f64>,
@@ -33,9 +35,16 @@ pub struct Equations<'a> {
 }
 
 impl Equations<'_> {
-    /// The rows of a stretch, one entry per joint.
-    pub fn rows(&self, motion: &Motion, band: &Band, settings: &Settings) -> Vec<JointRows> {
+    /// The rows of a stretch, one entry per joint, with terms of friction.
+    pub fn rows(
+        &self,
+        motion: &Motion,
+        band: &Band,
+        terms: &FrictionTerms,
+        settings: &Settings,
+    ) -> Vec<JointRows> {
         let regressors = self.regressors(motion);
+        let mut terms = terms.columns(motion);
         let filter = LowPass::new(band.second_hz, motion.period_s);
         (0..self.constants.len())
             .map(|joint| {
@@ -44,7 +53,8 @@ impl Equations<'_> {
                     let smooth = filter.zero_phase(signal);
                     kept.iter().map(|&sample| smooth[sample]).collect()
                 };
-                let columns = self.columns(motion, &regressors, joint);
+                let columns =
+                    self.columns(motion, &regressors, std::mem::take(&mut terms[joint]), joint);
                 let columns: Vec<f64> = columns.iter().flat_map(|column| thin(column)).collect();
                 let width = Layout { joints: self.constants.len() }.of_row();
                 let rows = DMatrix::from_vec(kept.len(), width, columns);
@@ -66,25 +76,27 @@ impl Equations<'_> {
     }
 
     /// Unfiltered columns of a joint's rows.
-    fn columns(&self, motion: &Motion, regressors: &[Vec<f64>], joint: usize) -> Vec<Vec<f64>> {
+    fn columns(
+        &self,
+        motion: &Motion,
+        regressors: &[Vec<f64>],
+        terms: [Vec<f64>; TERMS],
+        joint: usize,
+    ) -> Vec<Vec<f64>> {
         let links = self.chain.parameter_count();
         let of_link = |column: usize| {
             let entry = |rows: &Vec<f64>| rows[joint * links + column] / self.constants[joint];
             regressors.iter().map(entry).collect()
         };
         let velocity = &motion.states[1][joint];
-        let own: [Vec<f64>; OWN] = [
-            velocity.iter().map(|v| v.signum()).collect(),
-            velocity.clone(),
-            vec![1.0; velocity.len()],
-        ];
-        (0..links).map(of_link).chain(own).collect()
+        let signs = velocity.iter().map(|v| v.signum()).collect();
+        let friction = [signs, velocity.clone()].into_iter().chain(terms);
+        (0..links).map(of_link).chain(friction).collect()
     }
 
     /// The command less the given Stribeck peak alpha1 exp(-(v/vs)^2) of eq. (10).
     fn less_peak(&self, motion: &Motion, joint: usize) -> Vec<f64> {
-        let friction = &self.friction[joint];
-        let (Some(height), Some(width)) = (friction.alpha1, friction.stribeck_velocity) else {
+        let Some([height, width]) = self.friction[joint].peak() else {
             return motion.command[joint].clone();
         };
         let peak = |v: f64| height * (-(v / width).powi(2)).exp() * v.signum();

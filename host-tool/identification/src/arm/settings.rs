@@ -46,6 +46,17 @@ pub struct Settings {
     /// Any other unknown rotor is written only where the fit without it is worse by this many squared
     /// standard deviations: three of them.
     pub rotor_evidence: f64,
+    /// Friction has a term beyond Coulomb's and viscous friction where this many standard errors say so: what friction of
+    /// another law leaves is no noise, and three would not do.
+    pub term_errors: f64,
+    /// A constant where this many say so: gravity over a part of a turn looks like one, and what friction of another law
+    /// leaves comes to five.
+    pub constant_errors: f64,
+    /// And where it takes this part of the squares that are left without: less is of no use to anybody.
+    pub term_part: f64,
+    /// Widths of the Stribeck peak that are tried, in parts of a joint's largest velocity: from where it stands to where
+    /// viscous friction is as good.
+    pub stribeck_velocities: [f64; 6],
 }
 
 impl Default for Settings {
@@ -60,7 +71,7 @@ impl Default for Settings {
             rows_per_period: 2.5,
             shortest: 6.0,
             longest_gap: 3.5,
-            standstill: 0.03,
+            standstill: 0.2,
             standstill_noise: 4.0,
             fewest_rows: 44,
             doubt_of_link: 0.2,
@@ -68,6 +79,10 @@ impl Default for Settings {
             weighting_passes: 5,
             rotor_doubt: 0.05,
             rotor_evidence: 9.0,
+            term_errors: 5.0,
+            constant_errors: 10.0,
+            term_part: 0.05,
+            stribeck_velocities: [0.01, 0.02, 0.04, 0.08, 0.16, 0.32],
         }
     }
 }

@@ -4,12 +4,13 @@
 use files::ArmFile;
 use model::chain::{BODY_PARAMETERS, Body, LINK_PARAMETERS};
 
-use super::layout::{Layout, OWN};
+use super::friction_terms::Term;
+use super::layout::{Layout, OWN, TERMS};
 use super::link_prior::{LinkPrior, reaches};
 use super::own_prior::{Prior, Rotor, friction_priors};
 use super::settings::Settings;
 
-/// Unknowns of a joint: its link, its rotor, Coulomb, viscous, constant.
+/// Unknowns of a joint: its link, its rotor, Coulomb, viscous, terms beyond.
 pub const OF_JOINT: usize = LINK_PARAMETERS + OWN;
 /// Where a joint's rotor stands among them.
 pub const ROTOR: usize = BODY_PARAMETERS;
@@ -20,7 +21,7 @@ pub const COULOMB: usize = LINK_PARAMETERS;
 const ROTOR_WIDTH: f64 = 4.6;
 /// Unknown friction, in largest commands: no information.
 const OWN_WIDTH: f64 = 100.0;
-/// Constants beside, in largest commands: where gravity may explain as much, it does.
+/// Constants, in largest commands: where gravity may explain as much, it does.
 const CONSTANT_WIDTH: f64 = 0.1;
 
 /// One joint.
@@ -34,6 +35,10 @@ pub struct JointUnknowns {
     pub friction: [Prior; 2],
     /// Coulomb friction is held at zero.
     pub without_coulomb: bool,
+    /// Which terms friction has beyond, in the order of [`Term::ALL`].
+    pub terms: [bool; TERMS],
+    /// Torque by command.
+    constant: f64,
     /// Largest command of the logs.
     largest: f64,
     /// Largest velocity of the logs.
@@ -48,10 +53,10 @@ pub struct Unknowns {
 }
 
 impl Unknowns {
-    /// Of an arm; largest command and velocity per joint give scales.
-    pub fn of(arm: &ArmFile, scales: &[[f64; 2]], settings: &Settings) -> Self {
-        let joints = arm.joints.iter().zip(reaches(&arm.joints)).zip(scales);
-        let joints = joints.map(|((joint, reach), [largest, fastest])| {
+    /// Of an arm; torque by command, largest command and velocity per joint give scales.
+    pub fn of(arm: &ArmFile, constants: &[f64], scales: &[[f64; 2]], settings: &Settings) -> Self {
+        let joints = arm.joints.iter().zip(reaches(&arm.joints)).zip(constants).zip(scales);
+        let joints = joints.map(|(((joint, reach), constant), [largest, fastest])| {
             let link = LinkPrior::of(joint, &reach, settings);
             let mass = Body::of_log_cholesky(&link.start).mass_kg;
             let arm = match joint.kind {
@@ -63,6 +68,8 @@ impl Unknowns {
                 link,
                 friction: friction_priors(joint, settings),
                 without_coulomb: false,
+                terms: [false; TERMS],
+                constant: *constant,
                 largest: largest.max(1e-9),
                 fastest: fastest.max(1e-9),
             }
@@ -98,6 +105,7 @@ impl Unknowns {
             let friction = &mut numbers[layout.own(index)..][..OWN];
             friction.copy_from_slice(&own[COULOMB..]);
             friction[0] = if joint.without_coulomb { 0.0 } else { friction[0] };
+            joint.closed().for_each(|term| friction[term.number()] = 0.0);
         }
         numbers
     }
@@ -121,17 +129,32 @@ impl JointUnknowns {
         }
     }
 
+    /// The terms that friction does not have.
+    fn closed(&self) -> impl Iterator<Item = Term> {
+        Term::ALL.into_iter().zip(self.terms).filter_map(|(term, open)| (!open).then_some(term))
+    }
+
+    /// Order of magnitude of a term: as large as the largest command.
+    fn size(&self, term: Term) -> f64 {
+        match term {
+            Term::Peak | Term::Constant => self.largest,
+            Term::Load => 1.0 / self.constant,
+            Term::Square => self.largest / self.fastest.powi(2),
+        }
+    }
+
     fn start(&self) -> Vec<f64> {
         let rotor = match self.rotor {
             Rotor::Fixed(_) => 0.0,
             Rotor::Given(value, _) | Rotor::Unknown(value) => value.ln(),
         };
         let friction = self.friction.map(|prior| prior.map_or(0.0, |(value, _)| value));
-        self.link.start.into_iter().chain([rotor]).chain(friction).chain([0.0]).collect()
+        self.link.start.into_iter().chain([rotor]).chain(friction).chain([0.0; TERMS]).collect()
     }
 
     fn scale(&self) -> Vec<f64> {
-        let own = [1.0, self.largest, self.largest / self.fastest, self.largest];
+        let friction = [1.0, self.largest, self.largest / self.fastest];
+        let own = friction.into_iter().chain(Term::ALL.map(|term| self.size(term)));
         self.link.width.into_iter().chain(own).collect()
     }
 
@@ -148,11 +171,18 @@ impl JointUnknowns {
             Some((value, doubt)) => (own[COULOMB + k] - value) / doubt,
             None => own[COULOMB + k] / widths[k],
         });
-        let constant = own[COULOMB + 2] / (CONSTANT_WIDTH * self.largest);
+        let terms = Term::ALL.into_iter().zip(self.terms).map(|(term, open)| {
+            let width = match term {
+                _ if !open => 1.0,
+                Term::Constant => CONSTANT_WIDTH,
+                Term::Peak | Term::Load | Term::Square => OWN_WIDTH,
+            };
+            own[COULOMB + term.number()] / (width * self.size(term))
+        });
         let mut all = self.link.residuals(&link_numbers(own));
         all.push(rotor);
         all.extend(friction);
-        all.push(constant);
+        all.extend(terms);
         all
     }
 }

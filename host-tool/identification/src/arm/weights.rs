@@ -1,10 +1,11 @@
 //! The weight of each joint's rows: one over the variance of what the fit leaves.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use signal::estimation::autocorrelation::effective_samples;
 
 use super::condensed::Condensed;
 use super::layout::Layout;
+use super::linear::Linear;
 use super::rows::JointRows;
 use super::settings::Settings;
 
@@ -19,8 +20,8 @@ pub fn weights(
 ) -> Vec<f64> {
     let mut found = weighed(rows, &vec![0.0; layout.all()], layout);
     for _ in 0..settings.weighting_passes {
-        let Some(numbers) = solved(&condensed.weighted(&found)) else { break };
-        found = weighed(rows, &numbers, layout);
+        let Some(solved) = Linear::of(&condensed.weighted(&found)) else { break };
+        found = weighed(rows, &solved.numbers, layout);
     }
     found
 }
@@ -57,19 +58,4 @@ fn variance(rows: &[JointRows], joint: usize, numbers: &[f64], layout: Layout) -
 pub fn left_of(rows: &[JointRows], joint: usize, numbers: &[f64], layout: Layout) -> Vec<Vec<f64>> {
     let of_joint = rows.iter().filter(|rows| rows.joint == joint && rows.rows.nrows() > 0);
     of_joint.map(|rows| residuals(rows, numbers, layout)).collect()
-}
-
-/// Least squares with as little damping as rounding asks, columns scaled to one.
-fn solved(rows: &DMatrix<f64>) -> Option<Vec<f64>> {
-    const DAMPING: f64 = 1e-10;
-    let count = rows.ncols() - 1;
-    let scale: Vec<f64> = (0..count).map(|k| rows.column(k).norm().max(1e-300)).collect();
-    let mut columns = rows.columns(0, count).into_owned();
-    for (mut column, scale) in columns.column_iter_mut().zip(&scale) {
-        column /= *scale;
-    }
-    let mut gram = columns.tr_mul(&columns);
-    (0..count).for_each(|k| gram[(k, k)] += DAMPING);
-    let found = gram.cholesky()?.solve(&columns.tr_mul(&rows.column(count)));
-    Some(found.iter().zip(&scale).map(|(x, scale)| x / scale).collect())
 }

@@ -80,20 +80,39 @@ pub fn constants(arm: &ArmFile) -> Vec<f64> {
     arm.joints.iter().map(constant).collect()
 }
 
-/// Friction in the unit of the command; Coulomb's sign within 0.005 rad/s (m/s) of rest is a slope.
-pub fn friction(arm: &ArmFile, qd: &[f64]) -> Vec<f64> {
+/// Friction in the unit of the command, effects load_friction and quadratic_drag among it; Coulomb's sign within 0.005
+/// rad/s (m/s) of rest is a slope.
+pub fn friction(arm: &ArmFile, chain: &SerialChain<f64>, q: &[f64], qd: &[f64]) -> Vec<f64> {
     let of_joint = |(joint, v): (&files::ArmJoint, &f64)| {
         let friction = joint.friction.unwrap();
-        friction.alpha0.unwrap() * (v / 0.005).tanh() + friction.alpha2.unwrap() * v
+        let peak =
+            friction.peak().map_or(0.0, |[height, width]| height * (-(v / width).powi(2)).exp());
+        (friction.alpha0.unwrap() + peak) * (v / 0.005).tanh() + friction.alpha2.unwrap() * v
     };
-    arm.joints.iter().zip(qd).map(of_joint).collect()
+    let mut all: Vec<f64> = arm.joints.iter().zip(qd).map(of_joint).collect();
+    for effect in &arm.effects {
+        let joint = usize::from(effect.joint) - 1;
+        let value = |name| effect.parameters[name].as_float().unwrap();
+        all[joint] += match effect.effect.as_str() {
+            "load_friction" => {
+                let mut load = vec![0.0; q.len()];
+                chain.inverse_dynamics(q, qd, &vec![0.0; q.len()], &mut load);
+                let growth = value("coefficient_V_per_Nm");
+                growth * load[joint].abs() * (qd[joint] / 0.005).tanh()
+            }
+            "quadratic_drag" => value("coefficient_V_s2_per_rad2") * qd[joint].abs() * qd[joint],
+            other => panic!("{other}"),
+        };
+    }
+    all
 }
 
 /// The command that gives a motion.
 pub fn command(arm: &ArmFile, [q, qd, qdd]: &[Vec<f64>; 3]) -> Vec<f64> {
     let mut torque = vec![0.0; q.len()];
-    arm.chain().unwrap().inverse_dynamics(q, qd, qdd, &mut torque);
-    let both = torque.iter().zip(constants(arm)).zip(friction(arm, qd));
+    let chain = arm.chain().unwrap();
+    chain.inverse_dynamics(q, qd, qdd, &mut torque);
+    let both = torque.iter().zip(constants(arm)).zip(friction(arm, &chain, q, qd));
     both.map(|((torque, constant), friction)| torque / constant + friction).collect()
 }
 
@@ -164,7 +183,7 @@ fn step(
 ) {
     let n = q.len();
     let slope = |q: &[f64], qd: &[f64]| {
-        let friction = friction(arm, qd);
+        let friction = friction(arm, chain, q, qd);
         let torque: Vec<f64> = (0..n).map(|j| constants[j] * (u[j] - friction[j])).collect();
         let mut qdd = vec![0.0; n];
         chain.forward_dynamics(q, qd, &torque, &mut qdd);

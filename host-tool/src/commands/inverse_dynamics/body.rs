@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use files::{ArmFile, FileError, RobotFile};
+use files::{ArmFile, EffectTable, FileError, RobotFile};
+use model::Pendulum;
 use model::mechanism::{Mechanism, Rrr};
-use model::{Friction, Pendulum};
 
-use super::friction;
+use super::friction::{self, SteadyFriction};
 use super::joint::JointColumns;
 
 /// A rigid body, and the columns of its joints.
@@ -27,16 +27,19 @@ impl Body {
     /// # Errors
     /// A file that cannot be read, or lacks a value.
     pub fn read(path: &Path) -> Result<Self, FileError> {
-        let (body, effects) = if ArmFile::is_at(path) {
+        let (mut body, effects) = if ArmFile::is_at(path) {
             let file = ArmFile::read(path)?;
             (Self::of_arm(&file)?, file.effects)
         } else {
             let file = RobotFile::read(path)?;
             (Self::of_robot(&file)?, file.effects)
         };
-        if !effects.is_empty() {
+        let is_taken = |effect: &EffectTable| body.joints.iter_mut().any(|joint| joint.add(effect));
+        let taken = effects.iter().map(is_taken).filter(|taken| *taken).count();
+        if taken < effects.len() {
             eprintln!(
-                "note: effects of the model are left out: inverse dynamics is rigid body and friction only"
+                "note: effects of the model are left out but load_friction and quadratic_drag: inverse dynamics is \
+                 rigid body and friction only"
             );
         }
         Ok(body)
@@ -100,6 +103,6 @@ impl Body {
     }
 }
 
-fn friction_of(file: &RobotFile, joint: u8) -> Option<Friction<f64>> {
-    file.friction_table(joint).ok().map(friction::of_table)
+fn friction_of(file: &RobotFile, joint: u8) -> Option<SteadyFriction> {
+    file.friction_table(joint).ok().map(|table| SteadyFriction::of(friction::of_table(table)))
 }

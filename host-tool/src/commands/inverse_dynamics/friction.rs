@@ -1,7 +1,48 @@
-//! Friction of a joint in steady motion, eq. (10), in the unit of its command.
+//! Friction of a joint in steady motion, in the unit of its command: eq. (10), and what effects of the model add.
 
-use files::{ArmJoint, FrictionTable};
+use files::{ArmJoint, EffectTable, FrictionTable};
 use model::Friction;
+use model::effects::quadratic_drag_v;
+
+/// Friction of a joint.
+#[derive(Clone, Debug)]
+pub struct SteadyFriction {
+    /// Eq. (10).
+    pub law: Friction<f64>,
+    /// Effect `load_friction`: growth with the load [unit of the command by Nm; by N].
+    growth: f64,
+    /// Effect `quadratic_drag`: growth with the square of the velocity.
+    drag: f64,
+}
+
+impl SteadyFriction {
+    /// That of eq. (10) alone.
+    pub fn of(law: Friction<f64>) -> Self {
+        Self { law, growth: 0.0, drag: 0.0 }
+    }
+
+    /// Takes an effect of its joint; whether it is one of friction.
+    pub fn add(&mut self, effect: &EffectTable) -> bool {
+        let value = |name: &str| effect.parameters.get(name).and_then(toml::Value::as_float);
+        let (part, name) = match effect.effect.as_str() {
+            "load_friction" => (&mut self.growth, "coefficient_V_per_Nm"),
+            "quadratic_drag" => (&mut self.drag, "coefficient_V_s2_per_rad2"),
+            _ => return false,
+        };
+        let found = value(name);
+        *part += found.unwrap_or_default();
+        found.is_some()
+    }
+
+    /// At a velocity [rad/s; m/s] and a load, Coriolis and gravity torques [Nm; N]; at rest none.
+    pub fn at(&self, velocity: f64, load: f64) -> f64 {
+        if velocity == 0.0 {
+            return 0.0;
+        }
+        let grown = self.growth * load.abs() * velocity.signum();
+        self.law.sliding(velocity) + grown - quadratic_drag_v(self.drag, velocity)
+    }
+}
 
 /// The friction of a table of format 1; bristles do not matter in steady motion.
 pub fn of_table(table: &FrictionTable) -> Friction<f64> {

@@ -1,11 +1,10 @@
 //! The columns of a joint.
 
-use files::ArmJoint;
 use files::arm_file::DriveKind;
-use model::Friction;
+use files::{ArmJoint, EffectTable};
 use model::mechanism::JointKind;
 
-use super::friction;
+use super::friction::{self, SteadyFriction};
 
 /// A joint's number and units, and the torque by its command.
 #[derive(Clone, Debug)]
@@ -14,7 +13,7 @@ pub struct JointColumns {
     kind: JointKind,
     /// The command's unit, and the torque by it, where both are known.
     command: Option<(&'static str, f64)>,
-    friction: Option<Friction<f64>>,
+    friction: Option<SteadyFriction>,
 }
 
 impl JointColumns {
@@ -22,7 +21,7 @@ impl JointColumns {
     pub fn with_voltage(
         number: u8,
         torque_constant_nm_per_v: f64,
-        friction: Option<Friction<f64>>,
+        friction: Option<SteadyFriction>,
     ) -> Self {
         let command = Some(("V", torque_constant_nm_per_v));
         Self { number: number.into(), kind: JointKind::Revolute, command, friction }
@@ -38,7 +37,8 @@ impl JointColumns {
         });
         let is_goal =
             joint.drive.as_ref().is_some_and(|drive| drive.kind == DriveKind::PositionServo);
-        let friction = friction::of_joint(joint).filter(|_| !is_goal);
+        let law = friction::of_joint(joint).filter(|_| !is_goal);
+        let friction = law.map(SteadyFriction::of);
         Self { number, kind: joint.kind, command, friction }
     }
 
@@ -72,14 +72,21 @@ impl JointColumns {
     /// Friction, and the whole command that a motion needs: the rigid body's share and friction's; in
     /// files that tell friction, where the command is no goal.
     pub fn needed(&self) -> Option<[String; 2]> {
-        self.friction?;
+        self.friction.as_ref()?;
         let unit = self.command.map_or(self.torque_unit(), |(unit, _)| unit);
         Some(["friction", "needed"].map(|name| format!("{name}{}_{unit}", self.number)))
     }
 
-    /// The values of [`JointColumns::needed`], from the rigid body's torque and the velocity.
-    pub fn needed_values(&self, torque: f64, velocity: f64) -> Option<[f64; 2]> {
-        let friction = self.friction?.sliding(velocity);
+    /// Takes an effect of this joint; whether it is one of friction that the file tells.
+    pub fn add(&mut self, effect: &EffectTable) -> bool {
+        usize::from(effect.joint) == self.number
+            && self.friction.as_mut().is_some_and(|friction| friction.add(effect))
+    }
+
+    /// The values of [`JointColumns::needed`], from the rigid body's torque, Coriolis and gravity torques and the
+    /// velocity.
+    pub fn needed_values(&self, torque: f64, load: f64, velocity: f64) -> Option<[f64; 2]> {
+        let friction = self.friction.as_ref()?.at(velocity, load);
         Some([friction, torque / self.torque_constant().unwrap_or(1.0) + friction])
     }
 

@@ -31,7 +31,7 @@ pub struct Arguments {
     #[arg(value_name = "STATES.csv")]
     pub states: PathBuf,
     /// Where the columns go: tau1_Nm.. (tau1_N..) and u1_V.. (u1_A..) = tau / k_t, of the rigid body with
-    /// its rotors alone; where the model tells friction, friction1_V.. at that velocity, and
+    /// its rotors alone; where the model tells friction, friction1_V.. at that velocity and load, and
     /// needed1_V.., the sum of both: what the drive must put out.
     #[arg(long, value_name = "OUT.csv")]
     pub out: PathBuf,
@@ -92,7 +92,8 @@ fn write(arguments: &Arguments, body: &Body, motion: &Motion) -> Result<(), File
         put(header(&body.joints))?;
         (0..motion.rows).try_for_each(|row| {
             let [q, qd, qdd] = motion.row(row);
-            let values = values(body, &body.torques(&q, &qd, &qdd), &qd);
+            let loads = body.torques(&q, &qd, &vec![0.0; qdd.len()]);
+            let values = values(body, &body.torques(&q, &qd, &qdd), &loads, &qd);
             if values.iter().any(|value| !value.is_finite()) {
                 return Err(Problem::OutOfRange(format!(
                     "sample {} of {} needs infinite torques or commands",
@@ -114,12 +115,12 @@ fn header(joints: &[JointColumns]) -> String {
 }
 
 /// The values of a row, in the order of the header.
-fn values(body: &Body, torques: &[f64], velocities: &[f64]) -> Vec<f64> {
+fn values(body: &Body, torques: &[f64], loads: &[f64], velocities: &[f64]) -> Vec<f64> {
     let joints = || torques.iter().zip(&body.joints);
     let commands = joints().filter_map(|(torque, joint)| Some(torque / joint.torque_constant()?));
     let needed: Vec<[f64; 2]> = joints()
-        .zip(velocities)
-        .filter_map(|((torque, joint), velocity)| joint.needed_values(*torque, *velocity))
+        .zip(loads.iter().zip(velocities))
+        .filter_map(|((torque, joint), (load, v))| joint.needed_values(*torque, *load, *v))
         .collect();
     let parts = [0, 1].map(|index| needed.iter().map(move |values| values[index]));
     torques.iter().copied().chain(commands).chain(parts.into_iter().flatten()).collect()
