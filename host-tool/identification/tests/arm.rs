@@ -231,7 +231,11 @@ fn friction_of_gears_is_found_with_what_it_grows_with() {
     ];
     let mut robot = truth.clone();
     forget_links(&mut robot);
-    robot.effects.clear();
+    // What a model of before says of such friction is found anew, or gone.
+    robot.effects = vec![
+        effect("quadratic_drag", 1, "coefficient_V_s2_per_rad2", 0.05),
+        effect("load_friction", 1, "coefficient_V_per_Nm", 0.3),
+    ];
     let recorder = Recorder { noise: 0.002, ..of_pendulum() };
     let slow = Recorder { fastest_hz: 0.15, seed: 5, ..recorder.clone() };
     let found = identified(&truth, &robot, &[recorder.clone(), slow, other(&recorder, 2)]);

@@ -46,8 +46,7 @@ pub struct ArmFile {
 
 /// How well a base parameter is known: links' values that the logs do not tell apart may each be uncertain, and their
 /// sum is not.
-#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct BaseError {
     /// The sum, as `joint[2].mx_kg_m + 0.2 joint[3].mass_kg`.
     pub name: String,

@@ -96,9 +96,10 @@ pub struct ArmFriction {
 }
 
 impl ArmFriction {
-    /// Height and width of the Stribeck peak of eq. (10), where both are told [unit of the command; rad/s or m/s].
+    /// Height and width of the Stribeck peak of eq. (10), where both are told and there is one [unit of the command; rad/s
+    /// or m/s].
     pub fn peak(&self) -> Option<[f64; 2]> {
-        Some([self.alpha1?, self.stribeck_velocity?])
+        Some([self.alpha1.filter(|height| *height != 0.0)?, self.stribeck_velocity?])
     }
 }
 

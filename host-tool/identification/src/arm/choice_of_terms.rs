@@ -12,34 +12,49 @@ use super::settings::Settings;
 /// The terms that the logs of joints that move show, loads by the links of the chain that comes with none.
 pub fn shown(fitting: &Fitting, without: FrictionTerms, moves: &[bool]) -> FrictionTerms {
     let mut terms = all_open(fitting, &without, moves);
-    // Each round closes one term of a joint at least, until none is left to be closed.
-    for _ in 0..TERMS {
+    // Each round but the last closes a term of a joint at least.
+    for _ in 0..=TERMS * terms.joints.len() {
         let Some(solved) = Solved::of(fitting, &terms) else { return without };
-        for joint in 0..terms.joints.len() {
-            terms.joints[joint] = solved.without_least_sure(&terms, joint, fitting.settings);
+        let joints: Vec<JointTerms> = (0..terms.joints.len())
+            .map(|joint| solved.without_least_sure(&terms, joint, fitting.settings))
+            .collect();
+        if joints == terms.joints {
+            break;
         }
+        terms.joints = joints;
     }
     terms
 }
 
-/// All terms on all joints that move, each peak as wide as leaves least.
+/// All terms on all joints that move, each peak as wide as leaves least; none where all that are tried are narrower than
+/// what a joint's rows see.
 fn all_open(fitting: &Fitting, without: &FrictionTerms, moves: &[bool]) -> FrictionTerms {
-    let fastest = fitting.fastest();
+    let (fastest, slowest) = (fitting.fastest(), fitting.slowest());
     let of_part = |part: &f64| -> FrictionTerms {
-        let of_joint = |(joint, fastest): (usize, &f64)| JointTerms {
-            open: Term::ALL.map(|term| moves[joint] && fitting.may_have(joint, term)),
-            stribeck_velocity: part * fastest,
+        let of_joint = |joint: usize| {
+            let stribeck_velocity = part * fastest[joint];
+            let may_have = |term: Term| match term {
+                Term::Peak => fitting.seeks_peak(joint) && stribeck_velocity >= slowest[joint],
+                Term::Load | Term::Square | Term::Constant => true,
+            };
+            let open = Term::ALL.map(|term| moves[joint] && may_have(term));
+            JointTerms { open, stribeck_velocity }
         };
-        let joints = fastest.iter().enumerate().map(of_joint).collect();
+        let joints = (0..fastest.len()).map(of_joint).collect();
         FrictionTerms { joints, ..without.clone() }
     };
-    let tried: Vec<_> = (fitting.settings.stribeck_velocities.iter().map(of_part))
-        .filter_map(|terms| Some((Solved::of(fitting, &terms)?, terms)))
-        .collect();
+    let tried: Vec<(FrictionTerms, Vec<f64>)> =
+        (fitting.settings.stribeck_velocities.iter().map(of_part))
+            .filter_map(|terms| {
+                let solved = Solved::of(fitting, &terms)?;
+                let squares = (0..fastest.len()).map(|joint| solved.squares(joint)).collect();
+                Some((terms, squares))
+            })
+            .collect();
     let mut best = without.clone();
     for (joint, terms) in best.joints.iter_mut().enumerate() {
-        let least = tried.iter().min_by(|a, b| a.0.squares(joint).total_cmp(&b.0.squares(joint)));
-        *terms = least.map_or(*terms, |(_, tried)| tried.joints[joint]);
+        let least = tried.iter().min_by(|a, b| a.1[joint].total_cmp(&b.1[joint]));
+        *terms = least.map_or(*terms, |(tried, _)| tried.joints[joint]);
     }
     best
 }
@@ -63,8 +78,8 @@ impl Solved {
         self.weighted.squares(joint, &self.found.numbers)
     }
 
-    /// Squared standard errors by which a term of a joint is above nothing.
-    fn surety(&self, joint: usize, term: Term) -> f64 {
+    /// Squared t value of a term of a joint, by how many standard errors it is not nothing.
+    fn t_squared(&self, joint: usize, term: Term) -> f64 {
         let at = self.layout.own(joint) + term.number();
         let value = self.found.numbers[at];
         let is_possible = value > 0.0 || term.may_be_negative();
@@ -81,9 +96,9 @@ impl Solved {
         let mut terms = terms.joints[joint];
         let sure = |index: usize| errors(Term::ALL[index], settings).powi(2);
         let open = (0..TERMS).filter(|index| terms.open[*index]);
-        let sureties = open.map(|index| (index, self.surety(joint, Term::ALL[index])));
+        let values = open.map(|index| (index, self.t_squared(joint, Term::ALL[index])));
         let by_sure = |of: &(usize, f64)| of.1 / sure(of.0);
-        let least = sureties.min_by(|a, b| by_sure(a).total_cmp(&by_sure(b)));
+        let least = values.min_by(|a, b| by_sure(a).total_cmp(&by_sure(b)));
         let Some((index, squares)) = least else { return terms };
         // What is left has as many squares as there are independent rows.
         let left = self.weighted.weights[joint] * self.squares(joint);

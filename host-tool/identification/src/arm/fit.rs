@@ -59,8 +59,8 @@ impl Fit {
     }
 }
 
-/// Fits from a start; then without each unknown rotor that the fit can do without, and without Coulomb friction
-/// that would drive.
+/// Fits from a start; then without each unknown rotor that the fit can do without, and without friction that
+/// would drive.
 ///
 /// # Errors
 /// The search comes to nothing.
@@ -87,12 +87,13 @@ pub fn fit(
     Ok(found)
 }
 
-/// The same unknowns with Coulomb friction held at zero where it came out below; `None` where it
-/// nowhere did.
+/// The same unknowns without friction that would drive: Coulomb's level below zero, terms that must not be, and a square
+/// that takes more of the viscous slope than there is at the largest velocity; `None` where there is none.
 fn without_driving_friction(found: &Fit) -> Option<Unknowns> {
     let mut unknowns = found.unknowns.clone();
     for (joint, own) in unknowns.joints.iter_mut().zip(found.values.chunks_exact(OF_JOINT)) {
         joint.without_coulomb |= own[COULOMB] < 0.0;
+        joint.close_driving_terms(&own[COULOMB..]);
     }
     (unknowns != found.unknowns).then_some(unknowns)
 }

@@ -44,15 +44,16 @@ pub fn likelier(
     equations: Equations,
     settings: &Settings,
 ) -> Result<Fitted, ArmError> {
-    let fitting = |time| Fitting { arm, logs, equations, time, settings };
-    let [held, sampled] =
-        [CommandTime::Held, CommandTime::Sampled].map(|time| without_terms(&fitting(time)));
-    let plain = match (held, sampled) {
-        (Ok(held), Ok(sampled)) if sampled.misfit < held.misfit => sampled,
-        (Err(_), Ok(sampled)) => sampled,
-        (held, _) => held?,
+    let [held, sampled] = [CommandTime::Held, CommandTime::Sampled]
+        .map(|time| Fitting::new(arm, logs, equations, time, settings));
+    let (fitting, plain) = match (without_terms(&held), without_terms(&sampled)) {
+        (Ok(of_held), Ok(of_sampled)) if of_sampled.misfit < of_held.misfit => {
+            (sampled, of_sampled)
+        }
+        (Err(_), Ok(of_sampled)) => (sampled, of_sampled),
+        (of_held, _) => (held, of_held?),
     };
-    Ok(with_terms(&fitting(plain.time), plain))
+    Ok(with_terms(&fitting, plain))
 }
 
 fn without_terms(fitting: &Fitting) -> Result<Fitted, ArmError> {
@@ -68,11 +69,14 @@ fn with_terms(fitting: &Fitting, plain: Fitted) -> Fitted {
     if terms.is_none() {
         return plain;
     }
-    let again = |found: Fitted| {
-        let terms = FrictionTerms { chain: loaded(&found), ..found.terms.clone() };
-        fitted(fitting, terms, Some(&found))
+    let again = |found: &Fitted| {
+        let terms = FrictionTerms { chain: loaded(found), ..found.terms.clone() };
+        fitted(fitting, terms, Some(found))
     };
-    fitted(fitting, terms, Some(&plain)).and_then(again).unwrap_or(plain)
+    match fitted(fitting, terms, Some(&plain)) {
+        Ok(found) => again(&found).unwrap_or(found),
+        Err(_) => plain,
+    }
 }
 
 /// The fit with some terms, searched from another fit or from what is given.
@@ -86,9 +90,15 @@ fn fitted(
     if !moves.contains(&true) {
         return Err(ArmError::NoMotion);
     }
-    let unknowns = fitting.unknowns(&terms);
+    let mut unknowns = fitting.unknowns(&terms);
     let start = near.map_or_else(|| unknowns.start(), |near| near.found.values.clone());
+    if let Some(near) = near {
+        // A rotor that the fit nearby did without has no value to start from.
+        unknowns.take_rotors(&near.found.unknowns);
+    }
     let found = fit(&rows.rows, unknowns, &start, fitting.settings)?;
+    let terms =
+        terms.with_open(&found.unknowns.joints.iter().map(|joint| joint.terms).collect::<Vec<_>>());
     let misfit = mean_misfit(&rows.all, &moves, &found, fitting.layout());
     Ok(Fitted { time: fitting.time, moves, terms, rows: rows.rows, found, misfit })
 }

@@ -4,36 +4,48 @@ use files::ArmFile;
 use nalgebra::DMatrix;
 
 use super::condensed::Condensed;
-use super::friction_terms::{FrictionTerms, Term};
+use super::friction_terms::FrictionTerms;
 use super::layout::Layout;
 use super::logs::PreparedLog;
 use super::motion::CommandTime;
-use super::rows::{Equations, JointRows};
+use super::rows::{Equations, JointRows, StretchRows};
 use super::settings::Settings;
 use super::unknowns::Unknowns;
 use super::weights::{left_of, weights};
 
 /// What a fit is made of.
-#[derive(Clone, Copy)]
 pub struct Fitting<'a> {
-    /// The arm as given.
-    pub arm: &'a ArmFile,
-    /// The logs.
-    pub logs: &'a [PreparedLog],
-    /// How rows come of them.
-    pub equations: Equations<'a>,
     /// When commands act.
     pub time: CommandTime,
+    /// How rows come of logs.
+    pub equations: Equations<'a>,
     /// What can be chosen.
     pub settings: &'a Settings,
+    arm: &'a ArmFile,
+    logs: &'a [PreparedLog],
+    /// Rows without terms.
+    stretches: Vec<StretchRows>,
 }
 
-impl Fitting<'_> {
+impl<'a> Fitting<'a> {
+    /// Of an arm and its logs.
+    pub fn new(
+        arm: &'a ArmFile,
+        logs: &'a [PreparedLog],
+        equations: Equations<'a>,
+        time: CommandTime,
+        settings: &'a Settings,
+    ) -> Self {
+        let of_log = |log: &PreparedLog| log.rows(&equations, time, settings);
+        let stretches = logs.iter().flat_map(of_log).collect();
+        Self { time, equations, settings, arm, logs, stretches }
+    }
+
     /// The rows of all logs.
     pub fn rows(&self, terms: &FrictionTerms) -> WeightedRows {
         let layout = self.layout();
-        let of_log = |log: &PreparedLog| log.rows(&self.equations, self.time, terms, self.settings);
-        let all: Vec<JointRows> = self.logs.iter().flat_map(of_log).collect();
+        let with_terms = |stretch: &StretchRows| stretch.with(terms);
+        let all: Vec<JointRows> = self.stretches.iter().flat_map(with_terms).collect();
         let condensed = Condensed::of(&all, layout);
         let weights = weights(&all, &condensed, layout, self.settings);
         WeightedRows { rows: condensed.weighted(&weights), all, weights, layout }
@@ -44,9 +56,17 @@ impl Fitting<'_> {
         scales(self.logs).into_iter().map(|[_, fastest]| fastest).collect()
     }
 
-    /// Whether a joint's command may have a term: a peak that is given stays.
-    pub fn may_have(&self, joint: usize, term: Term) -> bool {
-        term != Term::Peak || self.equations.friction[joint].peak().is_none()
+    /// Smallest velocity of each joint's rows [rad/s; m/s].
+    pub fn slowest(&self) -> Vec<f64> {
+        let of_joint = |joint: usize| {
+            self.logs.iter().map(|log| log.band.standstill[joint]).fold(f64::INFINITY, f64::min)
+        };
+        (0..self.layout().joints).map(of_joint).collect()
+    }
+
+    /// Whether a joint's peak of friction is sought: one that is given stays.
+    pub fn seeks_peak(&self, joint: usize) -> bool {
+        self.equations.friction[joint].peak().is_none()
     }
 
     /// Where numbers stand.

@@ -62,6 +62,12 @@ impl FrictionTerms {
         Self { chain: *chain, joints }
     }
 
+    /// With the terms that stayed open.
+    pub fn with_open(mut self, open: &[[bool; TERMS]]) -> Self {
+        self.joints.iter_mut().zip(open).for_each(|(joint, open)| joint.open = *open);
+        self
+    }
+
     /// Whether there are none.
     pub fn is_none(&self) -> bool {
         self.joints.iter().all(|joint| joint.open == [false; TERMS])
@@ -93,6 +99,9 @@ impl FrictionTerms {
     /// Coriolis and gravity torques per joint at all samples [Nm; N].
     fn loads(&self, motion: &Motion) -> Vec<Vec<f64>> {
         let joints = self.joints.len();
+        if !self.joints.iter().any(|joint| joint.open[Term::Load as usize]) {
+            return vec![vec![0.0; motion.len()]; joints];
+        }
         let mut all = vec![Vec::with_capacity(motion.len()); joints];
         let (at_rest, mut torque) = (vec![0.0; joints], vec![0.0; joints]);
         for sample in 0..motion.len() {

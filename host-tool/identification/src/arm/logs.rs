@@ -5,9 +5,8 @@ use recordings::ArmRecording;
 
 use super::band::Band;
 use super::error::ArmError;
-use super::friction_terms::FrictionTerms;
 use super::motion::{CommandTime, Motion};
-use super::rows::{Equations, JointRows};
+use super::rows::{Equations, StretchRows};
 use super::settings::Settings;
 use super::stretch::{Stretch, stretches};
 
@@ -58,14 +57,12 @@ impl PreparedLog {
         &self,
         equations: &Equations,
         time: CommandTime,
-        terms: &FrictionTerms,
         settings: &Settings,
-    ) -> Vec<JointRows> {
+    ) -> Vec<StretchRows> {
         let of_stretch = |stretch: &Stretch| {
-            let motion = Motion::of(stretch, &self.band, time);
-            equations.rows(&motion, &self.band, terms, settings)
+            equations.rows(Motion::of(stretch, &self.band, time), &self.band, settings)
         };
-        self.stretches.iter().flat_map(of_stretch).collect()
+        self.stretches.iter().map(of_stretch).collect()
     }
 
     /// Largest command and velocity of each joint.

@@ -54,5 +54,5 @@ pub use error::ArmError;
 pub use judge::{JointLeft, LogLeft};
 pub use motion::CommandTime;
 pub use procedure::identify;
-pub use result::{Constant, IdentifiedArm, LogBand};
+pub use result::{Estimate, FoundTerms, IdentifiedArm, LogBand};
 pub use settings::Settings;

@@ -10,6 +10,9 @@ use super::link_prior::{LinkValues, values_of};
 use super::own_prior::Rotor;
 use super::unknowns::{COULOMB, OF_JOINT, ROTOR, link_numbers};
 
+/// The effects that the logs are asked for.
+pub const SOUGHT: [&str; 2] = ["load_friction", "quadratic_drag"];
+
 /// A change below this part of the prior's doubt is none: the data said nothing.
 const CHANGE: f64 = 1e-3;
 
@@ -27,6 +30,11 @@ pub fn model_file(arm: &ArmFile, fit: &Fit, moves: &[bool], terms: &FrictionTerm
             put_friction(joint, &values[COULOMB..], &errors[COULOMB..], index, fit);
         }
     }
+    let is_found_anew = |effect: &EffectTable| {
+        let moves = usize::from(effect.joint).checked_sub(1).and_then(|joint| moves.get(joint));
+        SOUGHT.contains(&effect.effect.as_str()) && moves == Some(&true)
+    };
+    model.effects.retain(|effect| !is_found_anew(effect));
     for (joint, terms) in terms.joints.iter().enumerate() {
         put_terms(&mut model, joint, terms, fit);
     }
@@ -40,10 +48,10 @@ fn put_terms(model: &mut ArmFile, joint: usize, terms: &JointTerms, fit: &Fit) {
         match term {
             Term::Peak => put_peak(&mut model.joints[joint], value, error, terms.stribeck_velocity),
             Term::Load => {
-                put_effect(model, joint, "load_friction", "coefficient_V_per_Nm", value);
+                put_effect(model, joint, SOUGHT[0], "coefficient_V_per_Nm", value);
             }
             Term::Square => {
-                put_effect(model, joint, "quadratic_drag", "coefficient_V_s2_per_rad2", value);
+                put_effect(model, joint, SOUGHT[1], "coefficient_V_s2_per_rad2", value);
             }
             Term::Constant => {}
         }
@@ -54,14 +62,15 @@ fn put_peak(joint: &mut ArmJoint, height: f64, error: f64, width: f64) {
     let mut friction = joint.friction.unwrap_or_default();
     (friction.alpha1, friction.stribeck_velocity) = (Some(height), Some(width));
     joint.friction = Some(friction);
-    let [_, peak, ..] = joint.friction_names();
+    let [_, peak, stribeck_velocity, ..] = joint.friction_names();
     joint.standard_error.insert(peak, vec![error]);
+    // The best of several widths, each twice the one before: no error is known of it.
+    joint.standard_error.remove(&stribeck_velocity);
 }
 
-/// An effect of a joint, from 0, in place of one that was given.
+/// An effect of a joint, from 0.
 fn put_effect(model: &mut ArmFile, joint: usize, effect: &str, parameter: &str, value: f64) {
     let joint = u8::try_from(joint + 1).expect("a chain has ten joints at most");
-    model.effects.retain(|table| table.effect != effect || table.joint != joint);
     let parameters = toml::Table::from_iter([(parameter.to_owned(), value.into())]);
     let (effect, extra) = (effect.to_owned(), toml::Table::new());
     model.effects.push(EffectTable { effect, joint, parameters, extra });

@@ -16,7 +16,7 @@ use super::logs::PreparedLog;
 use super::model_file::model_file;
 use super::motion::CommandTime;
 use super::remarks::remarks;
-use super::result::{Constant, FoundTerms, IdentifiedArm, LogBand};
+use super::result::{Estimate, FoundTerms, IdentifiedArm, LogBand};
 use super::rows::Equations;
 use super::settings::Settings;
 
@@ -79,7 +79,9 @@ fn left(
     let layout = Layout { joints: equations.constants.len() };
     let numbers = fit.numbers();
     let of_log = |log: &PreparedLog| {
-        judged(&log.file, &log.rows(equations, time, terms, settings), &numbers, layout)
+        let stretches = log.rows(equations, time, settings);
+        let rows: Vec<_> = stretches.iter().flat_map(|stretch| stretch.with(terms)).collect();
+        judged(&log.file, &rows, &numbers, layout)
     };
     logs.iter().map(of_log).collect()
 }
@@ -103,9 +105,9 @@ fn friction_terms(fit: &Fit, terms: &FrictionTerms) -> Vec<FoundTerms> {
 }
 
 /// One of a joint's own numbers.
-fn own(fit: &Fit, joint: usize, which: usize) -> Constant {
+fn own(fit: &Fit, joint: usize, which: usize) -> Estimate {
     let [value, standard_error] = fit.own(joint, which);
-    Constant { value, standard_error }
+    Estimate { value, standard_error }
 }
 
 fn band(log: &PreparedLog) -> LogBand {

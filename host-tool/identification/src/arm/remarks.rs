@@ -1,10 +1,12 @@
 //! What the user should know of a result.
 
-use files::{ArmFile, ArmJoint};
+use files::{ArmFile, ArmJoint, EffectTable};
+use model::mechanism::JointKind;
 
 use super::fit::Fit;
+use super::model_file::SOUGHT;
 use super::own_prior::Rotor;
-use super::result::{Constant, FoundTerms, IdentifiedArm};
+use super::result::{Estimate, FoundTerms, IdentifiedArm};
 
 /// Remarks on joints, from the file as given, the fit and which joints move.
 pub fn remarks(arm: &ArmFile, fit: &Fit, moves: &[bool], found: &IdentifiedArm) -> Vec<String> {
@@ -12,6 +14,7 @@ pub fn remarks(arm: &ArmFile, fit: &Fit, moves: &[bool], found: &IdentifiedArm) 
     if !found.is_held_out {
         all.push("no log has the role \"holdout\": what is left is of the logs fitted to".into());
     }
+    all.extend(of_given_effects(arm));
     for (index, joint) in arm.joints.iter().enumerate() {
         let number = index + 1;
         if !moves[index] {
@@ -58,35 +61,53 @@ fn of_link(number: usize, given: &ArmJoint, found: &ArmJoint) -> Option<String> 
 /// Terms of friction that the model carries as effects.
 fn of_terms(number: usize, joint: &ArmJoint, terms: &FoundTerms) -> Vec<String> {
     let unit = joint.command_unit();
-    let load = terms.load_friction.map(|growth| {
-        let Constant { value, standard_error } = growth;
+    let [torque, velocity] = match joint.kind {
+        JointKind::Revolute => ["Nm", "(rad/s)^2"],
+        JointKind::Prismatic => ["N", "(m/s)^2"],
+    };
+    let found = |what: &str, by: Option<Estimate>, unit_of: &str, effect: &str| {
+        let Estimate { value, standard_error } = by?;
+        Some(format!(
+            "joint {number}: friction grows {what} by {value:.3e} {unit}/{unit_of}, give or take \
+             {standard_error:.1e} (effect {effect} of the model)"
+        ))
+    };
+    let is_less = terms.quadratic_drag.is_some_and(|drag| drag.value < 0.0);
+    let how = if is_less { "less than with the velocity," } else { "with the velocity's square" };
+    [
+        found("with the load", terms.load_friction, torque, "load_friction"),
+        found(how, terms.quadratic_drag, velocity, "quadratic_drag"),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// Effects of the robot file that are not sought in the logs, nor taken off them.
+fn of_given_effects(arm: &ArmFile) -> Option<String> {
+    let other = |effect: &&EffectTable| !SOUGHT.contains(&effect.effect.as_str());
+    let names: Vec<&str> = arm.effects.iter().filter(other).map(|e| e.effect.as_str()).collect();
+    (!names.is_empty()).then(|| {
         format!(
-            "joint {number}: friction grows with the load by {value:.3e} {unit}/Nm, give or take \
-             {standard_error:.1e} (effect load_friction of the model)"
+            "effects of the robot file stay in the model, but links and friction are found as if they were not there: \
+             {}; identify without them, and add them again",
+            names.join(", ")
         )
-    });
-    let square = terms.quadratic_drag.map(|drag| {
-        let how = if drag.value > 0.0 { "more" } else { "less" };
-        format!(
-            "joint {number}: friction grows {how} than with the velocity (effect quadratic_drag of \
-             the model)"
-        )
-    });
-    load.into_iter().chain(square).collect()
+    })
 }
 
 /// A constant that is sure and not small.
 fn of_constant(
     number: usize,
     unit: &str,
-    constant: Option<Constant>,
+    constant: Option<Estimate>,
     found: &IdentifiedArm,
 ) -> Option<String> {
     /// Smaller parts of the command are of no account.
     const PART: f64 = 0.02;
     let commands = found.left.iter().filter_map(|log| log.joints[number - 1]);
     let command = commands.map(|left| left.command_rms).fold(0.0, f64::max);
-    let Constant { value, standard_error } = constant?;
+    let Estimate { value, standard_error } = constant?;
     let is_sure = value.abs() > 3.0 * standard_error && value.abs() > PART * command;
     is_sure.then(|| {
         format!(

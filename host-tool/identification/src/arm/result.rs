@@ -32,9 +32,9 @@ pub struct IdentifiedArm {
     pub remarks: Vec<String>,
 }
 
-/// A number of a joint.
+/// A number of a joint with its standard error.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Constant {
+pub struct Estimate {
     /// Its value.
     pub value: f64,
     /// Its standard error.
@@ -45,16 +45,16 @@ pub struct Constant {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct FoundTerms {
     /// alpha1 of eq. (10) [unit of the command].
-    pub stribeck_peak: Option<Constant>,
+    pub stribeck_peak: Option<Estimate>,
     /// Its width, the best of those tried [rad/s; m/s].
     pub stribeck_velocity: Option<f64>,
     /// Growth with the joint's load [unit of the command by Nm; by N], effect `load_friction`.
-    pub load_friction: Option<Constant>,
+    pub load_friction: Option<Estimate>,
     /// Growth with the square of the velocity, effect `quadratic_drag`; negative where friction grows less than with
     /// the velocity.
-    pub quadratic_drag: Option<Constant>,
+    pub quadratic_drag: Option<Estimate>,
     /// A constant, which the model does not hold [unit of the command].
-    pub constant: Option<Constant>,
+    pub constant: Option<Estimate>,
 }
 
 /// The band in which a log was judged.

@@ -8,7 +8,7 @@ use signal::LowPass;
 
 use super::band::Band;
 use super::friction_terms::FrictionTerms;
-use super::layout::{Layout, TERMS};
+use super::layout::Layout;
 use super::motion::Motion;
 use super::settings::Settings;
 
@@ -23,6 +23,48 @@ pub struct JointRows {
     pub command: Vec<f64>,
 }
 
+/// Rows of a stretch without terms beyond Coulomb's level and viscous friction.
+#[derive(Clone, Debug)]
+pub struct StretchRows {
+    motion: Motion,
+    filter: LowPass,
+    joints: Vec<BareRows>,
+}
+
+/// Those of a joint.
+#[derive(Clone, Debug)]
+struct BareRows {
+    /// Samples that become rows.
+    kept: Vec<usize>,
+    /// Filtered columns, one after the other.
+    columns: Vec<f64>,
+    command: Vec<f64>,
+}
+
+impl StretchRows {
+    /// The rows with terms, one entry per joint.
+    pub fn with(&self, terms: &FrictionTerms) -> Vec<JointRows> {
+        let width = Layout { joints: self.joints.len() }.of_row();
+        let both = self.joints.iter().zip(terms.columns(&self.motion)).enumerate();
+        both.map(|(joint, (bare, terms))| {
+            let terms = terms.iter().flat_map(|term| thinned(&self.filter, term, &bare.kept));
+            let columns = bare.columns.iter().copied().chain(terms).collect();
+            let rows = DMatrix::from_vec(bare.kept.len(), width, columns);
+            JointRows { joint, rows, command: bare.command.clone() }
+        })
+        .collect()
+    }
+}
+
+/// A signal, filtered, at some of its samples; nothing stays nothing.
+fn thinned(filter: &LowPass, signal: &[f64], kept: &[usize]) -> Vec<f64> {
+    if signal.iter().all(|value| *value == 0.0) {
+        return vec![0.0; kept.len()];
+    }
+    let smooth = filter.zero_phase(signal);
+    kept.iter().map(|&sample| smooth[sample]).collect()
+}
+
 /// What rows need to know of an arm.
 #[derive(Clone, Copy)]
 pub struct Equations<'a> {
@@ -35,32 +77,19 @@ pub struct Equations<'a> {
 }
 
 impl Equations<'_> {
-    /// The rows of a stretch, one entry per joint, with terms of friction.
-    pub fn rows(
-        &self,
-        motion: &Motion,
-        band: &Band,
-        terms: &FrictionTerms,
-        settings: &Settings,
-    ) -> Vec<JointRows> {
-        let regressors = self.regressors(motion);
-        let mut terms = terms.columns(motion);
+    /// The rows of a stretch.
+    pub fn rows(&self, motion: Motion, band: &Band, settings: &Settings) -> StretchRows {
+        let regressors = self.regressors(&motion);
         let filter = LowPass::new(band.second_hz, motion.period_s);
-        (0..self.constants.len())
-            .map(|joint| {
-                let kept = kept(motion, joint, band, settings);
-                let thin = |signal: &[f64]| -> Vec<f64> {
-                    let smooth = filter.zero_phase(signal);
-                    kept.iter().map(|&sample| smooth[sample]).collect()
-                };
-                let columns =
-                    self.columns(motion, &regressors, std::mem::take(&mut terms[joint]), joint);
-                let columns: Vec<f64> = columns.iter().flat_map(|column| thin(column)).collect();
-                let width = Layout { joints: self.constants.len() }.of_row();
-                let rows = DMatrix::from_vec(kept.len(), width, columns);
-                JointRows { joint, rows, command: thin(&self.less_peak(motion, joint)) }
-            })
-            .collect()
+        let of_joint = |joint| {
+            let kept = kept(&motion, joint, band, settings);
+            let thin = |signal: &Vec<f64>| thinned(&filter, signal, &kept);
+            let columns = self.columns(&motion, &regressors, joint).iter().flat_map(thin).collect();
+            let command = thin(&self.less_peak(&motion, joint));
+            BareRows { columns, command, kept }
+        };
+        let joints = (0..self.constants.len()).map(of_joint).collect();
+        StretchRows { motion, filter, joints }
     }
 
     /// Regressors of all samples, each n x 11 n row by row.
@@ -75,14 +104,8 @@ impl Equations<'_> {
         (0..motion.len()).map(of_sample).collect()
     }
 
-    /// Unfiltered columns of a joint's rows.
-    fn columns(
-        &self,
-        motion: &Motion,
-        regressors: &[Vec<f64>],
-        terms: [Vec<f64>; TERMS],
-        joint: usize,
-    ) -> Vec<Vec<f64>> {
+    /// Unfiltered columns of a joint's rows: links, Coulomb's level and viscous friction.
+    fn columns(&self, motion: &Motion, regressors: &[Vec<f64>], joint: usize) -> Vec<Vec<f64>> {
         let links = self.chain.parameter_count();
         let of_link = |column: usize| {
             let entry = |rows: &Vec<f64>| rows[joint * links + column] / self.constants[joint];
@@ -90,8 +113,7 @@ impl Equations<'_> {
         };
         let velocity = &motion.states[1][joint];
         let signs = velocity.iter().map(|v| v.signum()).collect();
-        let friction = [signs, velocity.clone()].into_iter().chain(terms);
-        (0..links).map(of_link).chain(friction).collect()
+        (0..links).map(of_link).chain([signs, velocity.clone()]).collect()
     }
 
     /// The command less the given Stribeck peak alpha1 exp(-(v/vs)^2) of eq. (10).

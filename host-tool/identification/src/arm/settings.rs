@@ -54,8 +54,8 @@ pub struct Settings {
     pub constant_errors: f64,
     /// And where it takes this part of the squares that are left without: less is of no use to anybody.
     pub term_part: f64,
-    /// Widths of the Stribeck peak that are tried, in parts of a joint's largest velocity: from where it stands to where
-    /// viscous friction is as good.
+    /// Widths of the Stribeck peak that are tried, in parts of a joint's largest velocity, up to where viscous friction is
+    /// as good; those below the slowest rows are passed over.
     pub stribeck_velocities: [f64; 6],
 }
 

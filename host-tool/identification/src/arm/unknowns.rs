@@ -17,6 +17,9 @@ pub const ROTOR: usize = BODY_PARAMETERS;
 /// Where its Coulomb level stands among them.
 pub const COULOMB: usize = LINK_PARAMETERS;
 
+/// Where the viscous coefficient stands among a joint's own numbers.
+const VISCOUS: usize = 1;
+
 /// An unknown rotor lies within a factor of a hundred of where it is searched from.
 const ROTOR_WIDTH: f64 = 4.6;
 /// Unknown friction, in largest commands: no information.
@@ -38,7 +41,7 @@ pub struct JointUnknowns {
     /// Which terms friction has beyond, in the order of [`Term::ALL`].
     pub terms: [bool; TERMS],
     /// Torque by command.
-    constant: f64,
+    torque_constant: f64,
     /// Largest command of the logs.
     largest: f64,
     /// Largest velocity of the logs.
@@ -69,12 +72,19 @@ impl Unknowns {
                 friction: friction_priors(joint, settings),
                 without_coulomb: false,
                 terms: [false; TERMS],
-                constant: *constant,
+                torque_constant: *constant,
                 largest: largest.max(1e-9),
                 fastest: fastest.max(1e-9),
             }
         });
         Self { joints: joints.collect() }
+    }
+
+    /// Takes over which rotors are searched.
+    pub fn take_rotors(&mut self, other: &Self) {
+        for (joint, other) in self.joints.iter_mut().zip(&other.joints) {
+            joint.rotor = other.rotor;
+        }
     }
 
     /// Where the search begins.
@@ -129,6 +139,20 @@ impl JointUnknowns {
         }
     }
 
+    /// Closes terms that would drive the joint, by its own numbers: one that is negative and must not be, and a square
+    /// by which friction shrinks with the velocity at the largest.
+    pub fn close_driving_terms(&mut self, own: &[f64]) {
+        let slope = own[VISCOUS] + 2.0 * own[Term::Square.number()] * self.fastest;
+        for (term, open) in Term::ALL.into_iter().zip(&mut self.terms) {
+            let is_driving = match term {
+                Term::Peak | Term::Load => own[term.number()] < 0.0,
+                Term::Square => slope < 0.0,
+                Term::Constant => false,
+            };
+            *open &= !is_driving;
+        }
+    }
+
     /// The terms that friction does not have.
     fn closed(&self) -> impl Iterator<Item = Term> {
         Term::ALL.into_iter().zip(self.terms).filter_map(|(term, open)| (!open).then_some(term))
@@ -138,7 +162,7 @@ impl JointUnknowns {
     fn size(&self, term: Term) -> f64 {
         match term {
             Term::Peak | Term::Constant => self.largest,
-            Term::Load => 1.0 / self.constant,
+            Term::Load => 1.0 / self.torque_constant,
             Term::Square => self.largest / self.fastest.powi(2),
         }
     }
@@ -184,5 +208,27 @@ impl JointUnknowns {
         all.extend(friction);
         all.extend(terms);
         all
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use files::example_arms::two_link_pendulum;
+
+    use super::*;
+
+    #[test]
+    fn terms_that_would_drive_are_closed() {
+        let (arm, scales) = (two_link_pendulum(), [[10.0, 5.0]; 2]);
+        let unknowns = Unknowns::of(&arm, &[1.6, 0.9], &scales, &Settings::default());
+        let after = |peak: f64, load: f64, square: f64| {
+            let mut joint = JointUnknowns { terms: [true; TERMS], ..unknowns.joints[0].clone() };
+            // Coulomb's level 0.2, viscous 0.1, at most 5 rad/s, and a constant.
+            joint.close_driving_terms(&[0.2, 0.1, peak, load, square, -1.0]);
+            joint.terms
+        };
+        assert_eq!(after(0.1, 0.01, -0.009), [true; TERMS]);
+        assert_eq!(after(-0.1, 0.01, -0.011), [false, true, false, true]);
+        assert_eq!(after(0.1, -0.01, 0.5), [true, false, true, true]);
     }
 }

@@ -34,12 +34,14 @@ impl Body {
             let file = RobotFile::read(path)?;
             (Self::of_robot(&file)?, file.effects)
         };
-        let is_taken = |effect: &EffectTable| body.joints.iter_mut().any(|joint| joint.add(effect));
-        let taken = effects.iter().map(is_taken).filter(|taken| *taken).count();
-        if taken < effects.len() {
+        let mut is_left =
+            |effect: &&EffectTable| !body.joints.iter_mut().any(|joint| joint.add(effect));
+        let left: Vec<&str> =
+            effects.iter().filter(|e| is_left(e)).map(|effect| effect.effect.as_str()).collect();
+        if !left.is_empty() {
             eprintln!(
-                "note: effects of the model are left out but load_friction and quadratic_drag: inverse dynamics is \
-                 rigid body and friction only"
+                "note: effects of the model are left out ({}): inverse dynamics is rigid body and friction only",
+                left.join(", ")
             );
         }
         Ok(body)

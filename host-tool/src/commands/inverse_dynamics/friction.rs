@@ -23,7 +23,9 @@ impl SteadyFriction {
 
     /// Takes an effect of its joint; whether it is one of friction.
     pub fn add(&mut self, effect: &EffectTable) -> bool {
-        let value = |name: &str| effect.parameters.get(name).and_then(toml::Value::as_float);
+        let number =
+            |value: &toml::Value| value.as_float().or(value.as_integer().map(|whole| whole as f64));
+        let value = |name: &str| effect.parameters.get(name).and_then(number);
         let (part, name) = match effect.effect.as_str() {
             "load_friction" => (&mut self.growth, "coefficient_V_per_Nm"),
             "quadratic_drag" => (&mut self.drag, "coefficient_V_s2_per_rad2"),

@@ -53,7 +53,8 @@ pub(super) const DEFINITION: Definition = Definition {
 pub(super) const OF_ARM: Definition = Definition {
     words: "air drags with the square of speed, or viscous friction grows less than with speed",
     equation: "u - b qd |qd|, b negative where friction is degressive",
-    parameters: &[Parameter::new("coefficient_V_s2_per_rad2", Kind::Coefficient, -1e3, 1e3)],
+    // Newtons over the square of a slow axis' metres per second are many.
+    parameters: &[Parameter::new("coefficient_V_s2_per_rad2", Kind::Coefficient, -1e6, 1e6)],
     compensation: Compensation::None("the board drives another arm"),
     ..DEFINITION
 };
