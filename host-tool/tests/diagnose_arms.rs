@@ -189,6 +189,20 @@ fn commands_kept_of_instants_are_no_fault_of_the_arm() {
     assert!(report.remarks.iter().any(|remark| remark.contains("early")), "{:?}", report.remarks);
 }
 
+/// By a model that logs have told to a part in a thousand no parameter makes up for a load; that commands are early then
+/// shows only beside it, and drives that are early are no other robot's.
+#[test]
+fn a_load_is_named_by_an_identified_model_where_logs_keep_instants() {
+    let of_pendulum =
+        |hidden: &[&str]| kept(recorded(&two_link_pendulum(), 500.0, 15.0, hidden), 4);
+    let settings = identification::arm::Settings::default();
+    let found = identification::arm::identify(&of_pendulum(&[]), &settings).unwrap();
+    let loaded = of_pendulum(&["payload:mass_kg=1.0,com_m=0.25 0 0"]);
+    let Diagnosis { report, .. } = diagnosed(&ArmCampaign { arm: found.model, ..loaded });
+    names(&report, "payload", 0, ("mass_kg", 1.0), 0.1);
+    assert!(report.remarks.iter().any(|remark| remark.contains("early")), "{:?}", report.remarks);
+}
+
 #[test]
 fn a_geared_arm_as_its_model_has_no_gap() {
     let report = of_six_joints(&[]);

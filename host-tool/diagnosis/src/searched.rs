@@ -1,9 +1,10 @@
 //! What a search finds by one doubt about the model, and what its logs say of that doubt.
 
 use crate::criteria::Doubt;
-use crate::fit::command_instants::prepared_by_instants;
+use crate::fit::command_instants::{Prepared, by_instants, early_part, prepared_by_instants};
 use crate::fit::doubt;
 use crate::fit::fitted_model::FittedModel;
+use crate::fit::preparation::prepared;
 use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
 use crate::model_faults::{Faults, FoundFault};
@@ -47,14 +48,46 @@ impl Searched {
         progress: &dyn Fn(&str),
     ) -> Result<Self, StepError> {
         progress("refitting the model");
-        let (evidence, refitted, early_part) = prepared_by_instants(subject, stretches, near)?;
+        let first = prepared_by_instants(subject, stretches.clone(), near)?;
+        // A large cause that is missing may hide that commands are those of instants.
+        let is_known = first.2 > 0.0;
+        let part = |last: &FittedModel| if is_known { 0.0 } else { early_part(subject, last) };
+        let seems_early = |last: &FittedModel| part(last) > 0.0;
+        let found = Self::of_prepared(subject, first.clone(), known, &seems_early, progress);
+        let part = part(&found.selection.last.by_all_rows());
+        if found.fault.is_some() || part == 0.0 {
+            return Ok(found);
+        }
+        let (evidence, refitted) = prepared(subject, by_instants(stretches, part), near)?;
+        let later = found.again(subject, (evidence, refitted, part), progress);
+        let is_mended = !seems_early(&later.selection.last.by_all_rows());
+        Ok(if is_mended { later } else { found.again(subject, first, progress) })
+    }
+
+    /// A search of other rows that begins with the causes of this one.
+    fn again(&self, subject: &Subject, prepared: Prepared, progress: &dyn Fn(&str)) -> Self {
+        let known = self.selection.known(subject);
+        Self::of_prepared(subject, prepared, known, &|_| false, progress)
+    }
+
+    /// Searches rows and the model refitted to them until nothing is left that asks for it, or an effect shows that
+    /// commands are early.
+    fn of_prepared(
+        subject: &Subject,
+        (evidence, refitted, early_part): Prepared,
+        known: KnownCauses,
+        seems_early: &dyn Fn(&FittedModel) -> bool,
+        progress: &dyn Fn(&str),
+    ) -> Self {
         let faults = Faults::of(subject, &evidence);
-        let is_fault = |refitted: &FittedModel, last: &FittedModel| faults.is_sure(refitted, last);
-        let selection = select(subject, refitted, known, &is_fault, progress);
+        let explains_all = |refitted: &FittedModel, last: &FittedModel| {
+            faults.is_sure(refitted, last) || seems_early(last)
+        };
+        let selection = select(subject, refitted, known, &explains_all, progress);
         progress("trying whether the model itself is at fault");
         let found = faults.found(&selection.refitted, &selection.last);
         let (selection, fault) = with_fault(subject, selection, found, progress);
-        Ok(Self { evidence, selection, fault, early_part })
+        Self { evidence, selection, fault, early_part }
     }
 
     /// A wider doubt that the logs show with the causes found or, where much is left, with those that are found

@@ -96,6 +96,8 @@ criteria! {
         /// Prior penalty beyond which a model is no longer the one given: parameters some ten
         /// deviations off, a quarter of their values.
         implausible_prior_penalty: f64 = 240.0,
+        /// Where the logs tell more than so many parameters both grow with their number: each may be off by a little.
+        told_parameters: f64 = 30.0,
         /// What one parameter adds to that penalty at most: a third of it.
         most_penalty_of_one: f64 = 80.0,
         /// Torque on a link behind backlash that no model tells, in parts of the noise of the

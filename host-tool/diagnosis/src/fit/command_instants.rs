@@ -46,7 +46,7 @@ pub fn by_instants(mut stretches: Vec<Stretch>, part: f64) -> Vec<Stretch> {
 /// The part of a sample period by which commands act before the intervals of their rows: that of the middle joint, where
 /// nearly all joints are early; else 0, and 0 where logs of several rates would have to agree. The three-joint robot's
 /// board logs what it holds.
-fn early_part(subject: &Subject, model: &FittedModel) -> f64 {
+pub fn early_part(subject: &Subject, model: &FittedModel) -> f64 {
     let (linear, stretches) = (&model.linear, &model.evidence.stretches);
     let period_s = stretches[0].sampled_s;
     let same = subject.criteria.rows.same_rate_part;

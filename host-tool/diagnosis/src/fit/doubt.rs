@@ -164,8 +164,7 @@ mod tests {
     #[test]
     fn a_parameter_near_zero_says_nothing_of_the_doubt() {
         let prior = Criteria::default().prior;
-        let expected =
-            |mean: f64, deviation: f64| Expected { unknown: Unknown::Base(0), mean, deviation };
+        let expected = |mean: f64, deviation: f64| Expected::new(Unknown::Base(0), mean, deviation);
         assert!(is_in_proportion(&expected(1.1, 0.033), &prior));
         assert!(is_in_proportion(&expected(-0.4, 0.012), &prior));
         assert!(!is_in_proportion(&expected(0.0046, 5e-4), &prior));

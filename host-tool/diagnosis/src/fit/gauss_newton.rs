@@ -142,17 +142,14 @@ pub fn open_in(evidence: &Evidence, subject: &Subject, hypothesis: &Hypothesis) 
             let unknown = Unknown::Effect { index, value };
             // So wide that it only keeps what the logs do not tell where it is.
             let deviation = 0.5 * (parameter.highest - parameter.lowest);
-            open.push(Expected { unknown, mean: effect.values[value], deviation });
+            open.push(Expected::new(unknown, effect.values[value], deviation));
         }
     }
     let tables = hypothesis.tables.iter().enumerate().skip(subject.known_tables.len());
     for (index, table) in tables {
         let deviation = subject.table_deviations_v[usize::from(table.joint.max(1)) - 1];
-        open.extend((0..table.knots.len()).map(|knot| Expected {
-            unknown: Unknown::Table { index, knot },
-            mean: 0.0,
-            deviation,
-        }));
+        let of_knot = |knot| Expected::new(Unknown::Table { index, knot }, 0.0, deviation);
+        open.extend((0..table.knots.len()).map(of_knot));
     }
     open
 }

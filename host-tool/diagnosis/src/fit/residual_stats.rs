@@ -1,7 +1,7 @@
 //! How far what a model leaves of train logs is above the noise.
 
 use super::linearisation::Linearisation;
-use super::unknowns::Unknown;
+use super::unknowns::{Expected, Unknown};
 use crate::criteria::FitCriteria;
 use crate::rows::evidence::{Evidence, Rows};
 
@@ -17,7 +17,10 @@ pub struct ResidualStats {
     /// Sum of the squared deviations of refitted parameters from the model as given, in standard
     /// deviations of the prior.
     pub prior_penalty: f64,
-    /// What that is expected to be where the model is as far off as it is thought to be: a parameter that the
+    /// The same in units of their tolerance, and without lags that say of commands that they were logged as of an
+    /// instant: those are the log's. Large where the parameters are another robot's.
+    pub robot_penalty: f64,
+    /// What the penalty is expected to be where the model is as far off as it is thought to be: a parameter that the
     /// logs tell counts one, one that they do not tell nothing.
     pub expected_penalty: f64,
 }
@@ -41,7 +44,10 @@ impl ResidualStats {
             excess: joints.iter().map(|joint| joint.excess).sum(),
             over_encoder_noise: joints.iter().map(over_steps).fold(f64::INFINITY, f64::min),
             ratios: joints.into_iter().map(|joint| joint.ratios).collect(),
-            prior_penalty: prior_penalty(linear, &evidence.criteria.fit),
+            prior_penalty: penalty(linear, &evidence.criteria.fit, |e| e.deviation),
+            robot_penalty: penalty(linear, &evidence.criteria.fit, |e| {
+                tolerance(e, linear, evidence)
+            }),
             expected_penalty: expected_penalty(linear),
         }
     }
@@ -56,12 +62,18 @@ impl ResidualStats {
     pub fn asks_for_cause(&self, criteria: &FitCriteria) -> bool {
         let mean = self.expected_penalty.max(1.0);
         let chance = mean + criteria.unexplained_deviations * (2.0 * mean).sqrt();
-        self.prior_penalty > criteria.unexplained_prior_penalty.min(chance)
+        let usual = criteria.unexplained_prior_penalty * self.times_told(criteria);
+        self.prior_penalty > usual.min(chance)
     }
 
     /// Whether the parameters are too far from what is known of them to be those of the robot.
     pub fn is_implausible(&self, criteria: &FitCriteria) -> bool {
-        self.prior_penalty > criteria.implausible_prior_penalty
+        self.robot_penalty > criteria.implausible_prior_penalty * self.times_told(criteria)
+    }
+
+    /// How many times more parameters the logs tell than penalties are meant for, 1 where fewer.
+    fn times_told(&self, criteria: &FitCriteria) -> f64 {
+        (self.expected_penalty / criteria.told_parameters).max(1.0)
     }
 
     /// The largest ratio to the noise.
@@ -88,14 +100,29 @@ fn of_joint(evidence: &Evidence, joint: usize, residual_v: &Rows) -> OfJoint {
     sums
 }
 
-/// Squared deviations of those parameters that logs like these determine. One alone, a rotor's inertia
-/// say that makes up for friction of another law, does not make another robot.
-fn prior_penalty(linear: &Linearisation, criteria: &FitCriteria) -> f64 {
+/// Squared deviations, in units of a `deviation`, of those parameters that logs like these determine. One alone, a
+/// rotor's inertia say that makes up for friction of another law, does not make another robot.
+fn penalty(
+    linear: &Linearisation,
+    criteria: &FitCriteria,
+    deviation: impl Fn(&Expected) -> f64,
+) -> f64 {
     let of_arm = linear.expected.iter().filter(|e| is_of_arm(e.unknown));
     of_arm
-        .map(|e| ((e.unknown.get(&linear.hypothesis) - e.mean) / e.deviation).powi(2))
+        .map(|e| ((e.unknown.get(&linear.hypothesis) - e.mean) / deviation(e)).powi(2))
         .map(|square| square.min(criteria.most_penalty_of_one))
         .sum()
+}
+
+/// By how much a parameter may be off and be this robot's: by anything where it is a lag by which commands act early,
+/// by no more than where they are those of the instants of rows.
+fn tolerance(expected: &Expected, linear: &Linearisation, evidence: &Evidence) -> f64 {
+    let most_s = evidence.criteria.logs.most_early_part * evidence.stretches[0].sampled_s;
+    let early_s = || -expected.unknown.get(&linear.hypothesis);
+    match expected.unknown {
+        Unknown::Lag(_) if (0.0..most_s).contains(&early_s()) => f64::INFINITY,
+        _ => expected.tolerance,
+    }
 }
 
 /// Its mean over models that are off as their prior says: the fit moves a parameter by the part of its prior

@@ -61,6 +61,22 @@ pub struct Expected {
     pub mean: f64,
     /// Standard deviation of the truth about it.
     pub deviation: f64,
+    /// Deviation that counts where a model is asked whether it is another robot's: no smaller than links' values and
+    /// the usual doubt leave. The standard error of what was identified tells what noise left of it, and friction of
+    /// another law may have bent it by more.
+    pub tolerance: f64,
+}
+
+impl Expected {
+    /// A parameter whose tolerance is its deviation.
+    pub fn new(unknown: Unknown, mean: f64, deviation: f64) -> Self {
+        Self { unknown, mean, deviation, tolerance: deviation }
+    }
+
+    /// The same with a tolerance no smaller than this.
+    pub fn tolerating(self, least: f64) -> Self {
+        Self { tolerance: self.tolerance.max(least), ..self }
+    }
 }
 
 /// Everything that a refit may change.
@@ -69,34 +85,37 @@ pub fn expected(subject: &Subject, period_s: f64) -> Vec<Expected> {
     let mut all: Vec<Expected> = subject
         .base_deviations()
         .into_iter()
-        .map(|(k, deviation)| Expected {
-            unknown: Unknown::Base(k),
-            mean: subject.plant.base(k),
-            deviation,
-        })
+        .map(|(k, deviation)| Expected::new(Unknown::Base(k), subject.plant.base(k), deviation))
         .collect();
+    for (expected, by_links) in all.iter_mut().zip(subject.link_spread.by_links()) {
+        *expected = expected.tolerating(by_links);
+    }
     for &joint in &subject.joints {
         let values = subject.plant.friction[joint].to_array();
-        all.extend((0..FRICTION_COUNT).map(|parameter| Expected {
-            unknown: Unknown::Friction { joint, parameter },
-            mean: values[parameter],
-            deviation: friction_deviation(&values, joint, parameter, subject),
+        all.extend((0..FRICTION_COUNT).map(|parameter| {
+            let usual = usual_friction_deviation(&values, joint, parameter, subject);
+            let deviation = told_friction_deviation(&values, joint, parameter, subject);
+            let unknown = Unknown::Friction { joint, parameter };
+            Expected::new(unknown, values[parameter], deviation.unwrap_or(usual)).tolerating(usual)
         }));
-        all.push(Expected {
-            unknown: Unknown::Lag(joint),
-            mean: 0.0,
-            deviation: prior.lag_periods * period_s,
-        });
-        all.push(Expected {
-            unknown: Unknown::FrictionLead(joint),
-            mean: 0.0,
-            deviation: prior.friction_lead_s,
-        });
+        all.push(Expected::new(Unknown::Lag(joint), 0.0, prior.lag_periods * period_s));
+        all.push(Expected::new(Unknown::FrictionLead(joint), 0.0, prior.friction_lead_s));
     }
     all
 }
 
-fn friction_deviation(
+/// What a file tells of a friction parameter.
+fn told_friction_deviation(
+    values: &[f64; FRICTION_COUNT],
+    joint: usize,
+    parameter: usize,
+    subject: &Subject,
+) -> Option<f64> {
+    let told = subject.friction_deviations[joint][parameter]?;
+    matches!(parameter, COULOMB | VISCOUS | DAMPING).then(|| told.max(1e-6 * values[COULOMB]))
+}
+
+fn usual_friction_deviation(
     values: &[f64; FRICTION_COUNT],
     joint: usize,
     parameter: usize,
@@ -115,11 +134,7 @@ fn friction_deviation(
         STRIBECK_VELOCITY => shape.max(1e-6),
         _ => own,
     };
-    let usual = prior.relative_friction * values[parameter].abs() + least;
-    match (parameter, subject.friction_deviations[joint][parameter]) {
-        (COULOMB | VISCOUS | DAMPING, Some(told)) => told.max(1e-6 * values[COULOMB]),
-        _ => usual,
-    }
+    prior.relative_friction * values[parameter].abs() + least
 }
 
 impl Unknown {

@@ -67,14 +67,17 @@ impl LinkSpread {
 
     /// Standard deviations of base parameters: as the file tells them, or those of all links' values.
     pub fn deviations(&self) -> Vec<f64> {
+        let by_links = self.by_links().into_iter();
+        let both = by_links.zip(&self.told).map(|(by_links, told)| told.unwrap_or(by_links));
+        not_none(both.collect())
+    }
+
+    /// Standard deviations of base parameters as those of all links' values leave them, whatever the file tells of sums.
+    pub fn by_links(&self) -> Vec<f64> {
         let count = self.moves.first().map_or(0, |of_value| of_value.by.len());
-        let of_links =
+        let variance =
             |k: usize| self.moves.iter().map(|of_value| of_value.by[k].powi(2)).sum::<f64>();
-        let variance = |k: usize| self.told[k].map_or_else(|| of_links(k), |told| told * told);
-        let variances: Vec<f64> = (0..count).map(variance).collect();
-        // What is exact may yet be off by rounding.
-        let largest = variances.iter().copied().fold(0.0, f64::max);
-        variances.into_iter().map(|variance| variance.max(1e-12 * largest).sqrt()).collect()
+        not_none((0..count).map(|k| variance(k).sqrt()).collect())
     }
 
     /// Multiplies the deviations that the file does not tell.
@@ -97,6 +100,12 @@ impl LinkSpread {
         let both = self.moves.iter().zip(pull.iter());
         both.map(|(of, pull)| (of.link, of.value, of.deviation * pull)).collect()
     }
+}
+
+/// Deviations of which none is nothing: what is exact may yet be off by rounding.
+fn not_none(deviations: Vec<f64>) -> Vec<f64> {
+    let least = 1e-6 * deviations.iter().copied().fold(0.0, f64::max);
+    deviations.into_iter().map(|deviation| deviation.max(least)).collect()
 }
 
 /// The standard error of a base parameter that a file tells.

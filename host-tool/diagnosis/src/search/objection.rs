@@ -110,7 +110,7 @@ fn is_exchange(before: &FittedModel, after: &FittedModel) -> bool {
 /// parameters may go a little further for what the effect explains.
 fn makes_implausible(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
     let policy = &criteria.selection;
-    let (from, to) = (before.stats.prior_penalty, after.stats.prior_penalty);
+    let (from, to) = (before.stats.robot_penalty, after.stats.robot_penalty);
     let grows = to > policy.most_prior_penalty_growth * from;
     let loss = 0.5 * (after.linear.prior_penalty() - before.linear.prior_penalty());
     let is_cheap = before.stats.is_implausible(&criteria.fit)
