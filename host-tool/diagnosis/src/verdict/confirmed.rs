@@ -154,6 +154,23 @@ impl<'a> Confirmation<'a> {
         without < criteria.no_gap_ratio || with < least
     }
 
+    /// Whether the cause at this place among those added acts on the confirming logs: what it does there itself, all
+    /// else unchanged, is a part of what goes with it (`least_action`). Else parameters do that, which train logs had
+    /// bent where something acts: a limit, say, that no confirming log comes near to.
+    pub fn acts(&self, last: &FittedModel, index: usize) -> bool {
+        let mut hypothesis = self.full.linear.hypothesis.clone();
+        let effect = hypothesis.effects.remove(self.subject.known_effects.len() + index);
+        let (without_v, with_v) = (&self.without[index].residual_v, &self.full.residual_v);
+        let idle_v = last.evidence.volts(&residual_rows(&last.evidence, &hypothesis));
+        let action_v = difference(&idle_v, with_v);
+        let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
+        let joints = self.joints_judged(last, &effect, [without_v, with_v]);
+        let models = [without_v, with_v, &action_v];
+        let blocks = Blocks::of(&last.evidence, &joints, &models, noise_v);
+        let least = self.subject.criteria.verdict.least_action;
+        blocks.figure(1, |sums| sums[2] - least * (sums[0] - sums[1])).0 >= 0.0
+    }
+
     /// What the refitted model leaves, its parameters within their doubt, in units of noise.
     pub fn over_noise(&self, last: &FittedModel) -> f64 {
         let of_joint = |joint: &usize| {
@@ -177,6 +194,12 @@ impl<'a> Confirmation<'a> {
         let blocks = Blocks::of(&last.evidence, joints, &models, noise_v);
         blocks.figure(1, |sums| (sums[0] - sums[1]) / (sums[0] - sums[2]).max(1e-300)).0
     }
+}
+
+/// Rows less others.
+fn difference(rows: &Rows, others: &Rows) -> Rows {
+    let of_joint = |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).map(|(a, b)| a - b).collect();
+    rows.iter().zip(others).map(of_joint).collect()
 }
 
 impl Held {

@@ -173,6 +173,7 @@ impl<'a> Elimination<'a> {
             && !self.is_anothers(confirmation, effect)
             && is_sound(effect, worth, &self.subject.criteria.verdict)
             && !(effect.is_spring() && confirmation.takes_noise(&self.last, effect))
+            && confirmation.acts(&self.last, index)
     }
 
     /// Whether an effect acts on joints whose logs are as of another robot, and causes do not explain
