@@ -139,20 +139,26 @@ fn diagnosed(
 ) -> Result<Diagnosis, DiagnosisError> {
     let Usable { mut stretches, mut remarks } = Usable::of(traces, &subject)?;
     let mut searched =
-        Searched::of(&subject, stretches.clone(), None, KnownCauses::default(), progress)?;
-    if searched.early_part > 0.0 {
-        remarks.push(early_words(searched.early_part));
-        stretches = by_instants(stretches, searched.early_part);
+        Searched::of(&subject, stretches.clone(), None, KnownCauses::default(), true, progress)?;
+    let early_part = searched.early_part;
+    if early_part > 0.0 {
+        stretches = by_instants(stretches, early_part);
     }
     match searched.with_free_parameters(&subject, &stretches, progress) {
         Some(Free::Doubt(doubt, known)) => {
             remarks.push(report::doubt::words(subject.criteria.prior.doubt(), doubt));
             subject.doubt(doubt);
             let near = searched.selection.refitted.linear.hypothesis.clone();
-            searched = Searched::of(&subject, stretches, Some(&near), known, progress)?;
+            let may_be_early = early_part == 0.0;
+            searched =
+                Searched::of(&subject, stretches, Some(&near), known, may_be_early, progress)?;
         }
         Some(Free::Causes(found)) => searched = *found,
         None => {}
+    }
+    let early_part = early_part.max(searched.early_part);
+    if early_part > 0.0 {
+        remarks.push(early_words(early_part));
     }
     let Searched { evidence, selection, fault, .. } = searched;
     let subject = &subject;

@@ -1,5 +1,7 @@
 //! What a search finds by one doubt about the model, and what its logs say of that doubt.
 
+use std::cell::Cell;
+
 use crate::criteria::Doubt;
 use crate::fit::command_instants::{Prepared, by_instants, early_part, prepared_by_instants};
 use crate::fit::doubt;
@@ -36,7 +38,7 @@ pub enum Free {
 
 impl Searched {
     /// Searches stretches of logs, beginning with effects that are known; the refit starts from the model as given
-    /// and, where there is one, from a model `near` by.
+    /// and, where there is one, from a model `near` by. Commands may be those of instants unless that is settled.
     ///
     /// # Errors
     /// Logs that leave no rows.
@@ -45,23 +47,61 @@ impl Searched {
         stretches: Vec<Stretch>,
         near: Option<&Hypothesis>,
         known: KnownCauses,
+        may_be_early: bool,
         progress: &dyn Fn(&str),
     ) -> Result<Self, StepError> {
         progress("refitting the model");
-        let first = prepared_by_instants(subject, stretches.clone(), near)?;
-        // A large cause that is missing may hide that commands are those of instants.
-        let is_known = first.2 > 0.0;
-        let part = |last: &FittedModel| if is_known { 0.0 } else { early_part(subject, last) };
-        let seems_early = |last: &FittedModel| part(last) > 0.0;
-        let found = Self::of_prepared(subject, first.clone(), known, &seems_early, progress);
-        let part = part(&found.selection.last.by_all_rows());
-        if found.fault.is_some() || part == 0.0 {
-            return Ok(found);
+        let first = if may_be_early {
+            prepared_by_instants(subject, stretches.clone(), near)?
+        } else {
+            let (evidence, refitted) = prepared(subject, stretches.clone(), near)?;
+            (evidence, refitted, 0.0)
+        };
+        if !may_be_early || first.2 > 0.0 {
+            return Ok(Self::of_prepared(subject, first, known, &|_| false, progress));
         }
-        let (evidence, refitted) = prepared(subject, by_instants(stretches, part), near)?;
-        let later = found.again(subject, (evidence, refitted, part), progress);
-        let is_mended = !seems_early(&later.selection.last.by_all_rows());
-        Ok(if is_mended { later } else { found.again(subject, first, progress) })
+        Ok(Self::looking_for_instants(subject, (stretches, near), first, known, progress))
+    }
+
+    /// Searches rows whose commands may yet be those of instants, which a large cause that is missing may hide: once the
+    /// causes found show it, on rows shifted so; or on the same again, where that mends nothing.
+    fn looking_for_instants(
+        subject: &Subject,
+        logs: (Vec<Stretch>, Option<&Hypothesis>),
+        first: Prepared,
+        known: KnownCauses,
+        progress: &dyn Fn(&str),
+    ) -> Self {
+        let is_cut_short = Cell::new(false);
+        let seems_early = |last: &FittedModel| {
+            let seems_early = early_part(subject, last) > 0.0;
+            is_cut_short.set(is_cut_short.get() || seems_early);
+            seems_early
+        };
+        let found = Self::of_prepared(subject, first.clone(), known, &seems_early, progress);
+        if !is_cut_short.get() {
+            return found;
+        }
+        let shifted = found.shifted(subject, logs, progress);
+        shifted.unwrap_or_else(|| found.again(subject, first, progress))
+    }
+
+    /// A search that begins with the causes of this one, on rows whose commands act earlier by what its last model says;
+    /// none where they seem to be early then, too.
+    fn shifted(
+        &self,
+        subject: &Subject,
+        (stretches, near): (Vec<Stretch>, Option<&Hypothesis>),
+        progress: &dyn Fn(&str),
+    ) -> Option<Self> {
+        let part_of = |search: &Self| early_part(subject, &search.selection.last.by_all_rows());
+        let part = part_of(self);
+        if part == 0.0 {
+            return None;
+        }
+        let (evidence, refitted) = prepared(subject, by_instants(stretches, part), near).ok()?;
+        let shifted = self.again(subject, (evidence, refitted, part), progress);
+        (part_of(&shifted) == 0.0).then_some(shifted)
     }
 
     /// A search of other rows that begins with the causes of this one.
@@ -70,8 +110,8 @@ impl Searched {
         Self::of_prepared(subject, prepared, known, &|_| false, progress)
     }
 
-    /// Searches rows and the model refitted to them until nothing is left that asks for it, or an effect shows that
-    /// commands are early.
+    /// Searches rows and the model refitted to them until nothing is left that asks for it, or what is found shows that
+    /// commands are early; faults of the model are told by rows whose commands are not.
     fn of_prepared(
         subject: &Subject,
         (evidence, refitted, early_part): Prepared,
@@ -84,6 +124,9 @@ impl Searched {
             faults.is_sure(refitted, last) || seems_early(last)
         };
         let selection = select(subject, refitted, known, &explains_all, progress);
+        if seems_early(&selection.last) {
+            return Self { evidence, selection, fault: None, early_part };
+        }
         progress("trying whether the model itself is at fault");
         let found = faults.found(&selection.refitted, &selection.last);
         let (selection, fault) = with_fault(subject, selection, found, progress);
@@ -112,9 +155,15 @@ impl Searched {
         let mut free = subject.clone();
         free.doubt(prior.widest_doubt());
         let near = &self.selection.refitted.linear.hypothesis;
-        let wide =
-            Self::of(&free, stretches.to_vec(), Some(near), KnownCauses::default(), progress)
-                .ok()?;
+        let wide = Self::of(
+            &free,
+            stretches.to_vec(),
+            Some(near),
+            KnownCauses::default(),
+            false,
+            progress,
+        )
+        .ok()?;
         let wide_last = wide.selection.last.by_all_rows();
         let gains_more = wide_last.gain_over(last) > prior.least_gain;
         if wide.fault.is_some() || wide.selection.added.is_empty() || !gains_more {

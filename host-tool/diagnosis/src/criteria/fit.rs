@@ -88,15 +88,15 @@ criteria! {
         /// Rms up to so many times the noise is the method's own: friction around reversals, where
         /// velocity is hardest to know, reaches it on one joint of one log of a robot without effect.
         own_ratio: f64 = 1.5,
-        /// Prior penalty, in squared deviations, from which parameters ask for a cause: some thirty
+        /// Prior penalty, in squared deviations, up to which a fault of the model need not explain it: some thirty
         /// parameters that are known to their deviation make thirty.
         unexplained_prior_penalty: f64 = 60.0,
-        /// Or one so many standard deviations above its mean, where the logs tell fewer parameters.
+        /// Parameters ask for a cause where their penalty is so many standard deviations above its mean.
         unexplained_deviations: f64 = 4.0,
         /// Prior penalty beyond which a model is no longer the one given: parameters some ten
         /// deviations off, a quarter of their values.
         implausible_prior_penalty: f64 = 240.0,
-        /// Where the logs tell more than so many parameters both grow with their number: each may be off by a little.
+        /// Where the logs tell more than so many parameters it grows with their number: each may be off by a little.
         told_parameters: f64 = 30.0,
         /// What one parameter adds to that penalty at most: a third of it.
         most_penalty_of_one: f64 = 80.0,

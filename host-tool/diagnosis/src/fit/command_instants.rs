@@ -14,7 +14,7 @@ use crate::rows::evidence::Evidence;
 use crate::trial::hypothesis::Hypothesis;
 use recordings::StepError;
 
-/// The rows, the model refitted to them, and by what part of a sample period commands were read too early.
+/// The rows, the model refitted to them, and by what part of a sample period commands act before their rows' intervals.
 pub type Prepared = (Evidence, FittedModel, f64);
 
 /// Prepares stretches as [`prepared`] does, their commands as of the instants of rows where the refitted model says so, and
@@ -37,7 +37,7 @@ pub fn prepared_by_instants(
     Ok(if is_mended { (later, better, part) } else { (evidence, refitted, 0.0) })
 }
 
-/// Stretches whose commands act later by a part of their sample period.
+/// Stretches whose commands act earlier by a part of their sample period.
 pub fn by_instants(mut stretches: Vec<Stretch>, part: f64) -> Vec<Stretch> {
     stretches.iter_mut().for_each(|stretch| stretch.act_later(part * -stretch.sampled_s));
     stretches

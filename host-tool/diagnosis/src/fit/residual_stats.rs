@@ -17,8 +17,8 @@ pub struct ResidualStats {
     /// Sum of the squared deviations of refitted parameters from the model as given, in standard
     /// deviations of the prior.
     pub prior_penalty: f64,
-    /// The same in units of their tolerance, and without lags that say of commands that they were logged as of an
-    /// instant: those are the log's. Large where the parameters are another robot's.
+    /// The same in units of their tolerance, and without lags below zero that are the log's, which kept commands as of
+    /// an instant. Large where the parameters are another robot's.
     pub robot_penalty: f64,
     /// What the penalty is expected to be where the model is as far off as it is thought to be: a parameter that the
     /// logs tell counts one, one that they do not tell nothing.
@@ -62,18 +62,13 @@ impl ResidualStats {
     pub fn asks_for_cause(&self, criteria: &FitCriteria) -> bool {
         let mean = self.expected_penalty.max(1.0);
         let chance = mean + criteria.unexplained_deviations * (2.0 * mean).sqrt();
-        let usual = criteria.unexplained_prior_penalty * self.times_told(criteria);
-        self.prior_penalty > usual.min(chance)
+        self.prior_penalty > chance
     }
 
     /// Whether the parameters are too far from what is known of them to be those of the robot.
     pub fn is_implausible(&self, criteria: &FitCriteria) -> bool {
-        self.robot_penalty > criteria.implausible_prior_penalty * self.times_told(criteria)
-    }
-
-    /// How many times more parameters the logs tell than penalties are meant for, 1 where fewer.
-    fn times_told(&self, criteria: &FitCriteria) -> f64 {
-        (self.expected_penalty / criteria.told_parameters).max(1.0)
+        let times_told = (self.expected_penalty / criteria.told_parameters).max(1.0);
+        self.robot_penalty > criteria.implausible_prior_penalty * times_told
     }
 
     /// The largest ratio to the noise.
@@ -114,13 +109,14 @@ fn penalty(
         .sum()
 }
 
-/// By how much a parameter may be off and be this robot's: by anything where it is a lag by which commands act early,
-/// by no more than where they are those of the instants of rows.
+/// By how much a parameter may be off and be this robot's: by anything where it is a lag below zero of a chain that
+/// logging of instants explains.
 fn tolerance(expected: &Expected, linear: &Linearisation, evidence: &Evidence) -> f64 {
     let most_s = evidence.criteria.logs.most_early_part * evidence.stretches[0].sampled_s;
+    let is_chain = linear.hypothesis.plant.as_chain().is_some();
     let early_s = || -expected.unknown.get(&linear.hypothesis);
     match expected.unknown {
-        Unknown::Lag(_) if (0.0..most_s).contains(&early_s()) => f64::INFINITY,
+        Unknown::Lag(_) if is_chain && (0.0..most_s).contains(&early_s()) => f64::INFINITY,
         _ => expected.tolerance,
     }
 }

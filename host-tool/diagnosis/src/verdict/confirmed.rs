@@ -1,7 +1,7 @@
 //! What causes are worth on the logs that chose nothing.
 
 use super::blocks::Blocks;
-use super::worth::Worth;
+use super::worth::{Worth, does_it_itself};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::gauss_newton::fit_held;
 use crate::fit::linearisation::Linearisation;
@@ -167,8 +167,7 @@ impl<'a> Confirmation<'a> {
         let joints = self.joints_judged(last, &effect, [without_v, with_v]);
         let models = [without_v, with_v, &action_v];
         let blocks = Blocks::of(&last.evidence, &joints, &models, noise_v);
-        let least = self.subject.criteria.verdict.least_action;
-        blocks.figure(1, |sums| sums[2] - least * (sums[0] - sums[1])).0 >= 0.0
+        does_it_itself(&blocks, &self.subject.criteria.verdict)
     }
 
     /// What the refitted model leaves, its parameters within their doubt, in units of noise.

@@ -62,6 +62,16 @@ impl Worth {
     }
 }
 
+/// Whether a cause does a part of what goes with it itself; blocks of what models leave without it and with it, and of
+/// what it does, all else unchanged.
+pub fn does_it_itself(blocks: &Blocks, criteria: &VerdictCriteria) -> bool {
+    let beyond = |sums: &[f64]| match sums {
+        [without, with, action, ..] => action - criteria.least_action * (without - with),
+        _ => 0.0,
+    };
+    blocks.figure(1, beyond).0 >= 0.0
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -74,6 +84,17 @@ mod tests {
         let loud =
             |k: usize| [40.0, 39.9 + 0.02 * k as f64, 40.0, 1.0].map(|v2| v2 * 1e-4 / loud_unit_v2);
         Blocks::made((0..10).flat_map(|k| [quiet.to_vec(), loud(k).to_vec()]).collect())
+    }
+
+    #[test]
+    fn what_goes_with_a_limit_that_no_command_comes_near_to_is_not_its_own() {
+        let criteria = Criteria::default().verdict;
+        let blocks = |action_v2: f64| {
+            Blocks::made((0..4).map(|_| vec![3e-6, 2e-6, action_v2, 1e-6]).collect())
+        };
+        assert!(!does_it_itself(&blocks(0.0), &criteria));
+        assert!(!does_it_itself(&blocks(0.05e-6), &criteria));
+        assert!(does_it_itself(&blocks(0.9e-6), &criteria));
     }
 
     #[test]
