@@ -190,7 +190,7 @@ fn commands_kept_of_instants_are_no_fault_of_the_arm() {
 }
 
 /// By a model that logs have told to a part in a thousand no parameter makes up for a load; that commands are early then
-/// shows only beside it, and lags below zero do not make them another robot's.
+/// shows only beside it.
 #[test]
 fn a_load_is_named_by_an_identified_model_where_logs_keep_instants() {
     let of_pendulum =

@@ -132,3 +132,29 @@ fn expected_penalty(linear: &Linearisation) -> f64 {
 fn is_of_arm(unknown: Unknown) -> bool {
     !unknown.shapes_friction() && !matches!(unknown, Unknown::Effect { .. } | Unknown::Table { .. })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stats(robot_penalty: f64, told: f64) -> ResidualStats {
+        ResidualStats {
+            ratios: Vec::new(),
+            excess: 0.0,
+            over_encoder_noise: 1.0,
+            prior_penalty: 3.0 * robot_penalty,
+            robot_penalty,
+            expected_penalty: told,
+        }
+    }
+
+    #[test]
+    fn parameters_are_another_robots_by_how_many_the_logs_tell_and_by_their_tolerance() {
+        let criteria = crate::Criteria::default().fit;
+        assert!(stats(300.0, 20.0).is_implausible(&criteria));
+        assert!(!stats(300.0, 60.0).is_implausible(&criteria));
+        assert!(stats(500.0, 60.0).is_implausible(&criteria));
+        assert!(!stats(200.0, 5.0).is_implausible(&criteria));
+        assert!(stats(200.0, 5.0).asks_for_cause(&criteria));
+    }
+}
