@@ -15,7 +15,8 @@
 //! | [`contact`], [`goal_clip`], [`prepared`] | seconds that are no free motion, found and cut |
 //! | [`candidates`], [`cogging_orders`], [`cross`], [`joint_model`], [`selection`] | effects on one joint |
 //! | [`pooled`], [`common_fit`] | servos of one type, load friction in common |
-//! | [`whole_effect`], [`whole_fit`], [`whole_normal`], [`whole_cause`] | a payload, a force, a base that leans |
+//! | [`whole_effect`], [`whole_fit`], [`whole_step`], [`whole_normal`], [`whole_cause`] | a payload, a force, a base that leans |
+//! | [`beside_whole`] | that and the joints' friction, each as the other leaves it |
 //! | [`confirm`], [`verdict`], [`joint_effects`], [`outcome`] | what stands on logs that chose nothing |
 //! | [`effect_table`], [`whole_table`], [`model_file`], [`identified`] | what goes into model files |
 //! | [`report`] and those behind it | `report.json` |
@@ -27,6 +28,7 @@ pub mod along;
 pub mod along_row;
 pub mod arm_replay;
 pub mod base;
+pub mod beside_whole;
 pub mod candidates;
 pub mod cogging_orders;
 pub mod common_fit;
@@ -75,6 +77,7 @@ pub mod whole_cause;
 pub mod whole_effect;
 pub mod whole_fit;
 pub mod whole_normal;
+pub mod whole_step;
 pub mod whole_table;
 
 pub use error::ServoError;

@@ -4,7 +4,8 @@ use files::{ArmFile, Role};
 use recordings::ArmCampaign;
 
 use crate::arm_replay::arm_replay;
-use crate::base::{Base, Frame, refit};
+use crate::base::Frame;
+use crate::beside_whole::{Found, beside_whole};
 use crate::error::ServoError;
 use crate::joint::ServoJoint;
 use crate::joint_effects::{JointEffects, PooledCauses};
@@ -80,10 +81,9 @@ impl Outcome {
                 find(&prepared, &joints.as_bases(&prepared), settings)
             }
         };
-        if let Some(cause) = whole.first().filter(|cause| cause.is_named) {
-            take_up(&mut prepared, cause, settings);
-            joints = JointEffects::of(&prepared, &campaign.arm, &settings.beside_whole(), progress);
-        }
+        let found = Found { prepared, joints, whole };
+        let found = beside_whole(found, &campaign.arm, settings, progress);
+        let Found { prepared, joints, whole } = found;
         let JointEffects { selected, causes, pooled, models } = joints;
         let servos = [
             prepared.given.clone(),
@@ -112,25 +112,6 @@ fn instead(
     let frame = Frame { logs: &logs, period_s: prepared.period_s, settings };
     let of_joints: f64 = left(&frame, &prepared.bases, &servos, &logs).iter().sum();
     (best.fit.left.iter().sum::<f64>() < of_joints).then_some(whole)
-}
-
-/// Puts an effect of the whole arm into the logs, and refits the joints with it.
-fn take_up(prepared: &mut Prepared, cause: &WholeCause, settings: &Settings) {
-    let (effect, values) = (cause.fit.effect, &cause.fit.values);
-    let links = prepared.links;
-    let applied = |log: &Judged| effect.applied(&links, log, values);
-    prepared.follow(
-        &effect.links(&links, values),
-        effect.force(values),
-        &cause.fit.servos,
-        settings,
-    );
-    prepared.logs = prepared.logs.iter().map(applied).collect();
-    let train: Vec<&Judged> =
-        prepared.logs.iter().filter(|log| log.record.role == Role::Train).collect();
-    let frame = Frame { logs: &train, period_s: prepared.period_s, settings };
-    let bases: Vec<Base> = refit(&frame, &prepared.given, &cause.fit.servos, false);
-    prepared.bases = bases;
 }
 
 fn motions(

@@ -103,6 +103,9 @@ pub struct Settings {
     /// Part of what is left that a place elsewhere must take for that. Pendulums take up to 0.001, six
     /// axes with a load 10 mm beyond the centre 0.06 and more: `docs/servo-arms.md`.
     pub least_elsewhere_gain: f64,
+    /// The same on one joint alone, where a place shows by inertia only, which the rotor has too: friction of another
+    /// law than the model's put a load there a sixth too near, and made it a tenth too heavy.
+    pub least_elsewhere_gain_alone: f64,
     /// Length of logs in which effects of the whole arm are searched for [s].
     pub whole_arm_s: f64,
 }
@@ -152,12 +155,18 @@ impl Default for Settings {
             elsewhere_doubt: 0.3,
             far_doubt: 10.0,
             least_elsewhere_gain: 0.02,
+            least_elsewhere_gain_alone: 0.1,
             whole_arm_s: 200.0,
         }
     }
 }
 
 impl Settings {
+    /// The part of what is left that a place elsewhere must take, by the number of joints.
+    pub fn least_elsewhere(&self, joints: usize) -> f64 {
+        if joints > 1 { self.least_elsewhere_gain } else { self.least_elsewhere_gain_alone }
+    }
+
     /// Those for effects of joints beside one of the whole arm.
     pub fn beside_whole(&self) -> Self {
         Self { least_shrinkage: self.least_beside_whole, least_near_noise: 1.0, ..self.clone() }

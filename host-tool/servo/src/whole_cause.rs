@@ -29,6 +29,17 @@ pub struct WholeCause {
 
 /// Tries all of them over the joints as they are in `bases`, best first.
 pub fn find(prepared: &Prepared, bases: &[Base], settings: &Settings) -> Vec<WholeCause> {
+    find_from(prepared, bases, None, settings)
+}
+
+/// The same, one of them from where it was found before, too: friction that is open beside a load takes what that
+/// load does as long as there is none, and a fit from there may end on its way.
+pub fn find_from(
+    prepared: &Prepared,
+    bases: &[Base],
+    known: Option<&WholeFit>,
+    settings: &Settings,
+) -> Vec<WholeCause> {
     let all = prepared.train();
     let short = spread(&all, settings.whole_arm_s);
     let frame = Frame { logs: &short, period_s: prepared.period_s, settings };
@@ -39,7 +50,10 @@ pub fn find(prepared: &Prepared, bases: &[Base], settings: &Settings) -> Vec<Who
         .into_iter()
         .filter(|effect| *effect != Whole::BaseTilt || is_upright(prepared))
         .map(|effect| {
-            let fit = fitted(&frame, links, bases, effect, &plain);
+            let mut fit = fitted(&frame, links, bases, effect, &plain);
+            if let Some(known) = known.filter(|known| known.effect == effect) {
+                fit = fit.better_of(fitted(&frame, links, bases, effect, known));
+            }
             judge(prepared, &plain, &scaled, fit, settings)
         })
         .collect();
@@ -69,7 +83,7 @@ fn fitted(
         let elsewhere = fit_whole(&wide, links, bases, effect, &found);
         let gain = Gain::of(&left_out(&elsewhere.left), &left_out(&found.left));
         let is_certain = gain.certainty >= settings.least_certainty;
-        if is_certain && gain.part >= settings.least_elsewhere_gain {
+        if is_certain && gain.part >= settings.least_elsewhere(bases.len()) {
             found = elsewhere;
         }
     }

@@ -6,14 +6,13 @@
 use rayon::prelude::*;
 
 use model::chain::SerialChain;
-use nalgebra::{DMatrix, DVector};
 
 use crate::base::{Base, Frame};
 use crate::fit::{Field, Problem, Unknown, errors, fit};
 use crate::joint::ServoJoint;
 use crate::judged::Judged;
 use crate::whole_effect::Whole;
-use crate::whole_normal::{STEP_PART, normal};
+use crate::whole_step::step_of;
 
 /// An effect of the whole arm, fitted.
 #[derive(Clone, Debug)]
@@ -30,8 +29,16 @@ pub struct WholeFit {
     pub left: Vec<f64>,
 }
 
+impl WholeFit {
+    /// The one of two that leaves less.
+    pub fn better_of(self, other: Self) -> Self {
+        let of = |fit: &Self| fit.left.iter().sum::<f64>();
+        if of(&other) < of(&self) { other } else { self }
+    }
+}
+
 /// The unknowns of a joint with gravity's scale as it should be.
-fn rigid(base: &Base) -> Vec<Unknown> {
+pub fn rigid(base: &Base) -> Vec<Unknown> {
     base.unknowns.iter().filter(|unknown| unknown.field != Field::Gravity).copied().collect()
 }
 
@@ -126,55 +133,4 @@ pub fn left(frame: &Frame, bases: &[Base], servos: &[ServoJoint], logs: &[&Judge
         costs.sum()
     };
     logs.par_iter().map(of).collect()
-}
-
-/// A step of an effect's values.
-struct Step {
-    moved: Vec<f64>,
-    deviations: Vec<f64>,
-    /// What it takes, were everything linear, in squares of one row.
-    takes: f64,
-}
-
-/// A step of the effect's values, the joints' own unknowns moving along.
-#[allow(clippy::too_many_arguments)]
-fn step_of(
-    frame: &Frame,
-    bases: &[Base],
-    servos: &[ServoJoint],
-    logs: &[&Judged],
-    apply: &dyn Fn(&[f64]) -> Vec<Judged>,
-    values: &[f64],
-    prior: &[f64],
-    doubts: &[f64],
-) -> Option<Step> {
-    let p = values.len();
-    let moved: Vec<Vec<Judged>> = (0..p)
-        .map(|k| {
-            let mut other = values.to_vec();
-            other[k] += STEP_PART * doubts[k];
-            apply(&other)
-        })
-        .collect();
-    let (mut matrix, mut right) = (DMatrix::zeros(p, p), DVector::zeros(p));
-    for k in 0..p {
-        matrix[(k, k)] += doubts[k].powi(-2);
-        right[k] += (prior[k] - values[k]) / doubts[k].powi(2);
-    }
-    for (joint, base) in bases.iter().enumerate() {
-        let unknowns = rigid(base);
-        let problem = Frame { logs, ..*frame }.problem(joint, &unknowns, base.scale);
-        let (full, side) = normal(&problem, &servos[joint], &moved, doubts, base);
-        let own = unknowns.len();
-        let factor = full.view((0, 0), (own, own)).clone_owned().cholesky()?;
-        let across = full.view((0, own), (own, p)).clone_owned();
-        let rest = side.rows(0, own).clone_owned();
-        matrix += full.view((own, own), (p, p)) - across.transpose() * factor.solve(&across);
-        right += side.rows(own, p) - across.transpose() * factor.solve(&rest);
-    }
-    let inverse = matrix.try_inverse()?;
-    let found = &inverse * &right;
-    let deviations = (0..p).map(|k| inverse[(k, k)].max(0.0).sqrt()).collect();
-    let takes = found.dot(&right);
-    Some(Step { moved: found.iter().copied().collect(), deviations, takes })
 }

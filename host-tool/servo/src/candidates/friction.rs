@@ -22,6 +22,22 @@ pub fn effects(base: &Base) -> Vec<Candidate> {
     ]
 }
 
+/// What looks like a load: friction that grows less than with the velocity, another level at rest than what that
+/// says, and friction by the motor's torque.
+pub fn like_a_load(base: &Base) -> [Candidate; 3] {
+    [drag(base), at_rest(base), load_friction(base, Field::MotorLoadFriction, MOST_LOST)]
+}
+
+/// A level at rest above or below what friction in motion says.
+fn at_rest(base: &Base) -> Candidate {
+    let level = base.fitted.servo.coulomb.max(0.01);
+    let peak = stribeck(base);
+    let mut unknowns = peak.unknowns;
+    unknowns[0].low = -0.9 * level;
+    let starts = vec![vec![-0.2 * level, 0.5], vec![0.2 * level, 0.1]];
+    Candidate::new(peak.effect, unknowns, starts)
+}
+
 /// Friction by a torque, of which it takes no more than a part.
 fn load_friction(base: &Base, field: Field, most: f64) -> Candidate {
     let one = 1.0 / base.fitted.servo.torque_constant;

@@ -132,14 +132,23 @@ impl Problem<'_> {
         (matrix, right)
     }
 
-    /// A damped step.
+    /// A damped step; what stands at a bound and would leave its range stays, and the others step without it.
     fn step(&self, servo: &ServoJoint, normal: &Normal, one: f64, damping: f64) -> ServoJoint {
-        let (mut matrix, right) = self.with_priors(servo, normal, one);
+        let (mut matrix, mut right) = self.with_priors(servo, normal, one);
         for k in 0..self.unknowns.len() {
             matrix[(k, k)] *= 1.0 + damping;
         }
-        let moved = matrix.cholesky().map(|factor| factor.solve(&right));
-        moved.map_or(*servo, |moved| move_by(servo, self.unknowns, moved.as_slice()))
+        loop {
+            let Some(factor) = matrix.clone().cholesky() else { return *servo };
+            let moved = factor.solve(&right);
+            let leaves = |k: &usize| self.unknowns[*k].leaves_range(servo, moved[*k]);
+            let Some(held) = (0..self.unknowns.len()).find(leaves) else {
+                return move_by(servo, self.unknowns, moved.as_slice());
+            };
+            matrix.row_mut(held).fill(0.0);
+            matrix.column_mut(held).fill(0.0);
+            (matrix[(held, held)], right[held]) = (1.0, 0.0);
+        }
     }
 }
 

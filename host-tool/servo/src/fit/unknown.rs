@@ -140,6 +140,12 @@ impl Unknown {
         if self.is_log { value.ln() } else { value }
     }
 
+    /// Whether it stands at a bound, and this change of its coordinate leads beyond.
+    pub fn leaves_range(&self, servo: &ServoJoint, change: f64) -> bool {
+        let value = self.field.of(servo);
+        (value <= self.low && change < 0.0) || (value >= self.high && change > 0.0)
+    }
+
     /// The highest coordinate.
     pub fn top(&self) -> f64 {
         if self.is_log { self.high.ln() } else { self.high }
