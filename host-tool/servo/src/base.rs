@@ -99,6 +99,13 @@ pub struct Base {
     pub fitted: Fitted,
 }
 
+impl Base {
+    /// The unknowns with gravity's scale as it should be.
+    pub fn rigid_unknowns(&self) -> Vec<Unknown> {
+        self.unknowns.iter().filter(|unknown| unknown.field != Field::Gravity).copied().collect()
+    }
+}
+
 /// All joints refitted to the logs; weights of blocks by what the first fit leaves.
 pub fn refit(
     frame: &Frame,

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use model::chain::SerialChain;
 
 use crate::base::{Base, Frame};
-use crate::fit::{Field, Problem, Unknown, errors, fit};
+use crate::fit::{Problem, errors, fit};
 use crate::joint::ServoJoint;
 use crate::judged::Judged;
 use crate::whole_effect::Whole;
@@ -35,11 +35,6 @@ impl WholeFit {
         let of = |fit: &Self| fit.left.iter().sum::<f64>();
         if of(&other) < of(&self) { other } else { self }
     }
-}
-
-/// The unknowns of a joint with gravity's scale as it should be.
-pub fn rigid(base: &Base) -> Vec<Unknown> {
-    base.unknowns.iter().filter(|unknown| unknown.field != Field::Gravity).copied().collect()
 }
 
 /// The joints alone fitted to the frame's logs, gravity's scale one.
@@ -112,7 +107,7 @@ fn refitted(
     iterations: usize,
 ) -> Vec<ServoJoint> {
     let of = |(joint, base): (usize, &Base)| {
-        let unknowns = rigid(base);
+        let unknowns = base.rigid_unknowns();
         let frame = Frame { logs, ..*frame };
         let problem = Problem { iterations, ..frame.problem(joint, &unknowns, base.scale) };
         fit(&problem, &servos[joint]).servo

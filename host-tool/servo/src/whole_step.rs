@@ -7,7 +7,6 @@ use crate::base::{Base, Frame};
 use crate::fit::Unknown;
 use crate::joint::ServoJoint;
 use crate::judged::Judged;
-use crate::whole_fit::rigid;
 use crate::whole_normal::{STEP_PART, normal};
 
 /// A step of an effect's values.
@@ -41,7 +40,7 @@ pub fn step_of(
         })
         .collect();
     let equations = bases.iter().enumerate().map(|(joint, base)| {
-        let unknowns = rigid(base);
+        let unknowns = base.rigid_unknowns();
         let problem = Frame { logs, ..*frame }.problem(joint, &unknowns, base.scale);
         let (matrix, right) = normal(&problem, &servos[joint], &moved, doubts, base);
         OfJoint { unknowns, servo: servos[joint], matrix, right }
