@@ -100,6 +100,15 @@ pub struct Base {
 }
 
 impl Base {
+    /// The joint as given, with what is refitted of it as it is in another.
+    pub fn with_values_of(&self, servo: &ServoJoint) -> ServoJoint {
+        let mut found = self.given;
+        self.unknowns
+            .iter()
+            .for_each(|unknown| unknown.field.set(&mut found, unknown.field.of(servo)));
+        found
+    }
+
     /// The unknowns with gravity's scale as it should be.
     pub fn rigid_unknowns(&self) -> Vec<Unknown> {
         self.unknowns.iter().filter(|unknown| unknown.field != Field::Gravity).copied().collect()

@@ -98,7 +98,9 @@ fn loaded(prepared: &Prepared, cause: &WholeCause, settings: &Settings) -> Prepa
     loaded.logs = loaded.logs.iter().map(applied).collect();
     let train = loaded.train();
     let frame = Frame { logs: &train, period_s: loaded.period_s, settings };
-    let starts: Vec<ServoJoint> = prepared.bases.iter().map(|base| base.fitted.servo).collect();
+    // Refitted from where the fit with the effect ended, without what else that held.
+    let start = |(base, servo): (&Base, &ServoJoint)| base.with_values_of(servo);
+    let starts: Vec<ServoJoint> = prepared.bases.iter().zip(&cause.fit.servos).map(start).collect();
     let bases = refit(&frame, &loaded.given, &starts, false);
     Prepared { bases, ..loaded }
 }
