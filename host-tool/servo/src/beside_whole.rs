@@ -20,7 +20,7 @@ use crate::prepared::Prepared;
 use crate::ranking::suffices;
 use crate::settings::Settings;
 use crate::whole_cause::{WholeCause, find_from};
-use crate::whole_fit::WholeFit;
+use crate::whole_fit::{WholeFit, rigid};
 
 /// The arm with what acts on all of it, and what was found joint by joint beside that.
 pub struct Found {
@@ -30,6 +30,8 @@ pub struct Found {
     pub joints: JointEffects,
     /// Effects of the whole arm that were tried, best first.
     pub whole: Vec<WholeCause>,
+    /// The joints that they were tried over.
+    pub bases: Vec<Base>,
 }
 
 /// What is found once an effect of the whole arm is named; all as it was where none is, or where none is any
@@ -43,7 +45,7 @@ pub fn beside_whole(
     let named = |whole: &[WholeCause]| whole.first().filter(|cause| cause.is_named).cloned();
     let Some(cause) = named(&found.whole) else { return found };
     let with = loaded(&found.prepared, &cause, settings);
-    let (prepared, whole) = match with_friction(&with, settings) {
+    let (prepared, whole) = match with_friction(&with, &found.bases, &cause, settings) {
         None => (with, found.whole),
         Some(bases) => {
             progress("trying it again beside the joints' friction");
@@ -53,7 +55,7 @@ pub fn beside_whole(
         }
     };
     let joints = JointEffects::of(&prepared, arm, &settings.beside_whole(), progress);
-    Found { prepared, joints, whole }
+    Found { prepared, joints, whole, bases: found.bases }
 }
 
 /// Effects of the whole arm with these joints, the one that was found from where it was, too.
@@ -63,29 +65,36 @@ fn again(
     bases: Vec<Base>,
     settings: &Settings,
 ) -> Vec<WholeCause> {
-    let rigid = |base: &Base| ServoJoint { gravity: 1.0, ..base.fitted.servo };
-    let known = WholeFit { servos: bases.iter().map(rigid).collect(), ..cause.fit.clone() };
+    let known = WholeFit { servos: rigid(&bases), ..cause.fit.clone() };
     let bases = refitted(prepared, bases, settings);
     find_from(prepared, &bases, Some(&known), settings)
 }
 
-/// The joints with what of their friction may look like a load open where that takes a good part; none where it
-/// does on no joint.
-fn with_friction(prepared: &Prepared, settings: &Settings) -> Option<Vec<Base>> {
+/// These joints with what of their friction may look like a load open where that takes a good part, or where a
+/// joint is alone; none where it is opened on no joint. `prepared` is the arm with the effect in its logs.
+fn with_friction(
+    prepared: &Prepared,
+    bases: &[Base],
+    cause: &WholeCause,
+    settings: &Settings,
+) -> Option<Vec<Base>> {
     let train = prepared.train();
     let frame = Frame { logs: &train, period_s: prepared.period_s, settings };
     let of = |(joint, base): (usize, &Base)| {
+        let problem = frame.problem(joint, &base.unknowns, base.scale);
+        let base = Base { fitted: fit(&problem, &cause.fit.servos[joint]), ..base.clone() };
         let more =
             |model: Model, effect| model.with(&frame, joint, base.scale, effect).unwrap_or(model);
-        let bare = Model::of_base(&frame, joint, base);
-        let model = like_a_load(base).iter().fold(bare.clone(), more);
+        let bare = Model::of_base(&frame, joint, &base);
+        let model = like_a_load(&base).iter().fold(bare.clone(), more);
         let takes = suffices(&Gain::of(&model.left, &bare.left), &bare.settings(settings));
-        takes.then(|| Base { unknowns: model.unknowns, fitted: model.fitted, ..base.clone() })
+        let is_open = takes || bases.len() == 1;
+        let Model { unknowns, fitted, .. } = if is_open { model } else { bare };
+        (is_open, Base { unknowns, fitted, ..base })
     };
-    let found: Vec<Option<Base>> = prepared.bases.iter().enumerate().map(of).collect();
-    let any = found.iter().any(Option::is_some);
-    let both = found.into_iter().zip(&prepared.bases);
-    any.then(|| both.map(|(with, bare)| with.unwrap_or_else(|| bare.clone())).collect())
+    let found: Vec<(bool, Base)> = bases.iter().enumerate().map(of).collect();
+    let any = found.iter().any(|(is_open, _)| *is_open);
+    any.then(|| found.into_iter().map(|(_, base)| base).collect())
 }
 
 /// The arm with an effect in its logs, the bare joints refitted with it.
@@ -105,13 +114,14 @@ fn loaded(prepared: &Prepared, cause: &WholeCause, settings: &Settings) -> Prepa
     Prepared { bases, ..loaded }
 }
 
-/// Joints with effects fitted to the logs of an arm, from where they were.
+/// Joints with effects fitted to the logs of an arm, from where they were; blocks weigh as they did there.
 fn refitted(prepared: &Prepared, bases: Vec<Base>, settings: &Settings) -> Vec<Base> {
     let train = prepared.train();
     let frame = Frame { logs: &train, period_s: prepared.period_s, settings };
     let of = |(joint, base): (usize, Base)| {
-        let problem = frame.problem(joint, &base.unknowns, base.scale);
-        Base { fitted: fit(&problem, &base.fitted.servo), ..base }
+        let scale = prepared.bases[joint].scale;
+        let problem = frame.problem(joint, &base.unknowns, scale);
+        Base { fitted: fit(&problem, &base.fitted.servo), scale, ..base }
     };
     bases.into_iter().enumerate().map(of).collect()
 }

@@ -67,23 +67,26 @@ impl Outcome {
         let refitted = prepared.bases.clone();
         let mut joints = JointEffects::of(&prepared, &campaign.arm, settings, progress);
         progress("trying a payload, a force, a base that leans");
-        let whole = match instead(&prepared, &joints, settings) {
-            Some(whole) => whole,
-            None => {
-                let unturned = prepared.clone();
-                if turned::take_up(&mut prepared, &joints, settings) {
-                    let found = JointEffects::of(&prepared, &campaign.arm, settings, progress);
-                    match turned::is_named(&found) {
-                        true => joints = found,
-                        false => prepared = unturned,
-                    }
+        let beside = |found: Found| beside_whole(found, &campaign.arm, settings, progress);
+        let is_named = |found: &Found| found.whole.first().is_some_and(|cause| cause.is_named);
+        let first = instead(&prepared, &joints, settings).map(|whole| {
+            let bases = prepared.bases.clone();
+            beside(Found { prepared: prepared.clone(), joints: joints.clone(), whole, bases })
+        });
+        let found = first.filter(is_named).unwrap_or_else(|| {
+            let unturned = prepared.clone();
+            if turned::take_up(&mut prepared, &joints, settings) {
+                let found = JointEffects::of(&prepared, &campaign.arm, settings, progress);
+                match turned::is_named(&found) {
+                    true => joints = found,
+                    false => prepared = unturned,
                 }
-                find(&prepared, &joints.as_bases(&prepared), settings)
             }
-        };
-        let found = Found { prepared, joints, whole };
-        let found = beside_whole(found, &campaign.arm, settings, progress);
-        let Found { prepared, joints, whole } = found;
+            let bases = joints.as_bases(&prepared);
+            let whole = find(&prepared, &bases, settings);
+            beside(Found { prepared, joints, whole, bases })
+        });
+        let Found { prepared, joints, whole, .. } = found;
         let JointEffects { selected, causes, pooled, models } = joints;
         let servos = [
             prepared.given.clone(),

@@ -137,7 +137,8 @@ fn alternatives(outcome: &Outcome, named: &[Cause]) -> Vec<Alternative> {
 
 const UNCONFIRMED: &str = "the logs that confirm do not show it in both halves";
 const UNDECIDED: &str = "another effect does the same";
-const WEIGHT: &str = "gravity's scales, joint by joint, or another effect of the arm do the same";
+const WEIGHT: &str =
+    "gravity's scales, joint by joint, their friction, or another effect of the arm do the same";
 
 fn alternative(effect: &str, joint: usize, probability: f64, share: f64, why: &str) -> Alternative {
     Alternative {

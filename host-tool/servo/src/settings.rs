@@ -100,7 +100,7 @@ pub struct Settings {
     pub elsewhere_doubt: f64,
     /// The same of a load that sits far from there.
     pub far_doubt: f64,
-    /// Part of what is left that a place elsewhere must take for that. Pendulums take up to 0.001, six
+    /// Part of what is left that a place elsewhere must take for that. Pendulums with the model's own law of friction take up to 0.001, six
     /// axes with a load 10 mm beyond the centre 0.06 and more: `docs/servo-arms.md`.
     pub least_elsewhere_gain: f64,
     /// The same on one joint alone, where a place shows by inertia only, which the rotor has too: friction of another

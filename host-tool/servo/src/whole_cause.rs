@@ -9,7 +9,7 @@ use crate::prepared::Prepared;
 use crate::settings::Settings;
 use crate::spread::spread;
 use crate::whole_effect::Whole;
-use crate::whole_fit::{WholeFit, fit_plain, fit_whole};
+use crate::whole_fit::{WholeFit, fit_plain, fit_whole, rigid};
 use model::chain::SerialChain;
 
 /// An effect of the whole arm that was tried.
@@ -32,8 +32,8 @@ pub fn find(prepared: &Prepared, bases: &[Base], settings: &Settings) -> Vec<Who
     find_from(prepared, bases, None, settings)
 }
 
-/// The same, one of them from where it was found before, too: friction that is open beside a load takes what that
-/// load does as long as there is none, and a fit from there may end on its way.
+/// The same, one of them from where it was found before, too: with friction open, a fit without the load puts the load
+/// into friction, and a search from there may stop early.
 pub fn find_from(
     prepared: &Prepared,
     bases: &[Base],
@@ -44,16 +44,17 @@ pub fn find_from(
     let short = spread(&all, settings.whole_arm_s);
     let frame = Frame { logs: &short, period_s: prepared.period_s, settings };
     let links = &prepared.links;
-    let plain = fit_plain(&frame, links, bases);
+    let mut plain = fit_plain(&frame, links, bases, &rigid(bases));
+    if let Some(known) = known {
+        plain = plain.better_of(fit_plain(&frame, links, bases, &known.servos));
+    }
     let scaled = scaled(bases, &short, settings);
     let mut found: Vec<WholeCause> = Whole::ALL
         .into_iter()
         .filter(|effect| *effect != Whole::BaseTilt || is_upright(prepared))
         .map(|effect| {
-            let mut fit = fitted(&frame, links, bases, effect, &plain);
-            if let Some(known) = known.filter(|known| known.effect == effect) {
-                fit = fit.better_of(fitted(&frame, links, bases, effect, known));
-            }
+            let known = known.filter(|known| known.effect == effect);
+            let fit = fitted(&frame, links, bases, effect, &plain, known);
             judge(prepared, &plain, &scaled, fit, settings)
         })
         .collect();
@@ -71,16 +72,22 @@ fn fitted(
     bases: &[Base],
     effect: Whole,
     plain: &WholeFit,
+    known: Option<&WholeFit>,
 ) -> WholeFit {
     let settings = frame.settings;
-    let mut found = fit_whole(frame, links, bases, effect, plain);
+    let of = |frame: &Frame, first: &WholeFit| {
+        let starts = [Some(first), known].into_iter().flatten();
+        let fits = starts.map(|start| fit_whole(frame, links, bases, effect, start));
+        fits.reduce(WholeFit::better_of).expect("one start at least")
+    };
+    let mut found = of(frame, plain);
     if effect != Whole::Payload || !effect.is_beyond(&found.values, links, settings) {
         return found;
     }
     for place_doubt in [settings.elsewhere_doubt, settings.far_doubt] {
         let wide = Settings { place_doubt, ..settings.clone() };
         let wide = Frame { settings: &wide, ..*frame };
-        let elsewhere = fit_whole(&wide, links, bases, effect, &found);
+        let elsewhere = of(&wide, &found);
         let gain = Gain::of(&left_out(&elsewhere.left), &left_out(&found.left));
         let is_certain = gain.certainty >= settings.least_certainty;
         if is_certain && gain.part >= settings.least_elsewhere(bases.len()) {

@@ -33,15 +33,23 @@ impl WholeFit {
     /// The one of two that leaves less.
     pub fn better_of(self, other: Self) -> Self {
         let of = |fit: &Self| fit.left.iter().sum::<f64>();
-        if of(&other) < of(&self) { other } else { self }
+        if of(&self).is_nan() || of(&other) < of(&self) { other } else { self }
     }
 }
 
-/// The joints alone fitted to the frame's logs, gravity's scale one.
-pub fn fit_plain(frame: &Frame, links: &SerialChain<f64>, bases: &[Base]) -> WholeFit {
-    let begin = |base: &Base| ServoJoint { gravity: 1.0, ..base.fitted.servo };
-    let servos: Vec<ServoJoint> = bases.iter().map(begin).collect();
-    let servos = refitted(frame, bases, frame.logs, &servos, 8);
+/// The joints as they are, gravity's scale one.
+pub fn rigid(bases: &[Base]) -> Vec<ServoJoint> {
+    bases.iter().map(|base| ServoJoint { gravity: 1.0, ..base.fitted.servo }).collect()
+}
+
+/// The joints alone fitted to the frame's logs from these, gravity's scale one.
+pub fn fit_plain(
+    frame: &Frame,
+    links: &SerialChain<f64>,
+    bases: &[Base],
+    servos: &[ServoJoint],
+) -> WholeFit {
+    let servos = refitted(frame, bases, frame.logs, servos, 8);
     let left = left(frame, bases, &servos, frame.logs);
     let effect = Whole::Payload;
     let values = effect.start(links);
@@ -68,9 +76,10 @@ pub fn fit_whole(
         let deviations = vec![f64::INFINITY; prior.len()];
         found = WholeFit { effect, values: prior.clone(), deviations, ..found };
     }
-    let mut best: Option<WholeFit> = None;
     let apply = |values: &[f64]| applied(effect, links, frame.logs, values);
     let mut logs = apply(&found.values);
+    found.left = left(frame, bases, &found.servos, &logs.iter().collect::<Vec<_>>());
+    let mut best = found.clone();
     for _ in 0..ROUNDS {
         let here: Vec<&Judged> = logs.iter().collect();
         let WholeFit { values, servos, .. } = &found;
@@ -82,17 +91,14 @@ pub fn fit_whole(
         let here: Vec<&Judged> = logs.iter().collect();
         found.servos = refitted(frame, bases, &here, &found.servos, 3);
         found.left = left(frame, bases, &found.servos, &here);
-        let of = |fit: &WholeFit| fit.left.iter().sum::<f64>();
         // Neither a step that leaves more nor one that leaves no number is kept.
-        if best.as_ref().is_none_or(|best| of(best).is_nan() || of(&found) < of(best)) {
-            best = Some(found.clone());
-        }
+        best = best.better_of(found.clone());
         let is_small = !effect.is_beyond(&found.values, links, frame.settings);
         if is_small || step.takes < LEAST_STEP * found.left.iter().sum::<f64>() {
             break;
         }
     }
-    best.unwrap_or(found)
+    best
 }
 
 fn applied(kind: Whole, links: &SerialChain<f64>, logs: &[&Judged], values: &[f64]) -> Vec<Judged> {

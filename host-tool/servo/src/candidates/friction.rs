@@ -22,13 +22,13 @@ pub fn effects(base: &Base) -> Vec<Candidate> {
     ]
 }
 
-/// What looks like a load: friction that grows less than with the velocity, another level at rest than what that
-/// says, and friction by the motor's torque.
+/// What looks like a load: friction that grows less than with the velocity, a static level other than the sliding
+/// one, and friction by the motor's torque.
 pub fn like_a_load(base: &Base) -> [Candidate; 3] {
     [drag(base), at_rest(base), load_friction(base, Field::MotorLoadFriction, MOST_LOST)]
 }
 
-/// A level at rest above or below what friction in motion says.
+/// A static level above or below the sliding one.
 fn at_rest(base: &Base) -> Candidate {
     let level = base.fitted.servo.coulomb.max(0.01);
     let peak = stribeck(base);

@@ -140,10 +140,12 @@ impl Unknown {
         if self.is_log { value.ln() } else { value }
     }
 
-    /// Whether it stands at a bound, and this change of its coordinate leads beyond.
+    /// Whether it is at a bound and this change of its coordinate would push it beyond.
     pub fn leaves_range(&self, servo: &ServoJoint, change: f64) -> bool {
         let value = self.field.of(servo);
-        (value <= self.low && change < 0.0) || (value >= self.high && change > 0.0)
+        // What was put there by its logarithm comes back rounded.
+        let near = 1e-9 * (self.high - self.low).min(self.low.abs().max(1.0));
+        (value <= self.low + near && change < 0.0) || (value >= self.high - near && change > 0.0)
     }
 
     /// The highest coordinate.
