@@ -10,6 +10,7 @@ use files::ArmFile;
 
 use crate::base::{Base, Frame, refit};
 use crate::candidates::like_a_load;
+use crate::confirm::{squares, units};
 use crate::cross::Gain;
 use crate::fit::fit;
 use crate::joint::ServoJoint;
@@ -54,7 +55,9 @@ pub fn beside_whole(
             (loaded(&found.prepared, &cause, settings), whole)
         }
     };
-    let joints = JointEffects::of(&prepared, arm, &settings.beside_whole(), progress);
+    let least = least_beside(&found.prepared, &prepared, settings);
+    let beside = settings.beside_whole();
+    let joints = JointEffects::taking(&least, &prepared, arm, &beside, progress);
     Found { prepared, joints, whole, bases: found.bases }
 }
 
@@ -112,6 +115,18 @@ fn loaded(prepared: &Prepared, cause: &WholeCause, settings: &Settings) -> Prepa
     let starts: Vec<ServoJoint> = prepared.bases.iter().zip(&cause.fit.servos).map(start).collect();
     let bases = refit(&frame, &loaded.given, &starts, false);
     Prepared { bases, ..loaded }
+}
+
+/// Squares of the confirming logs that an effect of each joint must take beside one of the whole arm [rad^2]: that is
+/// a little wrong, and what it leaves is none of theirs.
+fn least_beside(before: &Prepared, loaded: &Prepared, settings: &Settings) -> Vec<f64> {
+    let left = |prepared: &Prepared, joint: usize| {
+        let servo = &prepared.bases[joint].fitted.servo;
+        squares(&units(servo, joint, &prepared.held_out(), settings.search_step_s))
+    };
+    let part = settings.least_part_of_whole.powi(2);
+    let joints = 0..before.bases.len();
+    joints.map(|joint| part * (left(before, joint) - left(loaded, joint)).max(0.0)).collect()
 }
 
 /// Joints with effects fitted to the logs of an arm, from where they were; blocks weigh as they did there.

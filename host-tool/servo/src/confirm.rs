@@ -45,10 +45,15 @@ pub fn cut(errors: &[f64], joint: usize, log: &Judged, number: usize) -> Vec<Uni
     found
 }
 
+/// Squares of all units [rad^2].
+pub fn squares(units: &[Unit]) -> f64 {
+    units.iter().map(|unit| unit.squares).sum()
+}
+
 /// The rms over units [rad].
 pub fn rms(units: &[Unit]) -> f64 {
     let rows: usize = units.iter().map(|unit| unit.rows).sum();
-    (units.iter().map(|unit| unit.squares).sum::<f64>() / rows.max(1) as f64).sqrt()
+    (squares(units) / rows.max(1) as f64).sqrt()
 }
 
 /// What an effect takes.

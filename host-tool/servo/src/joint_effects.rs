@@ -43,10 +43,21 @@ impl JointEffects {
         settings: &Settings,
         progress: &dyn Fn(&str),
     ) -> Self {
+        Self::taking(&vec![0.0; prepared.bases.len()], prepared, arm, settings, progress)
+    }
+
+    /// The same; what takes fewer squares of its joint's confirming logs than these is not named [rad^2].
+    pub fn taking(
+        least: &[f64],
+        prepared: &Prepared,
+        arm: &ArmFile,
+        settings: &Settings,
+        progress: &dyn Fn(&str),
+    ) -> Self {
         let (train, held_out) = (prepared.train(), prepared.held_out());
         let frame = Frame { logs: &train, period_s: prepared.period_s, settings };
         let noise = noise(arm);
-        let confirming = Confirming { logs: &held_out, noise: &noise };
+        let confirming = Confirming { logs: &held_out, noise: &noise, least };
         let (mut selected, mut causes, mut models) = (Vec::new(), Vec::new(), Vec::new());
         for (joint, base) in prepared.bases.iter().enumerate() {
             progress(&format!("trying effects on joint {}", joint + 1));

@@ -55,6 +55,9 @@ pub struct Settings {
     /// The same beside an effect of the whole arm: a load that sits a little elsewhere than it was found
     /// leaves what an effect of a joint takes a tenth of.
     pub least_beside_whole: f64,
+    /// There it must also take this part, rms, of what the effect of the whole arm takes of its joint: loads 1 to 2 % off
+    /// left what lags and load friction that are not there took 4 to 6 % of, and friction that is there 10 % and more.
+    pub least_part_of_whole: f64,
     /// The least of that in each half of the data.
     pub least_half_shrinkage: f64,
     /// A rival does the same where it takes this part of what the cause takes.
@@ -134,6 +137,7 @@ impl Default for Settings {
             least_certainty: 2.0,
             least_shrinkage: 0.07,
             least_beside_whole: 0.2,
+            least_part_of_whole: 0.08,
             least_half_shrinkage: 0.03,
             rival_part: 0.9,
             apart_part: 0.33,

@@ -1,7 +1,7 @@
 //! Causes, from what was selected, on the logs that confirm.
 
 use crate::base::{Base, Frame};
-use crate::confirm::{Taken, Unit, probability, units};
+use crate::confirm::{Taken, Unit, probability, squares, units};
 use crate::joint::ServoJoint;
 use crate::joint_model::Model;
 use crate::judged::Judged;
@@ -31,11 +31,18 @@ pub struct Confirming<'a> {
     pub logs: &'a [&'a Judged],
     /// A row's square by the encoder alone, joint by joint [rad^2].
     pub noise: &'a [f64],
+    /// Squares that a cause must take, joint by joint [rad^2].
+    pub least: &'a [f64],
 }
 
 impl Confirming<'_> {
     fn units(&self, frame: &Frame, servo: &ServoJoint, joint: usize) -> Vec<Unit> {
         units(servo, joint, self.logs, frame.settings.search_step_s)
+    }
+
+    /// Whether enough goes of what is left without a cause.
+    fn takes_enough(&self, joint: usize, without: &[Unit], with: &[Unit]) -> bool {
+        squares(without) - squares(with) >= self.least[joint]
     }
 }
 
@@ -61,7 +68,8 @@ pub fn of_joint(
             servo: model.fitted.servo,
             taken,
             probability: probability(certainty),
-            is_named: taken.is_confirmed(&model.settings(frame.settings)),
+            is_named: taken.is_confirmed(&model.settings(frame.settings))
+                && confirming.takes_enough(joint, &without, &with),
         }
     };
     (0..model.effects.len()).map(of).collect()
@@ -97,7 +105,8 @@ pub fn of_pool(frame: &Frame, confirming: &Confirming, pooled: &PooledLoad) -> V
                 servo: with.servos[k],
                 taken,
                 probability: probability(taken.certainty.min(pooled.gain.certainty)),
-                is_named: taken.is_confirmed(frame.settings),
+                is_named: taken.is_confirmed(frame.settings)
+                    && confirming.takes_enough(joint, &bare, &loaded),
             }
         })
         .collect();
