@@ -232,16 +232,16 @@ fn a_load_is_told_although_friction_is_far_from_the_models() {
 }
 
 #[test]
+fn a_wave_of_a_geared_arm_is_named_with_joint_and_size() {
+    let report = of_six_joints(&["cogging:2:amplitude_V=0.05,harmonic=2,phase_rad=0.4"]);
+    names(&report, "cogging", 2, ("amplitude_V", 0.05), 0.1);
+}
+
+#[test]
+#[ignore = "minutes; `cargo xtask test --long`"]
 fn a_load_and_friction_of_a_geared_arm_are_named_with_joint_and_size() {
     let cases: &[Case] = &[
         ("payload:mass_kg=0.5,com_m=0.05 0 0.1", "payload", 0, ("mass_kg", 0.5), 0.1),
-        (
-            "cogging:2:amplitude_V=0.05,harmonic=2,phase_rad=0.4",
-            "cogging",
-            2,
-            ("amplitude_V", 0.05),
-            0.1,
-        ),
         (
             "asymmetric_friction:5:relative_asymmetry=0.2",
             "asymmetric_friction",
@@ -254,6 +254,7 @@ fn a_load_and_friction_of_a_geared_arm_are_named_with_joint_and_size() {
 }
 
 #[test]
+#[ignore = "minutes; `cargo xtask test --long`"]
 fn a_table_under_a_geared_arm_is_named() {
     let cases: &[Case] = &[(
         "contact:stiffness_N_per_m=45,height_m=0.04",
@@ -266,6 +267,7 @@ fn a_table_under_a_geared_arm_is_named() {
 }
 
 #[test]
+#[ignore = "minutes; `cargo xtask test --long`"]
 fn what_drives_of_a_geared_arm_do_is_named_with_joint_and_size() {
     let cases: &[Case] = &[
         (
@@ -281,6 +283,7 @@ fn what_drives_of_a_geared_arm_do_is_named_with_joint_and_size() {
 }
 
 #[test]
+#[ignore = "minutes; `cargo xtask test --long`"]
 fn an_offset_of_a_geared_arm_is_named_with_joint_and_size() {
     let report = of_six_joints(&["dac_offset:3:offset_V=0.1"]);
     names(&report, "dac_offset", 3, ("offset_V", 0.1), 0.1);

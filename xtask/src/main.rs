@@ -28,6 +28,7 @@ mod worst_case;
 use std::process::ExitCode;
 
 use anyhow::{Result, bail};
+use test::Length;
 
 const HELP: &str = "\
 The project's chores: cargo xtask <task>
@@ -36,6 +37,7 @@ The project's chores: cargo xtask <task>
   firmware [qemu|nucleo]    build the images, print their paths and sizes, check the limits
   check-elf [qemu|nucleo]   check that the control tick neither computes in f64 nor panics
   test                      all of that, then the tests of all packages, the emulated board's too
+  test --long               the same with those that take minutes each
   python                    the wheel of the Python module, its tests, types and notebook
   lint                      imports, formatting and clippy, on the host and for every image
   imports [DIR]             the circles in which files or folders import each other
@@ -75,7 +77,8 @@ fn run(arguments: &[&str]) -> Result<()> {
         ["setup"] => setup::run(),
         ["firmware", boards @ ..] => firmware::run(boards),
         ["check-elf", boards @ ..] => check_elf::run(boards),
-        ["test"] => test::run(),
+        ["test"] => test::run(Length::Short),
+        ["test", "--long"] => test::run(Length::Long),
         ["python"] => python::test(),
         ["lint"] => lint::run(),
         [check @ ("imports" | "lengths"), directory @ ..] => source::run(check, directory),

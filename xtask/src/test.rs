@@ -1,4 +1,4 @@
-//! `cargo xtask test`: every test there is, the emulated board's included.
+//! `cargo xtask test`: the tests of all packages, the emulated board's included.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -18,8 +18,17 @@ use crate::python;
 use crate::toolchain::FirmwareToolchain;
 use crate::workspace;
 
+/// Which tests are run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Length {
+    /// Those that are not ignored.
+    Short,
+    /// Those, too, that take minutes each and are ignored for that.
+    Long,
+}
+
 /// Builds, weighs and checks the images, then runs the tests of all packages.
-pub fn run() -> Result<()> {
+pub fn run(length: Length) -> Result<()> {
     let toolchain = FirmwareToolchain::find_or_make()?;
     emulator::ensure()?;
     say("building the tests and the images");
@@ -27,7 +36,7 @@ pub fn run() -> Result<()> {
         let qemu = build_and_check(&toolchain, Board::Qemu)?;
         Ok((qemu, build_and_check(&toolchain, Board::Nucleo)?))
     })?;
-    run_tests(&qemu)?;
+    run_tests(&qemu, length)?;
     python::test()?;
     emulate::test(&nucleo)
 }
@@ -40,11 +49,14 @@ fn tests() -> Command {
     test
 }
 
-fn run_tests(image: &Image) -> Result<()> {
+fn run_tests(image: &Image, length: Length) -> Result<()> {
     say("running the tests of all packages");
     let list = workspace::target_dir().join("skipped-tests.txt");
     fs::write(&list, "")?;
     let mut test = tests();
+    if length == Length::Long {
+        test.args(["--", "--include-ignored"]);
+    }
     test.env(IMAGE_VARIABLE, image.path()).env(SKIPPED_VARIABLE, &list);
     run_command(&mut test)?;
     say(summary(&fs::read_to_string(list)?));

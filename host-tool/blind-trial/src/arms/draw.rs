@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use recordings::ArmCampaign;
 use rig::effects::Random;
 
-use super::case::ArmCase;
+use super::case::{ArmCase, plant};
 use super::kind::ArmKind;
 use super::oracle::oracle;
 use super::typical::typical;
@@ -71,6 +71,9 @@ fn with_cause(bare: &ArmCase, rng: &mut Rng) -> Result<ArmCase, TrialError> {
     for _ in 0..TRIES {
         let (definition, joint) = places::drawn(bare.arm, bare.truth.joints.len(), rng);
         let values = sizes::drawn(definition, &typical(bare, &clean, joint)?, rng);
+        if !sizes::can_be(definition, joint, &values, &plant(&bare.truth)?) {
+            continue;
+        }
         let cause = TrueCause::new(TrueEffect::Catalogue(definition), joint, values);
         let case = ArmCase { cause: Some(cause), ..bare.clone() };
         let recorded = case.record()?;

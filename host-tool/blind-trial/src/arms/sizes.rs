@@ -1,6 +1,7 @@
 //! How large effects are on an arm of any kind: from what a search takes for a usual size, up to four
 //! times as much, with all else as it may be.
 
+use rig::Plant;
 use rig::effects::{Carrier, Definition, Kind, Parameter, Random, Search, Typical};
 
 use crate::rng::Rng;
@@ -21,6 +22,14 @@ pub fn drawn(definition: &Definition, typical: &Typical, rng: &mut Rng) -> Vec<f
     };
     let pairs = usual.into_iter().zip(definition.parameters).enumerate();
     pairs.map(|(place, (value, parameter))| varied(value, parameter, place == 0, rng)).collect()
+}
+
+/// Whether an effect of these values on a joint (from 1, or 0) can be: no bearing takes more of a load than there is. On
+/// a turn about the vertical, which carries none, what is sized by friction and load takes many times that.
+pub fn can_be(definition: &Definition, joint: u8, values: &[f64], plant: &Plant) -> bool {
+    let Some(index) = usize::from(joint).checked_sub(1) else { return true };
+    let taken = values[0] * plant.torque_constant_nm_per_v[index];
+    definition.name != "load_friction" || taken <= 1.0
 }
 
 fn varied(value: f64, parameter: &Parameter, is_size: bool, rng: &mut Rng) -> f64 {

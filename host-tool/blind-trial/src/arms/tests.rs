@@ -1,3 +1,5 @@
+use rig::effects::Catalogue;
+
 use super::*;
 use crate::case::Kind;
 
@@ -23,4 +25,16 @@ fn a_clean_arm_has_nothing_hidden_and_the_diagnosis_sees_its_model_alone() {
     let campaign = case.record().unwrap();
     assert!(case.cause.is_none() && case.oracle.is_none());
     assert_eq!(campaign.arm, case.nominal);
+}
+
+#[test]
+fn friction_by_load_that_takes_more_than_the_load_is_drawn_again() {
+    let arm = ArmKind::SixServos.nominal();
+    let plant = case::plant(&arm).unwrap();
+    let load_friction = Catalogue::of_arm(6).by_name("load_friction").unwrap();
+    let gain = plant.torque_constant_nm_per_v[0];
+    let can_be = |coefficient_v_per_nm: f64| {
+        sizes::can_be(load_friction, 1, &[coefficient_v_per_nm], &plant)
+    };
+    assert!(can_be(0.9 / gain) && !can_be(1.1 / gain));
 }

@@ -55,32 +55,40 @@ fn of_joint(slopes: &JointSlopes, runs: &[Run], groups: usize) -> Vec<DMatrix<f6
     own
 }
 
-/// Adds the products of a matrix' columns over some of its rows, A^T A, by the matrix product of a library that takes
-/// what the processor has.
+/// Adds the products of a matrix' columns over some of its rows, A^T A.
 fn add_products(sum: &mut DMatrix<f64>, matrix: &DMatrix<f64>, rows: &Range<usize>) {
-    let (count, columns) = (rows.len(), matrix.ncols());
-    if count == 0 || columns == 0 {
-        return;
+    let right = matrix.rows_range(rows.clone());
+    match is_large([matrix.ncols(), rows.len(), matrix.ncols()]) {
+        true => sum.gemm(1.0, &turned(matrix, rows), &right, 1.0),
+        false => *sum += right.tr_mul(&right),
     }
-    let stride = matrix.nrows();
+}
+
+/// Products A^T B of the columns of two matrices, over the first rows of the first where the second has fewer.
+pub(super) fn products_of(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+    let rows = 0..b.nrows();
+    match is_large([a.ncols(), rows.len(), b.ncols()]) {
+        true => turned(a, &rows) * b,
+        false => a.rows_range(rows).tr_mul(b),
+    }
+}
+
+/// Whether a product with a [`turned`] matrix may be taken, by its dimensions: nalgebra 0.34.2 multiplies matrices of up
+/// to five rows or columns by a routine that, where there is a stride from row to row, goes on beyond the end of both
+/// (`axcpy_uninit` takes the length of the slice behind a column for that of the column).
+fn is_large(dimensions: [usize; 3]) -> bool {
+    const SAFE: usize = 8;
+    dimensions.iter().all(|&dimension| dimension >= SAFE)
+}
+
+/// Some rows of a matrix as columns, without a copy: its product is that of a library that takes what the processor has.
+fn turned<'a>(
+    matrix: &'a DMatrix<f64>,
+    rows: &Range<usize>,
+) -> MatrixView<'a, f64, Dyn, Dyn, Dyn, U1> {
+    let (shape, strides) = ((Dyn(matrix.ncols()), Dyn(rows.len())), (Dyn(matrix.nrows()), U1));
     let from = &matrix.as_slice()[rows.start..];
-    let by_rows: MatrixView<'_, f64, Dyn, Dyn, U1, Dyn> =
-        MatrixView::from_slice_with_strides_generic(
-            from,
-            Dyn(count),
-            Dyn(columns),
-            U1,
-            Dyn(stride),
-        );
-    let by_columns: MatrixView<'_, f64, Dyn, Dyn, Dyn, U1> =
-        MatrixView::from_slice_with_strides_generic(
-            from,
-            Dyn(columns),
-            Dyn(count),
-            Dyn(stride),
-            U1,
-        );
-    sum.gemm(1.0, &by_columns, &by_rows, 1.0);
+    MatrixView::from_slice_with_strides_generic(from, shape.0, shape.1, strides.0, strides.1)
 }
 
 /// Adds products of a joint's columns where these are among all that is open.
@@ -95,6 +103,22 @@ fn scatter(sum: &mut DMatrix<f64>, own: &DMatrix<f64>, places: &[usize]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn products_of_small_and_large_matrices_are_those_of_their_columns() {
+        for [columns, rows, fewer, others] in
+            [[40, 70, 60, 20], [40, 70, 60, 2], [40, 70, 3, 20], [4, 70, 60, 20], [40, 70, 0, 20]]
+        {
+            let a = DMatrix::from_fn(rows, columns, |row, k| ((row * 5 + k) as f64).sin());
+            let b = DMatrix::from_fn(fewer, others, |row, k| ((row * 3 + k) as f64).cos());
+            let wanted = a.rows_range(..fewer).tr_mul(&b);
+            assert!((products_of(&a, &b) - wanted).amax() < 1e-12, "{columns} {fewer} {others}");
+            let (mut sum, some) = (DMatrix::zeros(columns, columns), 1..1 + fewer);
+            add_products(&mut sum, &a, &some);
+            let own = a.rows_range(some);
+            assert!((sum - own.tr_mul(&own)).amax() < 1e-12, "{columns} {fewer}");
+        }
+    }
 
     #[test]
     fn products_of_groups_are_those_of_their_rows() {

@@ -16,6 +16,7 @@ mod kicks;
 pub mod linearisation;
 mod marginal_likelihood;
 mod normal_equations;
+pub mod pairs;
 pub mod preparation;
 mod refitted_change;
 pub mod residual_stats;

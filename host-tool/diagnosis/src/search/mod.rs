@@ -15,4 +15,5 @@ pub mod refit;
 pub mod restart;
 pub mod rivals;
 pub mod selection;
+mod wave_rows;
 pub mod winner;

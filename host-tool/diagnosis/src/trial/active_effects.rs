@@ -26,8 +26,8 @@ pub const FRICTION_SLOPES: usize = FRICTION_COUNT + 1;
 
 /// The effects of a hypothesis on a stretch.
 pub struct ActiveEffects<'a> {
-    stretch: &'a Stretch,
-    hypothesis: &'a Hypothesis,
+    pub(super) stretch: &'a Stretch,
+    pub(super) hypothesis: &'a Hypothesis,
     effects: Vec<Box<dyn Effect>>,
     /// The plant with what effects change in it, motors of elastic joints included.
     pub plant: Plant,
@@ -55,61 +55,9 @@ impl<'a> ActiveEffects<'a> {
         self.effects.iter().filter_map(|effect| effect.transmission()).collect()
     }
 
-    /// What drives each joint in the interval after each sample: the command as it reaches the
-    /// motor, with the voltages and torques that effects add [V].
-    pub fn drive_v(&self) -> Vec<Vec<f64>> {
-        let mut effects = effects_at_rest(self.hypothesis, self.stretch.period_s);
-        let k_t = &self.plant.torque_constant_nm_per_v;
-        let count = k_t.len();
-        let mut drive_v = vec![Vec::with_capacity(self.stretch.len()); count];
-        let feels_load = self.hypothesis.drive_feels_load();
-        for k in 0..self.stretch.len() {
-            let joint_state = self.joint_state(k, feels_load);
-            let mut command_v = self.command_v(k);
-            let command_v = &mut command_v[..count];
-            let mut torque_nm = Joints::default();
-            let torque_nm = &mut torque_nm[..count];
-            effects.iter_mut().for_each(|e| e.change_command(&joint_state, command_v));
-            for effect in &effects {
-                effect.add_voltage(&joint_state, command_v);
-                effect.add_torque(&joint_state, &self.plant, torque_nm);
-            }
-            (0..count).for_each(|i| drive_v[i].push(command_v[i] + torque_nm[i] / k_t[i]));
-        }
-        drive_v
-    }
-
     /// Torque that the motor of a joint gives of every command, in parts of what its torque constant says.
     pub fn motor_gain(&self, joint: usize) -> f64 {
         self.effects.iter().map(|effect| effect.motor_gain(joint)).product()
-    }
-
-    /// How much of the commands reaches each motor, rms by rms about their means: what is added to them is
-    /// no part of them, nor is what a motor's torque constant makes of them.
-    pub fn command_gain(&self) -> Vec<f64> {
-        let mut effects = effects_at_rest(self.hypothesis, self.stretch.period_s);
-        let count = self.plant.joints();
-        let feels_load = self.hypothesis.drive_feels_load();
-        let (mut sent, mut reached) =
-            (vec![Spread::default(); count], vec![Spread::default(); count]);
-        for k in 0..self.stretch.len() {
-            let mut command_v = self.command_v(k);
-            let command_v = &mut command_v[..count];
-            (0..count).for_each(|i| sent[i].add(command_v[i]));
-            let joint_state = self.joint_state(k, feels_load);
-            effects.iter_mut().for_each(|e| e.change_command(&joint_state, command_v));
-            (0..count).for_each(|i| reached[i].add(command_v[i]));
-        }
-        let over = |joint: usize| reached[joint].over(&sent[joint]) / self.motor_gain(joint);
-        (0..count).map(over).collect()
-    }
-
-    /// The commands over the interval after a sample [V].
-    fn command_v(&self, k: usize) -> Joints {
-        let mut command_v = Joints::default();
-        let both = command_v.iter_mut().zip(&self.stretch.command_v);
-        both.for_each(|(value, signal)| *value = signal[k]);
-        command_v
     }
 
     /// Friction of a joint of `plant` in the interval after each sample [V].
@@ -213,7 +161,7 @@ impl<'a> ActiveEffects<'a> {
 
     /// The middle of an interval, as effects see it; the load is zero unless it is asked for.
     #[inline]
-    fn joint_state(&self, k: usize, with_load: bool) -> JointState<'_> {
+    pub(super) fn joint_state(&self, k: usize, with_load: bool) -> JointState<'_> {
         const NO_LOAD_NM: Joints = [0.0; MAX_JOINTS];
         let (q_rad, qd_rad_per_s) = self.middles().at(k);
         let load_nm = if with_load { &self.loads()[k] } else { &NO_LOAD_NM };
@@ -264,11 +212,11 @@ fn effects_at_rest(hypothesis: &Hypothesis, period_s: f64) -> Vec<Box<dyn Effect
     at_rest(hypothesis.built_effects(), period_s)
 }
 
-fn any_feels_load(effects: &[Box<dyn Effect>]) -> bool {
+pub(super) fn any_feels_load(effects: &[Box<dyn Effect>]) -> bool {
     effects.iter().any(|effect| effect.feels_load())
 }
 
-fn at_rest(mut effects: Vec<Box<dyn Effect>>, period_s: f64) -> Vec<Box<dyn Effect>> {
+pub(super) fn at_rest(mut effects: Vec<Box<dyn Effect>>, period_s: f64) -> Vec<Box<dyn Effect>> {
     for effect in &mut effects {
         effect.set_step(period_s);
         effect.set_interval(period_s);
@@ -281,33 +229,4 @@ fn load_nm(plant: &Plant, q_rad: &Joints, qd_rad_per_s: &Joints) -> Joints {
     let mut load_nm = Joints::default();
     plant.body.load(q_rad, qd_rad_per_s, &mut load_nm);
     load_nm
-}
-
-/// How far values spread about their mean.
-#[derive(Clone, Copy, Debug, Default)]
-struct Spread {
-    count: f64,
-    sum: f64,
-    squares: f64,
-}
-
-impl Spread {
-    fn add(&mut self, value: f64) {
-        self.count += 1.0;
-        self.sum += value;
-        self.squares += value * value;
-    }
-
-    fn variance(&self) -> f64 {
-        (self.squares - self.sum * self.sum / self.count.max(1.0)).max(0.0)
-    }
-
-    /// This spread over another, rms by rms; 1 where that one is none.
-    fn over(&self, other: &Self) -> f64 {
-        let least = 1e-12 * other.squares;
-        match other.variance() > least {
-            true => (self.variance() / other.variance()).sqrt(),
-            false => 1.0,
-        }
-    }
 }

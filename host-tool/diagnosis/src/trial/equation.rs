@@ -42,8 +42,8 @@ pub struct Trial<'a> {
     pub(super) postures: OnceLock<Vec<Posture<f64>>>,
     /// The same by joints, as a chain takes them.
     pub(super) sines: OnceLock<Vec<Sines>>,
-    /// What drives the joints in the intervals [V].
-    drive_v: OnceLock<Vec<Vec<f64>>>,
+    /// What drives each joint in the intervals [V].
+    drive_v: Vec<OnceLock<Vec<f64>>>,
     /// What the rigid body needs at the samples [V].
     needed_v: OnceLock<Vec<Vec<f64>>>,
 }
@@ -62,6 +62,7 @@ impl<'a> Trial<'a> {
         motor_side: Option<&'a dyn MotorSide>,
     ) -> Self {
         let effects = ActiveEffects::of(stretch, hypothesis);
+        let joints = effects.plant.joints();
         let springs = effects.springs();
         let links = (!springs.is_empty()).then(|| {
             let mut links = effects.plant.body.clone();
@@ -81,7 +82,7 @@ impl<'a> Trial<'a> {
             link: OnceLock::new(),
             postures: OnceLock::new(),
             sines: OnceLock::new(),
-            drive_v: OnceLock::new(),
+            drive_v: vec![OnceLock::new(); joints],
             needed_v: OnceLock::new(),
         }
     }
@@ -122,7 +123,7 @@ impl<'a> Trial<'a> {
     pub fn drive(&self, joint: usize) -> Vec<f64> {
         match self.hypothesis.is_bare() {
             true => self.stretch.command_v[joint].clone(),
-            false => self.drive_v.get_or_init(|| self.effects.drive_v())[joint].clone(),
+            false => self.drive_v[joint].get_or_init(|| self.effects.drive_v(joint)).clone(),
         }
     }
 
@@ -134,9 +135,10 @@ impl<'a> Trial<'a> {
     /// How much of the commands reaches each motor, rms by rms, torque constants apart; all of it without
     /// effects.
     pub fn command_gain(&self) -> Vec<f64> {
+        let joints = 0..self.plant().joints();
         match self.hypothesis.is_bare() {
-            true => vec![1.0; self.plant().joints()],
-            false => self.effects.command_gain(),
+            true => joints.map(|_| 1.0).collect(),
+            false => joints.map(|joint| self.effects.command_gain(joint)).collect(),
         }
     }
 

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use model::chain::MAX_JOINTS;
 use rig::Plant;
-use rig::effects::{Definition, Effect, Kind, Table};
+use rig::effects::{Definition, Effect, Kind, Table, Touches};
 
 /// Orders closer than this are of one wave: its order need not be whole.
 const SAME_ORDER: f64 = 0.5;
@@ -150,18 +150,28 @@ impl Hypothesis {
 
     /// Those that change the friction of a joint (from 0), ready to act.
     pub fn effects_on_friction_of(&self, joint: usize) -> Vec<Box<dyn Effect>> {
-        let acts = |effect: &&EffectInstance| {
-            let is_on_joint = [0, joint as u8 + 1].contains(&effect.joint);
-            effect.definition.touches.friction && is_on_joint
-        };
-        self.geared(self.effects.iter().filter(acts).filter_map(EffectInstance::build).collect())
+        self.geared(self.effects_on(joint, |touches| touches.friction).collect())
     }
 
-    /// Whether what drives the joints needs the load.
-    pub fn drive_feels_load(&self) -> bool {
-        let drives = self.effects.iter().filter(|effect| effect.definition.touches.drive);
-        let mut effects = drives.filter_map(EffectInstance::build);
-        effects.any(|effect| effect.feels_load()) || self.tables.iter().any(Effect::feels_load)
+    /// Those that change what drives a joint (from 0), and then its tables, ready to act.
+    pub fn effects_on_drive_of(&self, joint: usize) -> Vec<Box<dyn Effect>> {
+        let of_joint = |table: &&Table| usize::from(table.joint) == joint + 1;
+        let tables = self.tables.iter().filter(of_joint);
+        let tables = tables.map(|table| Box::new(table.clone()) as Box<dyn Effect>);
+        self.geared(self.effects_on(joint, |touches| touches.drive).chain(tables).collect())
+    }
+
+    /// Those on a joint (from 0) or the whole robot that touch what is wanted.
+    fn effects_on(
+        &self,
+        joint: usize,
+        wanted: fn(Touches) -> bool,
+    ) -> impl Iterator<Item = Box<dyn Effect>> + '_ {
+        let acts = move |effect: &&EffectInstance| {
+            let is_on_joint = [0, joint as u8 + 1].contains(&effect.joint);
+            wanted(effect.definition.touches) && is_on_joint
+        };
+        self.effects.iter().filter(acts).filter_map(EffectInstance::build)
     }
 
     fn geared(&self, mut effects: Vec<Box<dyn Effect>>) -> Vec<Box<dyn Effect>> {

@@ -2,6 +2,7 @@
 
 pub mod active_effects;
 pub mod coupling;
+mod drive;
 pub mod equation;
 pub mod hypothesis;
 pub mod link_covariance;

@@ -56,31 +56,13 @@ mod tests {
 
     use super::*;
     use crate::criteria::Criteria;
-    use crate::logs::kinematics::Kinematics;
-    use crate::rows::noise::{Noise, NoiseByRate};
     use crate::trial::hypothesis::Hypothesis;
-    use crate::trial::test_stretch::{PERIOD_S, stretch_of};
+    use crate::trial::test_stretch::rows_of_sines;
 
     #[test]
     fn rows_of_the_regressor_tell_what_another_body_needs() {
-        let mut motion = Kinematics::of_joints(3);
-        for joint in 0..3 {
-            let w = 5.0 + 2.0 * joint as f64;
-            for k in 0..6000 {
-                let (sine, cosine) = (w * PERIOD_S * f64::from(k)).sin_cos();
-                motion.q_rad[joint].push(0.3 * sine - 0.7);
-                motion.qd_rad_per_s[joint].push(0.3 * w * cosine);
-                motion.qdd_rad_per_s2[joint].push(-0.3 * w * w * sine);
-            }
-        }
-        motion.raw_rad = motion.q_rad.clone();
         let criteria = Criteria::default();
-        let white: Vec<f64> = (0..6000).map(|k| (f64::from(k * k % 977)).sin()).collect();
-        let seen = Noise::of(&[&white], PERIOD_S, &criteria.rows);
-        let mut noise = NoiseByRate::default();
-        noise.push(PERIOD_S, &[seen; 3], vec![0.0; 3]);
-        let stretch = stretch_of(motion, vec![vec![0.0; 6000]; 3], false);
-        let evidence = Evidence::new(vec![stretch], vec![0, 1, 2], &noise, &criteria);
+        let evidence = rows_of_sines(&criteria);
         let given = Hypothesis::bare(Plant::of_robot(&reference_robot()));
         let mut other = given.clone();
         for k in 0..other.plant.base_count() {

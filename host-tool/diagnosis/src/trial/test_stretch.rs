@@ -2,8 +2,11 @@
 
 use files::Role;
 
+use crate::criteria::Criteria;
 use crate::logs::kinematics::Kinematics;
 use crate::logs::stretch::Stretch;
+use crate::rows::evidence::Evidence;
+use crate::rows::noise::{Noise, NoiseByRate};
 
 /// Distance of its samples [s].
 pub const PERIOD_S: f64 = 1e-3;
@@ -28,4 +31,25 @@ pub fn stretch_of(motion: Kinematics, command_v: Vec<Vec<f64>>, broadband: bool)
         at_rest_rad: vec![0.0; 3],
         sampled_s: PERIOD_S,
     }
+}
+
+/// Rows of three joints on sines, six seconds under no command, with white noise.
+pub fn rows_of_sines(criteria: &Criteria) -> Evidence {
+    let mut motion = Kinematics::of_joints(3);
+    for joint in 0..3 {
+        let w = 5.0 + 2.0 * joint as f64;
+        for k in 0..6000 {
+            let (sine, cosine) = (w * PERIOD_S * f64::from(k)).sin_cos();
+            motion.q_rad[joint].push(0.3 * sine - 0.7);
+            motion.qd_rad_per_s[joint].push(0.3 * w * cosine);
+            motion.qdd_rad_per_s2[joint].push(-0.3 * w * w * sine);
+        }
+    }
+    motion.raw_rad = motion.q_rad.clone();
+    let white: Vec<f64> = (0..6000).map(|k| (f64::from(k * k % 977)).sin()).collect();
+    let seen = Noise::of(&[&white], PERIOD_S, &criteria.rows);
+    let mut noise = NoiseByRate::default();
+    noise.push(PERIOD_S, &[seen; 3], vec![0.0; 3]);
+    let stretch = stretch_of(motion, vec![vec![0.0; 6000]; 3], false);
+    Evidence::new(vec![stretch], vec![0, 1, 2], &noise, criteria)
 }
