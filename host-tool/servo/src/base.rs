@@ -20,7 +20,13 @@ pub fn unknowns(given: &ServoJoint, period_s: f64, settings: &Settings) -> Vec<U
         positive(Field::Viscous, given.viscous),
         positive(Field::Coulomb, given.coulomb),
         Unknown::between(Field::Gravity, [0.0, 3.0], (1.0, settings.gravity_doubt), 0.02),
-        Unknown::between(Field::ReadAfter, [0.0, period_s], timing, 0.1 * period_s),
+        // Before its goal acts where the model has a delay.
+        Unknown::between(
+            Field::ReadAfter,
+            [given.read_after_s.min(0.0), period_s],
+            timing,
+            0.1 * period_s,
+        ),
     ]
 }
 

@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use crate::candidates::Candidate;
-use crate::fit::{Problem, Unknown, block_squares, errors};
+use crate::fit::{Field, Problem, Unknown, block_squares, errors};
 use crate::joint::ServoJoint;
 use crate::judged::Judged;
 
@@ -21,7 +21,7 @@ pub struct Screen<'a> {
     servo: ServoJoint,
     errors: Column,
     weights: Column,
-    own: Vec<Column>,
+    own: Vec<(Field, Column)>,
 }
 
 impl<'a> Screen<'a> {
@@ -29,8 +29,8 @@ impl<'a> Screen<'a> {
     pub fn of(problem: &'a Problem<'a>, servo: &ServoJoint) -> Self {
         let (errors, weights) = (column(problem, servo), weights(problem, servo));
         let mut found = Self { problem, servo: *servo, errors, weights, own: Vec::new() };
-        found.own =
-            problem.unknowns.par_iter().map(|own| found.change(&beside(servo, own))).collect();
+        let slope = |own: &Unknown| (own.field, found.change(&beside(servo, own)));
+        found.own = problem.unknowns.par_iter().map(slope).collect();
         found
     }
 
@@ -58,8 +58,11 @@ impl<'a> Screen<'a> {
         };
         let mut columns: Vec<Column> = effect.unknowns.iter().map(slope).collect();
         columns.push(first);
-        let own: Vec<&Column> = self.own.iter().collect();
-        let all: Vec<&Column> = self.own.iter().chain(&columns).collect();
+        // What an effect goes on with beyond its bound, the row's own timing, takes nothing more within it.
+        let goes_on = |field: Field| effect.unknowns.iter().any(|with| with.field.overlaps(field));
+        let own = self.own.iter().filter(|(field, _)| !goes_on(*field));
+        let own: Vec<&Column> = own.map(|(_, column)| column).collect();
+        let all: Vec<&Column> = own.iter().copied().chain(&columns).collect();
         let left = self.left();
         let total: f64 = left.iter().map(|e| e * e).sum();
         (taken(&left, &all) - taken(&left, &own)) / total.max(f64::MIN_POSITIVE)

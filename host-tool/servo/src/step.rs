@@ -32,6 +32,35 @@ pub struct Load {
 #[derive(Clone, Copy)]
 struct Line(f64, f64);
 
+/// How much of the way to a voltage that lasts a step the torque behind a first-order lag goes: at its end, and on
+/// average over it.
+#[derive(Clone, Copy)]
+struct Lag {
+    end: f64,
+    mean: f64,
+}
+
+impl Lag {
+    #[inline]
+    fn over(lag_s: f64, h: f64) -> Self {
+        if lag_s == 0.0 {
+            return Self { end: 1.0, mean: 1.0 };
+        }
+        let end = -(-h / lag_s).exp_m1();
+        Self { end, mean: 1.0 - end * lag_s / h }
+    }
+
+    #[inline]
+    fn mean(self, line: Line, before: f64) -> Line {
+        Line(before + self.mean * (line.0 - before), self.mean * line.1)
+    }
+
+    #[inline]
+    fn end(self, volts: f64, before: f64) -> f64 {
+        before + self.end * (volts - before)
+    }
+}
+
 impl ServoJoint {
     /// The state `h` seconds on, `t_s` seconds into the log.
     #[inline]
@@ -43,7 +72,9 @@ impl ServoJoint {
         let other = self.other_volts(state.q) * k_t - load.torque;
         let mass = 2.0 * inertia / h;
         let stiff = 0.5 * h * (load.slope + k_t * self.spring);
+        let lag = Lag::over(self.lag_s, h);
         let solve = |line: Line| {
+            let line = lag.mean(line, state.u);
             let push = mass * state.v + k_t * line.0 + other;
             let (level, viscous) = self.friction(state, load, push, t_s);
             let level = k_t * level;
@@ -60,23 +91,13 @@ impl ServoJoint {
         let next = 2.0 * w - state.v;
         // A joint that friction stops within the step stays.
         let v = if w == 0.0 || next * w < 0.0 { 0.0 } else { next };
-        State { q: state.q + h * w, v, u: line.0 - line.1 * w }
+        State { q: state.q + h * w, v, u: lag.end(line.0 - line.1 * w, state.u) }
     }
 
-    /// The voltage where neither limit nor dead zone is reached, behind the lag.
+    /// The voltage where neither limit nor dead zone is reached.
     #[inline]
     fn drive(&self, state: &State, goal: f64, h: f64) -> Line {
-        let line = Line(self.stiffness * (goal - state.q), 0.5 * h * self.stiffness + self.damping);
-        self.lagged(line, state, h)
-    }
-
-    #[inline]
-    fn lagged(&self, line: Line, state: &State, h: f64) -> Line {
-        if self.lag_s == 0.0 {
-            return line;
-        }
-        let new = 1.0 - (-h / self.lag_s).exp();
-        Line(new * line.0 + (1.0 - new) * state.u, new * line.1)
+        Line(self.stiffness * (goal - state.q), 0.5 * h * self.stiffness + self.damping)
     }
 
     /// The voltage where the drive, at the mean velocity found, is at its limit or in its dead zone.
@@ -85,17 +106,17 @@ impl ServoJoint {
         let u = self.stiffness * (goal - state.q - 0.5 * h * w) - self.damping * w;
         let zone = self.dead_zone;
         if u.abs() >= self.limit + zone {
-            return Some(self.lagged(Line(self.limit.copysign(u), 0.0), state, h));
+            return Some(Line(self.limit.copysign(u), 0.0));
         }
         if zone == 0.0 {
             return None;
         }
         if u.abs() <= zone {
-            return Some(self.lagged(Line(0.0, 0.0), state, h));
+            return Some(Line(0.0, 0.0));
         }
         let slope = 0.5 * h * self.stiffness + self.damping;
         let start = self.stiffness * (goal - state.q) - zone.copysign(u);
-        Some(self.lagged(Line(start, slope), state, h))
+        Some(Line(start, slope))
     }
 
     /// Voltages that are neither the drive's nor friction's.
@@ -166,6 +187,18 @@ mod tests {
         for seconds in [0.1, 0.2, 0.4] {
             let (long, short) = (after(&joint(), 5e-3, seconds), after(&joint(), 5e-5, seconds));
             assert!((long.q - short.q).abs() < 1.5e-3, "{seconds}: {} {}", long.q, short.q);
+        }
+    }
+
+    #[test]
+    fn a_lag_is_as_long_in_long_steps_as_in_short_ones() {
+        let late = |lag_s: f64, h: f64| after(&ServoJoint { lag_s, ..joint() }, h, 0.1).q;
+        for lag_s in [4e-3, 8e-3, 20e-3] {
+            // What a tenth more of the lag does is more than the step errs by.
+            let (long, short) = (late(lag_s, 5e-3), late(lag_s, 5e-5));
+            let tenth = (late(1.1 * lag_s, 5e-5) - short).abs();
+            let own = late(0.0, 5e-3) - late(0.0, 5e-5);
+            assert!((long - short - own).abs() < tenth, "{lag_s}: {long} {short} {tenth}");
         }
     }
 

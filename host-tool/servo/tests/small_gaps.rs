@@ -54,6 +54,13 @@ fn an_encoder_offset_is_named_on_its_own_joint_alone() {
 }
 
 #[test]
+fn a_delay_that_hardly_exceeds_the_rows_own_timing_is_named() {
+    // Positions are read 6 ms after goals.
+    let found = causes(&changed(6, |joint| ServoJoint { read_after_s: -0.0087, ..joint }));
+    assert_eq!(names(&found), [("delay", 6)]);
+}
+
+#[test]
 fn drag_of_air_is_found_as_degressive_friction_is() {
     for drag in [0.008, -0.02] {
         let found = causes(&changed(1, |joint| ServoJoint { drag, ..joint }));

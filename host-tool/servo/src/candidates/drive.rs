@@ -6,7 +6,7 @@ use crate::base::Base;
 use crate::fit::{Field, Unknown};
 
 /// A limit that is nearer to the one that is known is an error of the drive's gains.
-const NEAREST_LIMIT: f64 = 0.85;
+const NEAREST_LIMIT: f64 = 0.95;
 /// Goals go on by this part of the joint's range where they are clipped.
 const CLIPPED_PART: f64 = 0.2;
 /// Below this a spring is an offset [rad].
