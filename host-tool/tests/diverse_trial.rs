@@ -28,6 +28,18 @@ fn two_diverse_cases_are_drawn_diagnosed_and_scored() {
     assert_eq!(score["score"]["answers"]["wrong_name"]["of"], 2);
     assert!(read("diverse-trial.md").contains("## By law of friction"));
     assert!(!directory.path().join("case-001").exists(), "logs are taken away");
+    let (lines, page) = (read("diverse-trial.jsonl"), read("diverse-trial.md"));
+    let first = lines.lines().next().unwrap();
+    // As if it had been stopped in the second case, and that known already.
+    let second = lines.lines().nth(1).unwrap();
+    let stopped = format!("{first}\n{second}\n{}", &second[..second.len() / 2]);
+    std::fs::write(directory.path().join("diverse-trial.jsonl"), stopped).unwrap();
+    let mut resumed = Command::cargo_bin("rrr").unwrap();
+    resumed.args(["blind-trial", "--diverse", "--resume", "--cases", "2", "--seed", "4"]);
+    resumed.args(["--duration-scale", "0.3"]).arg("--out").arg(directory.path());
+    let again = resumed.assert().success().get_output().stdout.clone();
+    assert!(!String::from_utf8(again).unwrap().contains("case 001:"), "it is not diagnosed again");
+    assert_eq!((read("diverse-trial.jsonl"), read("diverse-trial.md")), (lines, page));
 }
 
 #[test]

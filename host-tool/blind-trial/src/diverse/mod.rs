@@ -3,6 +3,7 @@
 mod beside;
 mod clutter;
 mod draw;
+mod earlier;
 mod evidence;
 mod knowable;
 mod outcome;
@@ -17,6 +18,7 @@ mod told;
 mod world;
 
 pub use draw::{DiverseCase, draw_diverse};
+pub use earlier::Earlier;
 pub use knowable::Known;
 pub use outcome::{Claim, DiverseOutcome};
 pub use output::{append, write, write_known};

@@ -2,16 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::knowable::Known;
 use crate::case::Kind;
 use crate::cause::TrueCause;
 use crate::reality::Reality;
-use diagnosis::{Report, Value};
+use diagnosis::Value;
 
 /// A cause that was named.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Claim {
     /// The effect.
     pub effect: String,
@@ -54,6 +54,6 @@ pub struct DiverseOutcome {
     pub seconds: f64,
     /// Processor time of it [s].
     pub processor_seconds: f64,
-    /// All that it said.
-    pub report: Option<Report>,
+    /// All that it said, as `report.json` has it.
+    pub report: Option<serde_json::Value>,
 }

@@ -68,7 +68,7 @@ pub(crate) fn diagnose_written(
         claims: answer.named().iter().map(claim).collect(),
         seconds,
         processor_seconds: processor_s.get(),
-        report: answer.report().cloned(),
+        report: answer.report().map(|report| serde_json::json!(report)),
     })
 }
 

@@ -10,17 +10,27 @@ use crate::say;
 use crate::terminal::answer::answer;
 use crate::terminal::progress::Progress;
 use blind_trial::diverse::{
-    self, DiverseCase, DiverseOutcome, DiverseResults, DiverseSettings, diagnose_diverse,
+    self, DiverseCase, DiverseOutcome, DiverseResults, DiverseSettings, Earlier, diagnose_diverse,
     draw_diverse,
 };
 use blind_trial::{RunSettings, SealedTruth, logs, sealed_truth};
 use diagnosis::{Criteria, diagnose};
 use rig::effects::Catalogue;
 
-/// Draws, seals, has diagnosed, and scores.
-pub(super) fn run(settings: &DiverseSettings, run: &RunSettings) -> Result<(), Failure> {
+/// Draws, seals, has diagnosed, and scores; where it `resumes` a trial that was stopped, answers that are in its
+/// directory are taken from there.
+pub(super) fn run(
+    settings: &DiverseSettings,
+    run: &RunSettings,
+    resumes: bool,
+) -> Result<(), Failure> {
     let (cases, truth) = sealed(settings, &run.out)?;
-    let mut outcomes = on_all_cores(&cases, &|case| diagnose_one(case, run))?;
+    let earlier = if resumes { Earlier::read(&run.out)? } else { Vec::new() };
+    let known = |case: &DiverseCase| earlier.iter().find_map(|earlier| earlier.outcome(case));
+    let mut outcomes = on_all_cores(&cases, &|case| match known(case) {
+        Some(outcome) => Ok(outcome),
+        None => diagnose_one(case, run),
+    })?;
     outcomes.sort_by_key(|outcome| outcome.case);
     truth.reveal(&run.out)?;
     say!("SHA-256 of the truth, opened: {}\n", truth.hash());

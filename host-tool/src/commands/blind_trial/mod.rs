@@ -75,6 +75,9 @@ pub struct Arguments {
     /// Draw and record the cases and write the truth, without a diagnosis.
     #[arg(long)]
     pub draw_only: bool,
+    /// Go on with a diverse trial that was stopped: answers that are in --out already are taken from there.
+    #[arg(long, requires = "diverse", conflicts_with = "draw_only")]
+    pub resume: bool,
 }
 
 /// Runs the command.
@@ -167,7 +170,7 @@ impl Arguments {
         if self.draw_only {
             return diverse::draw_only(&settings, &self.out);
         }
-        diverse::run(&settings, &self.run_settings())
+        diverse::run(&settings, &self.run_settings(), self.resume)
     }
 
     fn run_settings(&self) -> RunSettings {
