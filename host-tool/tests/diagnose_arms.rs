@@ -221,6 +221,7 @@ fn with_friction_off(mut arm: ArmFile, parts: [f64; 6]) -> ArmFile {
 
 /// Masses that are doubted as friction must be would stand in for the load.
 #[test]
+#[ignore = "minutes; `cargo xtask test --long`"]
 fn a_load_is_told_although_friction_is_far_from_the_models() {
     let hidden = ["payload:mass_kg=0.5,com_m=0.05 0 0.1"];
     let ArmCampaign { arm, recordings } = recorded(&six_axes(), 250.0, 10.0, &hidden);
@@ -232,6 +233,7 @@ fn a_load_is_told_although_friction_is_far_from_the_models() {
 }
 
 #[test]
+#[ignore = "minutes; `cargo xtask test --long`"]
 fn a_wave_of_a_geared_arm_is_named_with_joint_and_size() {
     let report = of_six_joints(&["cogging:2:amplitude_V=0.05,harmonic=2,phase_rad=0.4"]);
     names(&report, "cogging", 2, ("amplitude_V", 0.05), 0.1);
@@ -267,7 +269,6 @@ fn a_table_under_a_geared_arm_is_named() {
 }
 
 #[test]
-#[ignore = "minutes; `cargo xtask test --long`"]
 fn what_drives_of_a_geared_arm_do_is_named_with_joint_and_size() {
     let cases: &[Case] = &[
         (
