@@ -111,8 +111,8 @@ impl WaveRows {
         rows
     }
 
-    /// Rows of the train logs: of each order the carrier times sine and times cosine, column by column. Angles are turned
-    /// on from order to order, which costs a digit of their sixteen in hundred orders.
+    /// Rows of the train logs: of each order the carrier times sine and times cosine, column by column (rows by twice the
+    /// orders). Only the first order's angle is computed, the others are turned on from it, to 1e-12.
     pub fn columns(&self, orders: &Orders) -> DMatrix<f64> {
         let each = orders.each();
         let mut columns = DMatrix::zeros(self.train, 2 * each.len());
