@@ -39,7 +39,13 @@ fn two_diverse_cases_are_drawn_diagnosed_and_scored() {
     resumed.args(["--duration-scale", "0.3"]).arg("--out").arg(directory.path());
     let again = resumed.assert().success().get_output().stdout.clone();
     assert!(!String::from_utf8(again).unwrap().contains("case 001:"), "it is not diagnosed again");
-    assert_eq!((read("diverse-trial.jsonl"), read("diverse-trial.md")), (lines, page));
+    assert_eq!(read("diverse-trial.jsonl"), lines);
+    assert_eq!(without_seal(&read("diverse-trial.md")), without_seal(&page));
+}
+
+/// A page without the hash of the truth: each run seals it with a random number of its own.
+fn without_seal(page: &str) -> Vec<&str> {
+    page.lines().filter(|line| !line.contains("SHA-256")).collect()
 }
 
 #[test]
