@@ -13,7 +13,7 @@ use crate::model_faults::{Faults, FoundFault};
 use crate::rows::evidence::Evidence;
 use crate::search::found::{KnownCauses, Selection};
 use crate::search::selection::select;
-use crate::trial::hypothesis::{EffectInstance, Hypothesis};
+use crate::trial::hypothesis::Hypothesis;
 use recordings::StepError;
 
 /// What a search finds by one doubt about the model.
@@ -129,7 +129,15 @@ impl Searched {
         }
         progress("trying whether the model itself is at fault");
         let found = faults.found(&selection.refitted, &selection.last);
-        let (selection, fault) = with_fault(subject, selection, found, progress);
+        let explains_all = |last: &FittedModel| faults.as_sure(&selection.refitted, last);
+        let said = found.as_ref().and_then(|found| {
+            as_causes(subject, &selection.refitted, found, &explains_all, progress)
+        });
+        let (selection, fault) = match (said, found) {
+            (Some(said), _) => (said, None),
+            (None, Some(found)) => (selection.without_effects(), Some(found)),
+            (None, None) => (selection, None),
+        };
         Self { evidence, selection, fault, early_part }
     }
 
@@ -199,23 +207,21 @@ impl Searched {
     }
 }
 
-/// A search once a fault of the model is found, if one is: begun anew with the effects that say the same, where there are
-/// some and all are accepted; without any cause else.
-fn with_fault(
+/// A search begun anew with the effects that say the same as a fault of the model; none unless all are accepted, or those
+/// that are explain all: of the zeros of all joints, found together, some may not matter.
+fn as_causes(
     subject: &Subject,
-    selection: Selection,
-    found: Option<FoundFault>,
+    refitted: &FittedModel,
+    found: &FoundFault,
+    explains_all: &dyn Fn(&FittedModel) -> bool,
     progress: &dyn Fn(&str),
-) -> (Selection, Option<FoundFault>) {
-    let Some(found) = found else { return (selection, None) };
+) -> Option<Selection> {
     let effects = found.fault.as_effects(subject);
-    let with = |effects: &[EffectInstance]| {
-        let (refitted, known) = (selection.refitted.clone(), KnownCauses::alone(effects));
-        select(subject, refitted, known, &|_, _| false, progress)
-    };
-    let said = (!effects.is_empty()).then(|| with(&effects));
-    match said.filter(|said| said.holds(&effects)) {
-        Some(said) => (said, None),
-        None => (selection.without_effects(), Some(found)),
+    if effects.is_empty() {
+        return None;
     }
+    let known = KnownCauses::alone(&effects);
+    let said = select(subject, refitted.clone(), known, &|_, _| false, progress);
+    let is_accepted = said.holds(&effects) || said.holds_one(&effects) && explains_all(&said.last);
+    is_accepted.then_some(said)
 }

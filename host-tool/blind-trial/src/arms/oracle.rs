@@ -6,6 +6,7 @@ use diagnosis::fit::fitted_model::FittedModel;
 use diagnosis::fit::preparation::prepared;
 use diagnosis::logs::subject::Subject;
 use diagnosis::logs::usable::Usable;
+use diagnosis::trial::hypothesis::Hypothesis;
 use files::ArmFile;
 use recordings::{ArmCampaign, Trace};
 use rig::effects::{Catalogue, Search};
@@ -42,10 +43,17 @@ fn gain_of_commands(case: &ArmCase, campaign: &ArmCampaign) -> Result<Option<f64
         Ok(prepared(subject, stretches, None)?.1)
     };
     let (poor, rich) = (fitted(&without)?, fitted(&with)?);
-    // On the same rows.
-    let start = rich.linear.hypothesis.clone();
-    let rich = FittedModel::fitted(&poor.evidence, &with, start, criteria.fit.refit_steps);
-    Ok(rich.map(|rich| rich.settled(&with).gain_over(&poor)))
+    // On the same rows, and from the same parameters: a fit that went further gains, too.
+    let refitted = |subject: &Subject, start: Hypothesis| {
+        let fitted = FittedModel::fitted(&poor.evidence, subject, start, criteria.fit.refit_steps)?;
+        Some(fitted.settled(subject))
+    };
+    let start = rich.linear.hypothesis;
+    let effects = poor.linear.hypothesis.effects.clone();
+    let near = refitted(&without, Hypothesis { effects, ..start.clone() });
+    let rich = refitted(&with, start);
+    let poor = near.into_iter().fold(poor.clone(), FittedModel::better_of);
+    Ok(rich.map(|rich| rich.gain_over(&poor)))
 }
 
 /// Log-likelihood that positions gain.

@@ -68,6 +68,14 @@ impl<'a> Faults<'a> {
             .then(|| FoundFault { fault: best.fault.clone(), explained })
     }
 
+    /// Whether a model with causes leaves hardly anything either of what the refitted one does.
+    pub fn as_sure(&self, refitted: &FittedModel, last: &FittedModel) -> bool {
+        let Some(best) = self.best(refitted) else { return false };
+        let by_causes = left_by(last, &best.part, self.subject);
+        let is_sure = |left| is_hardly_any(left, best.whole, &self.subject.criteria.faults);
+        by_causes.is_some_and(is_sure)
+    }
+
     fn best(&self, refitted: &FittedModel) -> Option<&Best> {
         self.best.get_or_init(|| Best::of(self.subject, self.evidence, refitted)).as_ref()
     }

@@ -109,11 +109,18 @@ impl Selection {
 
     /// Whether all of these effects are in the last model.
     pub fn holds(&self, effects: &[EffectInstance]) -> bool {
-        let same = |a: &EffectInstance, b: &EffectInstance| {
-            (a.definition.name, a.joint) == (b.definition.name, b.joint)
-        };
+        effects.iter().all(|effect| self.has(effect))
+    }
+
+    /// Whether one of these effects at least is.
+    pub fn holds_one(&self, effects: &[EffectInstance]) -> bool {
+        effects.iter().any(|effect| self.has(effect))
+    }
+
+    fn has(&self, effect: &EffectInstance) -> bool {
         let last = &self.last.linear.hypothesis.effects;
-        effects.iter().all(|effect| last.iter().any(|other| same(effect, other)))
+        let name = |of: &EffectInstance| (of.definition.name, of.joint);
+        last.iter().any(|other| name(other) == name(effect))
     }
 
     /// The refitted model alone; what was added counts as refused.

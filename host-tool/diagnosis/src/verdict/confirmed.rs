@@ -155,8 +155,9 @@ impl<'a> Confirmation<'a> {
     }
 
     /// Whether the cause at this place among those added acts on the confirming logs: what it does there itself, all
-    /// else unchanged, is a part of what goes with it (`least_action`). Else parameters do that, which train logs had
-    /// bent where something acts: a limit, say, that no confirming log comes near to.
+    /// else unchanged, is a part of what goes with it (`least_action`), or stands out of the noise (`no_gap_ratio`).
+    /// Else parameters do that, which train logs had bent where something acts: a limit, say, that no confirming log
+    /// comes near to.
     pub fn acts(&self, last: &FittedModel, index: usize) -> bool {
         let mut hypothesis = self.full.linear.hypothesis.clone();
         let effect = hypothesis.effects.remove(self.subject.known_effects.len() + index);

@@ -62,11 +62,14 @@ impl Worth {
     }
 }
 
-/// Whether a cause does a part of what goes with it itself; blocks of what models leave without it and with it, and of
-/// what it does, all else unchanged.
+/// Whether a cause does a part of what goes with it itself, or stands out of the noise; blocks of what models leave
+/// without it and with it, of what it does, all else unchanged, and of noise.
 pub fn does_it_itself(blocks: &Blocks, criteria: &VerdictCriteria) -> bool {
+    let stands_out = criteria.no_gap_ratio.powi(2);
     let beyond = |sums: &[f64]| match sums {
-        [without, with, action, ..] => action - criteria.least_action * (without - with),
+        [without, with, action, noise] => {
+            action - (criteria.least_action * (without - with)).min(stands_out * noise)
+        }
         _ => 0.0,
     };
     blocks.figure(1, beyond).0 >= 0.0
@@ -95,6 +98,17 @@ mod tests {
         assert!(!does_it_itself(&blocks(0.0), &criteria));
         assert!(!does_it_itself(&blocks(0.05e-6), &criteria));
         assert!(does_it_itself(&blocks(0.9e-6), &criteria));
+    }
+
+    /// A stiff spring: driven noise of the train logs bends inertias without it.
+    #[test]
+    fn what_stands_out_of_the_noise_acts_however_far_parameters_are_bent_without_it() {
+        let criteria = Criteria::default().verdict;
+        let blocks = |action_v2: f64| {
+            Blocks::made((0..4).map(|_| vec![4e-3, 12e-6, action_v2, 1e-6]).collect())
+        };
+        assert!(!does_it_itself(&blocks(3e-6), &criteria));
+        assert!(does_it_itself(&blocks(40e-6), &criteria));
     }
 
     #[test]
