@@ -38,3 +38,14 @@ fn friction_by_load_that_takes_more_than_the_load_is_drawn_again() {
     };
     assert!(can_be(0.9 / gain) && !can_be(1.1 / gain));
 }
+
+/// Turned about the vertical an arm needs what it needed: what a second fit gains by going further is not the effect's.
+#[test]
+fn another_home_position_about_the_vertical_cannot_be_known() {
+    let settings =
+        ArmTrialSettings { arm: ArmKind::SixAxes, seed: 73019, first: 74, cases: 1, kind: None };
+    let case = &draw_arms(&settings, &|| ()).unwrap()[0];
+    let cause = case.cause.as_ref().unwrap();
+    assert_eq!((cause.effect.as_str(), cause.joint), ("encoder_offset", 1));
+    assert!(case.oracle.unwrap() < 0.1, "{:?}", case.oracle);
+}

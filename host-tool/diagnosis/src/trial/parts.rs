@@ -151,10 +151,9 @@ mod tests {
 
     use super::*;
     use crate::criteria::FitCriteria;
-    use crate::logs::kinematics::Kinematics;
     use crate::logs::stretch::Stretch;
     use crate::trial::hypothesis::Hypothesis;
-    use crate::trial::test_stretch::{PERIOD_S, stretch_of};
+    use crate::trial::test_stretch::{PERIOD_S, sines, stretch_of};
 
     /// Knuth's linear congruential generator.
     struct Lcg(u64);
@@ -168,20 +167,13 @@ mod tests {
 
     /// Half a second in which all joints turn back and all commands change their sign.
     fn stretch() -> Stretch {
-        let mut motion = Kinematics::of_joints(3);
-        let mut command_v = vec![Vec::new(); 3];
-        for joint in 0..3 {
-            let w = 9.0 + 2.0 * joint as f64;
-            for k in 0..500 {
-                let (sine, cosine) = (w * PERIOD_S * f64::from(k)).sin_cos();
-                motion.q_rad[joint].push(0.3 * sine - 0.7);
-                motion.qd_rad_per_s[joint].push(0.3 * w * cosine);
-                motion.qdd_rad_per_s2[joint].push(-0.3 * w * w * sine);
-                command_v[joint].push(2.0 * cosine - sine);
-            }
-        }
-        motion.raw_rad = motion.q_rad.clone();
-        stretch_of(motion, command_v, false)
+        let frequencies = [9.0, 11.0, 13.0];
+        let command = |w: f64| -> Vec<f64> {
+            let angles = (0..500).map(|k| w * PERIOD_S * f64::from(k));
+            angles.map(|angle| 2.0 * angle.cos() - angle.sin()).collect()
+        };
+        let command_v = frequencies.map(command).to_vec();
+        stretch_of(sines(0.3, frequencies, 500), command_v, false)
     }
 
     fn hypothesis(effects: &[&EffectInstance]) -> Hypothesis {

@@ -41,26 +41,15 @@ mod tests {
     use signal::rms;
 
     use crate::criteria::FitCriteria;
-    use crate::logs::kinematics::Kinematics;
     use crate::logs::stretch::Stretch;
     use crate::trial::equation::Trial;
     use crate::trial::hypothesis::{EffectInstance, Hypothesis};
     use crate::trial::parts::{Parts, motor_side};
-    use crate::trial::test_stretch::{PERIOD_S, stretch_of};
+    use crate::trial::test_stretch::{sines, stretch_of};
 
     /// Two seconds in which all joints swing, with the commands that this takes of the reference robot.
     fn stretch() -> Stretch {
-        let mut motion = Kinematics::of_joints(3);
-        for joint in 0..3 {
-            let w = TAU * (1.1 + 0.7 * joint as f64);
-            for k in 0..2000 {
-                let (sine, cosine) = (w * PERIOD_S * f64::from(k)).sin_cos();
-                motion.q_rad[joint].push(0.4 * sine - 0.7);
-                motion.qd_rad_per_s[joint].push(0.4 * w * cosine);
-                motion.qdd_rad_per_s2[joint].push(-0.4 * w * w * sine);
-            }
-        }
-        motion.raw_rad = motion.q_rad.clone();
+        let motion = sines(0.4, [1.1, 1.8, 2.5].map(|hz| TAU * hz), 2000);
         let silent = stretch_of(motion.clone(), vec![vec![0.0; 2000]; 3], false);
         let bare = Hypothesis::bare(Plant::of_robot(&reference_robot()));
         let criteria = FitCriteria::default();

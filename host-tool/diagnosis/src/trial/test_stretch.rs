@@ -33,19 +33,24 @@ pub fn stretch_of(motion: Kinematics, command_v: Vec<Vec<f64>>, broadband: bool)
     }
 }
 
-/// Rows of three joints on sines, six seconds under no command, with white noise.
-pub fn rows_of_sines(criteria: &Criteria) -> Evidence {
+/// A motion of three joints on sines about -0.7 rad: their amplitude [rad], their frequencies [rad/s], how many samples.
+pub fn sines(amplitude: f64, frequencies: [f64; 3], samples: i32) -> Kinematics {
     let mut motion = Kinematics::of_joints(3);
-    for joint in 0..3 {
-        let w = 5.0 + 2.0 * joint as f64;
-        for k in 0..6000 {
+    for (joint, w) in frequencies.into_iter().enumerate() {
+        for k in 0..samples {
             let (sine, cosine) = (w * PERIOD_S * f64::from(k)).sin_cos();
-            motion.q_rad[joint].push(0.3 * sine - 0.7);
-            motion.qd_rad_per_s[joint].push(0.3 * w * cosine);
-            motion.qdd_rad_per_s2[joint].push(-0.3 * w * w * sine);
+            motion.q_rad[joint].push(amplitude * sine - 0.7);
+            motion.qd_rad_per_s[joint].push(amplitude * w * cosine);
+            motion.qdd_rad_per_s2[joint].push(-amplitude * w * w * sine);
         }
     }
     motion.raw_rad = motion.q_rad.clone();
+    motion
+}
+
+/// Rows of three joints on sines, six seconds under no command, with white noise.
+pub fn rows_of_sines(criteria: &Criteria) -> Evidence {
+    let motion = sines(0.3, [5.0, 7.0, 9.0], 6000);
     let white: Vec<f64> = (0..6000).map(|k| (f64::from(k * k % 977)).sin()).collect();
     let seen = Noise::of(&[&white], PERIOD_S, &criteria.rows);
     let mut noise = NoiseByRate::default();
