@@ -129,7 +129,7 @@ impl Searched {
         }
         progress("trying whether the model itself is at fault");
         let found = faults.found(&selection.refitted, &selection.last);
-        let explains_all = |last: &FittedModel| faults.as_sure(&selection.refitted, last);
+        let explains_all = |last: &FittedModel| faults.leaves_hardly_any(&selection.refitted, last);
         let said = found.as_ref().and_then(|found| {
             as_causes(subject, &selection.refitted, found, &explains_all, progress)
         });

@@ -49,8 +49,8 @@ criteria! {
         most_of_left: f64 = 0.5,
         /// and this share at least: less is what large causes together leave.
         least_small_share: f64 = 0.01,
-        /// A cause does this part of what goes with it on the confirming logs itself; fits with and without it share
-        /// the rest out differently, by more where parameters can stand in for it.
+        /// A cause does this part of what goes with it on the confirming logs itself, or `no_gap_ratio` times the noise;
+        /// fits with and without it share the rest out differently, by more where parameters can stand in for it.
         least_action: f64 = 0.1,
         /// A spring, which can follow noise, is not named where the confirming logs show no gap. Elsewhere it leaves this
         /// part of their noise at least: where something structured comes in half of the pieces that noise is read

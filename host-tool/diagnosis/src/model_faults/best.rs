@@ -68,8 +68,8 @@ impl<'a> Faults<'a> {
             .then(|| FoundFault { fault: best.fault.clone(), explained })
     }
 
-    /// Whether a model with causes leaves hardly anything either of what the refitted one does.
-    pub fn as_sure(&self, refitted: &FittedModel, last: &FittedModel) -> bool {
+    /// Whether a model with causes leaves hardly anything of what the refitted one does, as a fault that is sure must.
+    pub fn leaves_hardly_any(&self, refitted: &FittedModel, last: &FittedModel) -> bool {
         let Some(best) = self.best(refitted) else { return false };
         let by_causes = left_by(last, &best.part, self.subject);
         let is_sure = |left| is_hardly_any(left, best.whole, &self.subject.criteria.faults);
