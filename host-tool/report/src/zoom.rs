@@ -14,7 +14,7 @@ pub(super) const SCRIPT: &str = include_str!("zoom.js");
 /// The drawing with its marks made groups that the script finds.
 pub(super) fn zoomable(svg: &str) -> String {
     let Some((head, frame, rest)) = cut(svg, FRAME) else { return svg.to_owned() };
-    let numbers = frame.trim_start_matches(FRAME).trim().to_owned();
+    let numbers = frame.trim_start_matches(FRAME.trim_end()).trim().to_owned();
     let Some((mesh, _, rest)) = cut(rest, SERIES) else { return svg.to_owned() };
     let Some((series, _, legend)) = cut(rest, SERIES_END) else { return svg.to_owned() };
     let head = match numbers.is_empty() {
@@ -70,7 +70,7 @@ fn cut<'a>(svg: &'a str, mark: &str) -> Option<(&'a str, &'a str, &'a str)> {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Chart, Series};
+    use crate::{Axis, Chart, Series};
 
     #[test]
     fn a_chart_tells_its_axes_and_holds_no_marks() {
@@ -83,5 +83,16 @@ mod tests {
         assert_eq!((numbers.len(), numbers[4], numbers[5]), (8, 0.0, 2.0));
         let (_, series) = svg.split_once("class=\"series\"").unwrap();
         assert!(series.split_once("</g>").unwrap().0.contains("<polyline"), "{svg}");
+    }
+
+    /// The script stretches even axes alone.
+    #[test]
+    fn a_chart_of_decades_has_no_frame_to_zoom_by() {
+        let line = Series::line("a", 0, vec![(1.0, 1.0), (100.0, 3.0)]);
+        for axes in [(Axis::Logarithmic, Axis::Linear), (Axis::Logarithmic, Axis::Logarithmic)] {
+            let svg = Chart::new("t", "x", "y").axes(axes.0, axes.1).with(line.clone()).to_svg();
+            assert!(!svg.contains('\u{ab}') && !svg.contains("data-frame"), "{svg}");
+            assert!(svg.contains("class=\"series\""), "{svg}");
+        }
     }
 }
