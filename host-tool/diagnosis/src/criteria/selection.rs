@@ -37,6 +37,9 @@ criteria! {
         least_of_log_excess: f64 = 0.3,
         /// unless it takes away this part of the prior penalty.
         least_of_prior_penalty: f64 = 0.2,
+        /// A spring between motor and link takes this part of what is left of its joint, or of all: one that takes
+        /// less smooths something else, and hides it.
+        least_by_spring: f64 = 0.6,
         /// An effect is refused if it makes parameters implausible and their prior penalty so many
         /// times larger,
         most_prior_penalty_growth: f64 = 1.2,

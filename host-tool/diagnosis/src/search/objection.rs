@@ -91,7 +91,7 @@ fn smooths(
     after: &FittedModel,
     criteria: &Criteria,
 ) -> bool {
-    let leaves = 1.0 - criteria.verdict.least_by_backlash;
+    let leaves = 1.0 - criteria.selection.least_by_spring;
     let takes_most = |joint| left_on_v2(after, joint) < leaves * left_on_v2(before, joint);
     !takes_most(spring.joint) && !takes_most(0)
 }

@@ -56,13 +56,12 @@ fn is_large(worth: &Worth, criteria: &VerdictCriteria) -> bool {
     of_gap || of_left
 }
 
-/// Whether an effect is what it says: a spring between motor and link explains what it must to be
-/// one. A soft spring that stands for play leaves a quarter or more.
+/// Whether an effect is what it says: a spring between motor and link, which can stand for much, takes most of what is
+/// left without it, and is sure of what any cause takes. A soft spring that stands for play leaves a quarter or
+/// more, a stiff one of a machine with many small effects a third.
 pub fn is_sound(effect: &EffectInstance, worth: &Worth, criteria: &VerdictCriteria) -> bool {
-    let sure = worth.part_interval[0] >= criteria.least_sure_by_spring;
-    let least =
-        if effect.has_backlash() { criteria.least_by_backlash } else { criteria.least_by_spring };
-    let rings = worth.part_of_left >= least && sure;
+    let rings = worth.part_of_left >= criteria.most_of_left
+        && worth.part_interval[0] >= criteria.least_part_of_left;
     rings || !effect.is_spring()
 }
 

@@ -82,15 +82,9 @@ impl<'a> Elimination<'a> {
         let least = self.subject.criteria.verdict.least_probability;
         let fails = |index: &usize| {
             judged[*index].probability < least
-                || !self.can_be(confirmation, *index, &judged[*index].worth)
+                || !self.can_be(confirmation, *index, &judged[*index].weighed)
         };
         self.smallest(judged, fails)
-    }
-
-    /// The smallest effect that is not likely to be a cause.
-    pub fn least_likely(&self, judged: &[Judged]) -> Option<usize> {
-        let least = self.subject.criteria.verdict.least_probability;
-        self.smallest(judged, |index| judged[*index].probability < least)
     }
 
     fn smallest(&self, judged: &[Judged], fails: impl Fn(&usize) -> bool) -> Option<usize> {
@@ -117,7 +111,7 @@ impl<'a> Elimination<'a> {
             // Where the arm has no gap, other joints are left with what noise is known by.
             let own = || confirmation.explained_on(&self.last, &confirmation.joints_of(effect));
             let explained = if no_gap { own() } else { of_arm };
-            !self.can_be(confirmation, *index, worth)
+            !self.can_be(confirmation, *index, weighed)
                 || worth.share <= 0.0
                 || !is_named(*probability, weighed, explained, no_gap, criteria)
                 || !reaches_ceiling(self.subject, without, &self.last, self.place(*index))
@@ -167,11 +161,11 @@ impl<'a> Elimination<'a> {
     }
 
     /// Whether an effect can be a cause at all: of this robot, and what it says.
-    fn can_be(&self, confirmation: &Confirmation, index: usize, worth: &Worth) -> bool {
+    fn can_be(&self, confirmation: &Confirmation, index: usize, weighed: &Worth) -> bool {
         let effect = &self.last.linear.hypothesis.effects[self.place(index)];
         self.is_plausible
             && !self.is_anothers(confirmation, effect)
-            && is_sound(effect, worth, &self.subject.criteria.verdict)
+            && is_sound(effect, weighed, &self.subject.criteria.verdict)
             && !(effect.is_spring() && confirmation.takes_noise(&self.last, effect))
             && confirmation.acts(&self.last, index)
     }
