@@ -37,24 +37,23 @@ criteria! {
         least_excess: f64 = 0.05,
         /// A cause takes this share of the gap to be named,
         least_share: f64 = 0.1,
-        /// and this part of what is left above the noise without it, of which a spring between motor and
-        /// link is sure;
+        /// and this part of what is left above the noise without it;
         least_part_of_left: f64 = 0.15,
-        /// or, where its share is small, this part of what is left, which a spring always takes,
+        /// or, where its share is small, this part of what is left, of which a spring between motor and link is
+        /// always sure,
         most_of_left: f64 = 0.5,
         /// and this share at least: less is what large causes together leave.
         least_small_share: f64 = 0.01,
         /// A cause does this part of what goes with it on the confirming logs itself, or `no_gap_ratio` times the noise;
         /// fits with and without it share the rest out differently, by more where parameters can stand in for it.
         least_action: f64 = 0.1,
-        /// A spring can follow noise. It leaves this part of that of the confirming logs at least: where something
-        /// structured comes in half of the pieces that noise is read off, its power is found 2.6 times too large;
+        /// A spring, which can follow noise, is not named where the confirming logs show no gap. Elsewhere it leaves this
+        /// part of their noise at least: where something structured comes in half of the pieces that noise is read
+        /// off, its power is found 2.6 times too large.
         least_noise: f64 = 0.6,
-        /// this where the gap is far above the noise, which it then hides: a link that rings all the
-        /// time is in every piece;
+        /// and this where the gap is far above the noise, which it then hides: a link that rings all the
+        /// time is in every piece.
         least_noise_far: f64 = 0.4,
-        /// and this where there is hardly a gap (`no_gap_ratio`).
-        least_noise_near: f64 = 0.8,
         /// Least probability of an alternative that is listed.
         least_alternative: f64 = 0.02,
         /// A gap without a name of so many times the noise is said to be another robot's, perhaps.
@@ -84,18 +83,5 @@ criteria! {
         drift_before_s: f64 = 0.1,
         /// The sentence mentions the refit where the model as given leaves so many times what it leaves.
         worth_refitting: f64 = 1.5,
-    }
-}
-
-impl VerdictCriteria {
-    /// The part of the noise that a spring leaves at least where the gap is so many times the noise, rms.
-    pub fn least_part_of_noise(&self, gap_over_noise: f64) -> f64 {
-        if gap_over_noise >= self.far_above_noise {
-            self.least_noise_far
-        } else if gap_over_noise >= self.no_gap_ratio {
-            self.least_noise
-        } else {
-            self.least_noise_near
-        }
     }
 }

@@ -138,8 +138,9 @@ impl<'a> Confirmation<'a> {
         blocks.figure(1, explained).0 >= self.subject.criteria.verdict.explained
     }
 
-    /// Whether an effect takes noise of the confirming logs for motion: it leaves a smaller part of the noise than what
-    /// the noise may be wrong by, which is the more, the further the gap is above it (`least_noise` and what follows).
+    /// Whether an effect takes noise of the confirming logs for motion: there is no gap above the noise, or it leaves a
+    /// smaller part of the noise than what the noise may be wrong by, which is the more, the further the gap is above
+    /// it (`least_noise`, `least_noise_far`).
     pub fn takes_noise(&self, last: &FittedModel, effect: &EffectInstance) -> bool {
         let criteria = &self.subject.criteria.verdict;
         let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
@@ -147,7 +148,10 @@ impl<'a> Confirmation<'a> {
         let blocks = Blocks::of(&last.evidence, &self.joints_of(effect), &models, noise_v);
         let over =
             |model: usize| blocks.figure(1, |sums| (sums[model] / sums[2].max(1e-300)).sqrt()).0;
-        over(1) < criteria.least_part_of_noise(over(0))
+        let (without, with) = (over(0), over(1));
+        let is_far = without >= criteria.far_above_noise;
+        let least = if is_far { criteria.least_noise_far } else { criteria.least_noise };
+        without < criteria.no_gap_ratio || with < least
     }
 
     /// Whether the cause at this place among those added acts on the confirming logs: what it does there itself, all

@@ -56,13 +56,10 @@ fn is_large(worth: &Worth, criteria: &VerdictCriteria) -> bool {
     of_gap || of_left
 }
 
-/// Whether an effect is what it says: a spring between motor and link, which can stand for much, takes most of what is
-/// left without it, and is sure of what any cause takes. A soft spring that stands for play leaves a quarter or
-/// more, a stiff one of a machine with many small effects a third.
+/// Whether an effect is what it says: a spring between motor and link, which can stand for much, surely takes most of
+/// what is left without it. A soft spring that stands for play leaves a quarter or more.
 pub fn is_sound(effect: &EffectInstance, worth: &Worth, criteria: &VerdictCriteria) -> bool {
-    let rings = worth.part_of_left >= criteria.most_of_left
-        && worth.part_interval[0] >= criteria.least_part_of_left;
-    rings || !effect.is_spring()
+    !effect.is_spring() || worth.part_interval[0] >= criteria.most_of_left
 }
 
 /// Whether there is no gap: train logs leave noise alone and confirming ones not much more, or the
