@@ -87,3 +87,12 @@ fn what_one_log_alone_shows_is_named() {
     let error = told("61283", "30", ("torque_constant", 1), "relative_error");
     assert!((error / -0.187 - 1.0).abs() < 0.1, "{error}");
 }
+
+/// Dahl friction, and small effects everywhere. A delay that is sure beside friction of joint 2 by its position stays
+/// where that is too small to be named: without it the model was not at its best, and the delay fell.
+#[test]
+#[ignore = "minutes; `cargo xtask test --long`"]
+fn a_cause_does_not_fall_with_a_small_effect_of_another_joint() {
+    let delay_s = told("83117", "21", ("delay", 1), "delay_s");
+    assert!((delay_s / 1.62e-3 - 1.0).abs() < 0.1, "{delay_s}");
+}

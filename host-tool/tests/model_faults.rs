@@ -89,6 +89,23 @@ fn lengths_a_tenth_too_long() {
     assert_fault(&report, "a2_m = 0.2");
 }
 
+/// Beside a cause they are no fault that is said, and do what a small force along gravity would do.
+#[test]
+fn lengths_two_per_cent_too_long_are_no_force_on_the_tip() {
+    let report = said_of(|campaign| {
+        let robot = &mut campaign.robot_file.robot;
+        [&mut robot.a2_m, &mut robot.a3_m].into_iter().flatten().for_each(|m| *m *= 1.02);
+        for trace in &mut campaign.traces {
+            let joint = &mut trace.joints[0];
+            let cogging = joint.q_rad.iter().map(|q| 0.1 * (8.0 * q).sin());
+            joint.command_v.iter_mut().zip(cogging).for_each(|(v, more)| *v += more);
+        }
+    });
+    let names: Vec<&str> = report.causes.iter().map(|cause| cause.effect.as_str()).collect();
+    assert!(names.contains(&"cogging") && !names.contains(&"tip_force"), "{names:?}");
+    assert!(report.alternatives.iter().any(|other| other.effect == "tip_force"));
+}
+
 #[test]
 fn a_bus_that_takes_three_milliseconds() {
     let report = said_of(|campaign| {

@@ -17,7 +17,8 @@ criteria! {
         steps: usize = 3,
         /// Most steps of a fault's size.
         size_steps: usize = 6,
-        /// A fault is said if it explains this part of the squares above the noise,
+        /// A fault is said if it explains this part of the squares above the noise (lengths that explain this part of what
+        /// an effect of the whole robot does leave it without a name),
         explained: f64 = 0.9,
         /// and leaves no more than so many times what the causes found leave.
         as_good: f64 = 1.2,

@@ -2,16 +2,15 @@
 
 use nalgebra::DVector;
 
-use super::fault::{ModelFault, lengths_m};
+use super::fault::ModelFault;
+use super::lengths::{change, length_doubt_m, take_lengths};
 use crate::fit::gauss_newton::{fit_with_slopes, open_in};
 use crate::fit::linearisation::Linearisation;
 use crate::fit::preparation::as_given;
 use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
-use crate::rows::evidence::{Evidence, RowChange, Rows};
-use crate::trial::hypothesis::Hypothesis;
+use crate::rows::evidence::{Evidence, RowChange};
 use crate::trial::residual_rows::train_residual_rows;
-use rig::plant::Body;
 
 /// A fault put right on a part of the logs, everything else refitted.
 pub(super) struct Trial<'a> {
@@ -83,33 +82,17 @@ impl<'a> Trial<'a> {
         let evidence = self.part.with_stretches(|stretch| fault.correct(stretch));
         let mut hypothesis = self.linear.hypothesis.clone();
         take_lengths(&mut hypothesis, &corrected);
-        let moved = train_residual_rows(&evidence, &hypothesis);
-        let change = |joint: usize, rows: &Rows| -> Vec<f64> {
-            let both = rows[joint].iter().zip(&self.linear.residual[joint]);
-            both.map(|(after, before)| (after - before) / step).collect()
-        };
-        let of_joint = |joint: usize| (!moved[joint].is_empty()).then(|| change(joint, &moved));
-        (0..moved.len()).map(of_joint).collect()
+        change(&self.linear, &train_residual_rows(&evidence, &hypothesis), step)
     }
 
     /// How far a size may be off: a part of a length, or an angle.
     fn deviation(&self, k: usize) -> f64 {
         let criteria = &self.subject.criteria.faults;
         match self.fault {
-            ModelFault::Lengths(_) => {
-                let length_m = lengths_m(self.subject)[k].abs();
-                criteria.length_part * length_m.max(criteria.least_length_m)
-            }
+            ModelFault::Lengths(_) => length_doubt_m(self.subject, k, criteria),
             ModelFault::Late(_) => criteria.late_s,
             _ => criteria.home_rad,
         }
-    }
-}
-
-/// Gives a hypothesis the lengths of a subject, where those of the closed form may be others.
-fn take_lengths(hypothesis: &mut Hypothesis, subject: &Subject) {
-    if let (Body::Rrr(own), Some(rrr)) = (&mut hypothesis.plant.body, subject.plant.body.as_rrr()) {
-        own.geometry = rrr.geometry;
     }
 }
 

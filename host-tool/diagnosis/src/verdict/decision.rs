@@ -100,3 +100,49 @@ pub fn verdict(
         _ => Verdict::Partial,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Criteria;
+    use rig::effects::Catalogue;
+
+    /// An effect of the catalogue on joint 1.
+    fn effect(name: &str) -> EffectInstance {
+        let definition = Catalogue::standard().by_name(name).unwrap();
+        EffectInstance { definition, joint: 1, values: vec![0.1; definition.parameters.len()] }
+    }
+
+    /// Takes two thirds of what is left without it, with this interval, and a tenth of the gap or more.
+    fn worth(part_interval: [f64; 2]) -> Worth {
+        Worth {
+            share: 0.2,
+            share_interval: [0.05, 0.5],
+            remainder: 0.1,
+            part_of_left: 0.67,
+            part_interval,
+            shrinkage: 0.4,
+            shrinkage_interval: [0.3, 0.5],
+        }
+    }
+
+    #[test]
+    fn a_spring_surely_takes_most_of_what_is_left_and_nothing_else_has_to() {
+        let criteria = Criteria::default().verdict;
+        for spring in ["joint_elasticity", "backlash"] {
+            assert!(is_sound(&effect(spring), &worth([0.55, 0.8]), &criteria), "{spring}");
+            assert!(!is_sound(&effect(spring), &worth([0.45, 0.8]), &criteria), "{spring}");
+        }
+        assert!(is_sound(&effect("cogging"), &worth([0.1, 0.8]), &criteria));
+    }
+
+    #[test]
+    fn a_cause_that_is_not_twice_as_likely_as_not_is_named_where_causes_take_most_of_the_gap() {
+        let criteria = Criteria::default().verdict;
+        let named = |probability, explained| {
+            is_named(probability, &worth([0.4, 0.8]), explained, false, &criteria)
+        };
+        assert!(named(0.6, 0.6) && named(0.7, 0.2));
+        assert!(!named(0.6, 0.2) && !named(0.4, 0.9));
+    }
+}

@@ -39,8 +39,8 @@ impl<'a> Judgement<'a> {
     ///
     /// Effects that are not confirmed are taken out one after the other, the smallest first. Those that
     /// are likely but too small to be named stay until the others are judged, which would have to
-    /// explain what they explain; they go one after the other, too. They are there, likely, and a cause that is
-    /// told beside them is not judged anew without them.
+    /// explain what they explain; they go one after the other, too. A cause that is told beside those is not
+    /// judged anew without them, for they are there, likely.
     pub fn of(subject: &'a Subject, selection: Selection, noise_v: &[Vec<f64>]) -> Self {
         let mut model = Elimination::of(subject, selection, noise_v);
         let (mut confirmation, mut judged) = model.judged();
@@ -51,7 +51,7 @@ impl<'a> Judgement<'a> {
             (confirmation, judged) = model.judged();
         }
         judged = model.take_out_small(&confirmation, judged);
-        let confirmation = model.judged().0;
+        let confirmation = model.confirmation();
         let Elimination { refitted, last, added, refused, unconfirmed, .. } = model;
         let named = added.into_iter().zip(judged).map(Named::of).collect();
         let mut judgement = Self { refitted, last, named, unconfirmed, refused, confirmation };
