@@ -104,6 +104,7 @@ fn lengths_two_per_cent_too_long_are_no_force_on_the_tip() {
     let names: Vec<&str> = report.causes.iter().map(|cause| cause.effect.as_str()).collect();
     assert!(names.contains(&"cogging") && !names.contains(&"tip_force"), "{names:?}");
     assert!(report.alternatives.iter().any(|other| other.effect == "tip_force"));
+    assert!(report.remarks.iter().any(|said| said.contains("lengths") && said.contains("force")));
 }
 
 #[test]

@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::fault::{LENGTHS, ModelFault, lengths_m};
 use crate::criteria::FaultCriteria;
+use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::{Evidence, RowChange, Rows};
@@ -12,24 +13,30 @@ use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use crate::trial::residual_rows::train_residual_rows;
 use rig::plant::Body;
 
-/// Squares that lengths within their doubt take of what a model leaves, over those that an effect takes, everything else
-/// refitted by the slopes of the model without it (`rows` as it was fitted to). `None` where the robot has no such lengths.
-pub fn part_by_lengths(
+/// Whether lengths within their doubt explain nearly all that an effect of the whole robot does, by a model without it.
+pub fn is_by_lengths(subject: &Subject, without: &FittedModel, effect: &EffectInstance) -> bool {
+    let explained = subject.criteria.faults.explained;
+    let part = || part_by_lengths(subject, without, effect);
+    effect.joint == 0 && part().is_some_and(|part| part >= explained)
+}
+
+/// Squares that lengths within their doubt take of what a model leaves, over those that an effect takes which it lacks,
+/// everything else refitted by its slopes. `None` where the robot has no such lengths.
+fn part_by_lengths(
     subject: &Subject,
-    rows: &Evidence,
-    without: &Linearisation,
+    FittedModel { linear, evidence, .. }: &FittedModel,
     effect: &EffectInstance,
 ) -> Option<f64> {
     subject.plant.body.as_rrr().filter(|_| !subject.one_joint)?;
-    let criteria = &subject.criteria.faults;
-    let lengths: Vec<RowChange> =
-        (0..LENGTHS).map(|k| length_slope(subject, rows, without, k)).collect();
-    let doubt = |k: usize| length_doubt_m(subject, k, criteria).powi(-2);
-    let by_lengths = squares_taken(without, &lengths, &DVector::from_fn(LENGTHS, |k, _| doubt(k)))?;
-    let mut with = without.hypothesis.clone();
+    let slopes: Vec<RowChange> =
+        (0..LENGTHS).map(|k| length_slope(subject, evidence, linear, k)).collect();
+    let doubt_m = |k: usize, _| length_doubt_m(subject, k, &subject.criteria.faults);
+    let weights = DVector::from_fn(LENGTHS, doubt_m).map(|doubt_m| doubt_m.powi(-2));
+    let by_lengths = squares_taken(linear, &slopes, &weights)?;
+    let mut with = linear.hypothesis.clone();
     with.effects.push(effect.clone());
-    let change = change(without, &train_residual_rows(rows, &with), 1.0);
-    let by_effect = squares_taken(without, &[change], &DVector::zeros(1))?;
+    let change = change(linear, &train_residual_rows(evidence, &with), 1.0);
+    let by_effect = squares_taken(linear, &[change], &DVector::zeros(1))?;
     (by_effect > 0.0).then(|| by_lengths / by_effect)
 }
 

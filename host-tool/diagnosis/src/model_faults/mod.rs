@@ -13,4 +13,4 @@ mod trials;
 
 pub use best::{Faults, FoundFault};
 pub use fault::ModelFault;
-pub use lengths::part_by_lengths;
+pub use lengths::is_by_lengths;

@@ -11,7 +11,7 @@ use crate::fit::fitted_model::FittedModel;
 use crate::fit::preparation::as_given;
 use crate::gap_by_axis::gap_by_axis;
 use crate::logs::subject::Subject;
-use crate::model_faults::FoundFault;
+use crate::model_faults::{FoundFault, is_by_lengths};
 use crate::model_file::ModelFile;
 use crate::posterior::Posterior;
 use crate::result::{
@@ -57,6 +57,7 @@ impl Assembly<'_> {
         let (causes, alternatives) = causes(subject, judgement);
         let verdict = self.verdict(causes.len());
         remarks.extend(self.remark(verdict));
+        remarks.extend(self.remarks_of_lengths());
         let report = Report {
             format: 2,
             verdict,
@@ -107,6 +108,16 @@ impl Assembly<'_> {
             Some(fault) => Some(format!("the logs do not fit this model: {}", fault.what)),
             None => misfit::remark(self.subject, &self.judgement.refitted, verdict),
         }
+    }
+
+    /// What lengths that are a little off would do as well, each in its words.
+    fn remarks_of_lengths(&self) -> impl Iterator<Item = String> {
+        let Judgement { last, unconfirmed, .. } = self.judgement;
+        let effects = unconfirmed.iter().map(|(effect, ..)| effect);
+        effects.filter(|effect| is_by_lengths(self.subject, last, effect)).map(|effect| {
+            let words = effect_words(effect.definition.name);
+            format!("lengths that are a few per cent off do what a {words} would do; measure them")
+        })
     }
 
     /// What the logs would have shown beside the causes that are named, whose own gap does not hide it.

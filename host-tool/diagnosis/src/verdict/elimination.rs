@@ -6,7 +6,7 @@ use super::misfit::joints_of_another;
 use super::worth::Worth;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
-use crate::model_faults::part_by_lengths;
+use crate::model_faults::is_by_lengths;
 use crate::search::found::{Added, Rival, Selection};
 use crate::search::selection::update_gains;
 use crate::tables::ceiling::reaches_ceiling;
@@ -174,16 +174,7 @@ impl<'a> Elimination<'a> {
             && is_sound(effect, weighed, &self.subject.criteria.verdict)
             && !(effect.is_spring() && confirmation.takes_noise(&self.last, effect))
             && confirmation.acts(&self.last, index)
-            && !self.is_by_lengths(index)
-    }
-
-    /// Whether lengths within their doubt explain nearly all that an effect of the whole robot does.
-    fn is_by_lengths(&self, index: usize) -> bool {
-        let effect = &self.last.linear.hypothesis.effects[self.place(index)];
-        let FittedModel { evidence, linear, .. } = &self.added[index].without;
-        let part = || part_by_lengths(self.subject, evidence, linear, effect);
-        let explained = self.subject.criteria.faults.explained;
-        effect.joint == 0 && part().is_some_and(|part| part >= explained)
+            && !is_by_lengths(self.subject, &self.added[index].without, effect)
     }
 
     /// Whether an effect acts on joints whose logs are as of another robot, and causes do not explain
