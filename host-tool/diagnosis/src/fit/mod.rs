@@ -3,6 +3,7 @@
 mod bounded_step;
 pub mod bristles;
 pub mod command_instants;
+pub mod command_left;
 pub mod cross_validation;
 pub mod doubt;
 pub mod earlier;

@@ -5,11 +5,11 @@ use std::cell::OnceCell;
 use super::fault::ModelFault;
 use super::trials::{Trial, first_part, left};
 use crate::criteria::{Criteria, FaultCriteria};
+use crate::fit::command_left::leaves_much;
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::gauss_newton::fit;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
-use crate::verdict::misfit::leaves_much;
 
 /// A fault that explains the gap.
 #[derive(Clone, Debug, PartialEq)]
