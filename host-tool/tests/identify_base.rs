@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::known;
 use files::{Dataset, Experiment, RobotFile, Role};
 use identification::base_parameters::{self, FrictionEstimate, RowSettings};
 use identification::reconstruction::reconstruct;
@@ -59,18 +60,6 @@ fn knowledge(robot: &Robot<f64>, seed: u64) -> [FrictionEstimate; 3] {
             standard_error: Friction::from_array(deviation),
         }
     })
-}
-
-fn known(robot: &Robot<f64>) -> Known {
-    Known {
-        geometry: Some(robot.geometry),
-        gravity_m_s2: robot.geometry.gravity_m_s2,
-        torque_constant_nm_per_v: robot.torque_constant_nm_per_v.to_vec(),
-        joints: vec![1, 2, 3],
-        encoder_step_rad: std::f64::consts::TAU / 655_360.0,
-        command_limit_v: 10.0,
-        command_step_v: 20.0 / 65_536.0,
-    }
 }
 
 /// The log of a plan played by a simulated robot.

@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::known;
 use files::{Dataset, Entry, Experiment, RobotFile, Role};
 use identification::ekf::{self, Start};
 use identification::{Estimate, static_friction};
@@ -37,20 +38,6 @@ fn rig_1() -> Option<(Vec<Trace>, Known, Robot<f64>)> {
     let none = Dataset { entries: Vec::new(), ..dataset };
     let known = Campaign::read(&none, truth).unwrap().known;
     Some((recordings.into_iter().map(Trace::of).collect(), known, robot))
-}
-
-/// The numbers of the manufacturer for the simulated rig.
-fn known() -> Known {
-    let robot = reference_robot::<f64>();
-    Known {
-        geometry: Some(robot.geometry),
-        gravity_m_s2: robot.geometry.gravity_m_s2,
-        torque_constant_nm_per_v: robot.torque_constant_nm_per_v.to_vec(),
-        joints: vec![1, 2, 3],
-        encoder_step_rad: std::f64::consts::TAU / 655_360.0,
-        command_limit_v: 10.0,
-        command_step_v: 20.0 / 65536.0,
-    }
 }
 
 /// A log of a plan on a simulated robot.
@@ -189,14 +176,14 @@ fn friction_excitation_of_rig_1() {
 fn another_robot_that_sticks_and_slips() {
     let robot = another_robot();
     let trace = recorded(&robot, &constant_velocity(1), 5);
-    static_friction_holds(&trace, 1, &known(), &robot.friction[0]);
+    static_friction_holds(&trace, 1, &known(&reference_robot()), &robot.friction[0]);
 }
 
 #[test]
 fn another_robot_by_the_filter() {
     let robot = another_robot();
     let trace = recorded(&robot, &friction_excitation(&Rig::new(robot)), 6);
-    filter_holds(&trace, &known(), &robot);
+    filter_holds(&trace, &known(&reference_robot()), &robot);
 }
 
 /// A start 30 % off in every direction: the filter must not lose the motion for good.
@@ -215,7 +202,7 @@ fn a_poor_start_is_survived() {
     };
     let inertia = 1.3 * robot.base.zz3r / robot.torque_constant_nm_per_v[2];
     let start = Start { friction: Some(friction), inertia: Some(inertia) };
-    let found = ekf::identify(&trace, 3, &known(), &start).unwrap();
+    let found = ekf::identify(&trace, 3, &known(&reference_robot()), &start).unwrap();
     within("alpha0 from a poor start", &found.friction.alpha0_v, truth.alpha0_v, SLIDING);
     within(
         "alpha2 from a poor start",
@@ -247,10 +234,11 @@ fn bad_logs_are_refused_with_reasons() {
         Ok(()) => panic!("accepted"),
         Err(error) => error.to_string(),
     };
-    let found = static_friction::identify(&still(0.0), 1, &known()).map(|_| ());
+    let found = static_friction::identify(&still(0.0), 1, &known(&reference_robot())).map(|_| ());
     assert!(message(found).contains("joint 1 never moved"));
-    let found = static_friction::identify(&still(0.0), 2, &known()).map(|_| ());
+    let found = static_friction::identify(&still(0.0), 2, &known(&reference_robot())).map(|_| ());
     assert!(message(found).contains("joint 2 is not in the log"));
-    let found = ekf::identify(&still(0.0), 1, &known(), &Start::from_log()).map(|_| ());
+    let found =
+        ekf::identify(&still(0.0), 1, &known(&reference_robot()), &Start::from_log()).map(|_| ());
     assert!(message(found).contains("never moved"));
 }

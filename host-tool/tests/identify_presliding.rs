@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::known;
 use files::{Dataset, Experiment, RobotFile, Role};
 use identification::Estimate;
 use identification::presliding::{self, Presliding, Prior, RigidBody, Settings, Sliding};
@@ -34,18 +35,6 @@ fn prior(robot: &Robot<f64>, factor: f64) -> Prior {
     (1..=3).fold(Prior::with_base(base, 0.02), |prior, joint| {
         prior.with_sliding(joint, sliding(&robot.friction[usize::from(joint) - 1]))
     })
-}
-
-fn known(robot: &Robot<f64>) -> Known {
-    Known {
-        geometry: Some(robot.geometry),
-        gravity_m_s2: robot.geometry.gravity_m_s2,
-        torque_constant_nm_per_v: robot.torque_constant_nm_per_v.to_vec(),
-        joints: vec![1, 2, 3],
-        encoder_step_rad: std::f64::consts::TAU / 655_360.0,
-        command_limit_v: 10.0,
-        command_step_v: 20.0 / 65_536.0,
-    }
 }
 
 /// The log of noise on a joint of a simulated robot.

@@ -18,6 +18,7 @@
 pub mod arms;
 pub mod case;
 pub mod cause;
+pub mod claim;
 pub mod detectability;
 pub mod diverse;
 pub mod draw;

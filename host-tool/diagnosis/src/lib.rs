@@ -55,7 +55,7 @@ use rig::effects::Catalogue;
 use search::found::KnownCauses;
 use searched::{Free, Searched};
 use tables::remaining::with_remaining_tables;
-use verdict::confirmed::Held;
+use verdict::held::Held;
 use verdict::judgement::Judgement;
 use verdict::told;
 

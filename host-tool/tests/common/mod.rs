@@ -2,7 +2,9 @@
 #![allow(dead_code)] // Each test file uses a part of it.
 
 use files::{JointLog, Log, Position, RobotFile};
+use model::Robot;
 use model::reference_robot::reference_robot;
+use recordings::campaign::Known;
 
 #[cfg(unix)]
 pub mod simulated_board;
@@ -17,6 +19,19 @@ pub fn with_model() -> tempfile::TempDir {
     let directory = directory();
     RobotFile::from_robot(&reference_robot()).write(directory.path().join("model.toml")).unwrap();
     directory
+}
+
+/// What is known beforehand of a simulated rig: the numbers of its manufacturer.
+pub fn known(robot: &Robot<f64>) -> Known {
+    Known {
+        geometry: Some(robot.geometry),
+        gravity_m_s2: robot.geometry.gravity_m_s2,
+        torque_constant_nm_per_v: robot.torque_constant_nm_per_v.to_vec(),
+        joints: vec![1, 2, 3],
+        encoder_step_rad: std::f64::consts::TAU / 655_360.0,
+        command_limit_v: 10.0,
+        command_step_v: 20.0 / 65_536.0,
+    }
 }
 
 /// A log of three joints in counts, on the millisecond grid.

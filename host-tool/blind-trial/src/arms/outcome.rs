@@ -5,7 +5,8 @@ use serde::Serialize;
 use super::kind::ArmKind;
 use crate::case::Kind;
 use crate::cause::TrueCause;
-use crate::diverse::{Claim, KNOWABLE, names};
+use crate::claim::Claim;
+use crate::diverse::{KNOWABLE, names};
 
 /// A case's truth and the answer.
 #[derive(Clone, Debug, Serialize)]

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::draw::ArmTrialSettings;
 use super::outcome::ArmOutcome;
 use super::score::ArmScore;
-use crate::cause;
+use crate::claim::answer_in_words;
 use crate::diverse::KNOWABLE;
 use crate::markdown::{counted, percent, sealed_head, table, with_parameters};
 
@@ -92,13 +92,5 @@ fn judged(outcome: &ArmOutcome) -> String {
 
 /// An answer in words: its verdict, and its causes with their probabilities.
 pub fn answer(outcome: &ArmOutcome) -> String {
-    let claims = outcome.claims.iter().map(|claim| {
-        format!("{} ({:.2})", cause::words(&claim.effect, claim.joint), claim.probability)
-    });
-    let claims: Vec<String> = claims.collect();
-    match (&outcome.failure, claims.is_empty()) {
-        (Some(why), _) => format!("failed: {why}"),
-        (None, true) => outcome.verdict.clone(),
-        (None, false) => format!("{}: {}", outcome.verdict, claims.join(", ")),
-    }
+    answer_in_words(outcome.failure.as_deref(), &outcome.verdict, &outcome.claims)
 }

@@ -9,7 +9,8 @@ use recordings::ArmCampaign;
 use super::case::ArmCase;
 use super::logs::{read, write};
 use super::outcome::ArmOutcome;
-use crate::diverse::{claim, thread_time, verdict};
+use crate::claim::Claim;
+use crate::diverse::{thread_time, verdict};
 use crate::error::TrialError;
 use crate::logs;
 use crate::outcome::{Answer, RunSettings};
@@ -64,7 +65,7 @@ fn outcome(case: &ArmCase, answer: &Answer, seconds: f64) -> ArmOutcome {
             Answer::Failed(why) => Some(why.clone()),
             Answer::Report(_) => None,
         },
-        claims: answer.named().iter().map(claim).collect(),
+        claims: answer.named().iter().map(Claim::of).collect(),
         seconds,
     }
 }

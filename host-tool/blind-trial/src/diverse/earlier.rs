@@ -6,8 +6,9 @@ use serde::Deserialize;
 
 use super::beside::beside;
 use super::draw::DiverseCase;
-use super::outcome::{Claim, DiverseOutcome};
+use super::outcome::DiverseOutcome;
 use super::output::LINES;
+use crate::claim::Claim;
 use crate::error::TrialError;
 use files::Problem;
 

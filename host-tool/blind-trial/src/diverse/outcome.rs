@@ -1,31 +1,12 @@
 //! What a diagnosis made of a diverse case, beside the truth.
 
-use std::collections::BTreeMap;
-
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use super::knowable::Known;
 use crate::case::Kind;
 use crate::cause::TrueCause;
+use crate::claim::Claim;
 use crate::reality::Reality;
-use diagnosis::Value;
-
-/// A cause that was named.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Claim {
-    /// The effect.
-    pub effect: String,
-    /// Joint, 1 to 3; 0 for the whole robot.
-    pub joint: u8,
-    /// Its parameters by name.
-    pub parameters: BTreeMap<String, Value>,
-    /// How sure the diagnosis is.
-    pub probability: f64,
-    /// 95 % interval of its share of the gap.
-    pub share_interval: [f64; 2],
-    /// 95 % intervals of its parameters, component by component.
-    pub parameter_intervals: BTreeMap<String, Vec<[f64; 2]>>,
-}
 
 /// A diverse case's truth and the answer.
 #[derive(Clone, Debug, Serialize)]

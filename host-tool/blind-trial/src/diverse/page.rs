@@ -3,7 +3,7 @@
 use super::outcome::DiverseOutcome;
 use super::results::DiverseResults;
 use super::score::{Answers, DiverseScore, KNOWABLE, Reliability, Row};
-use crate::cause;
+use crate::claim::answer_in_words;
 use crate::markdown::{counted, percent, sealed_head, table, with_parameters};
 
 /// Length of a full bar [characters].
@@ -144,13 +144,5 @@ fn truth(outcome: &DiverseOutcome) -> String {
 
 /// An answer in words: its verdict, and its causes with their probabilities.
 pub fn answer(outcome: &DiverseOutcome) -> String {
-    let claims = outcome.claims.iter().map(|claim| {
-        format!("{} ({:.2})", cause::words(&claim.effect, claim.joint), claim.probability)
-    });
-    let claims: Vec<String> = claims.collect();
-    match (&outcome.failure, claims.is_empty()) {
-        (Some(why), _) => format!("failed: {why}"),
-        (None, true) => outcome.verdict.clone(),
-        (None, false) => format!("{}: {}", outcome.verdict, claims.join(", ")),
-    }
+    answer_in_words(outcome.failure.as_deref(), &outcome.verdict, &outcome.claims)
 }

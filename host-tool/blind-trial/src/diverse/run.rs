@@ -8,12 +8,12 @@ use nix::time::{ClockId, clock_gettime};
 
 use super::beside::beside;
 use super::draw::DiverseCase;
-use super::outcome::{Claim, DiverseOutcome};
+use super::outcome::DiverseOutcome;
 use super::told::told;
+use crate::claim::Claim;
 use crate::error::TrialError;
 use crate::logs;
 use crate::outcome::{Answer, Diagnose, RunSettings, answer_to};
-use diagnosis::{Cause, Interval};
 
 /// Writes the logs of a case, reads them back and diagnoses them; the diagnosis sees nothing
 /// else. Processor time is this thread's, which must do all the work.
@@ -65,7 +65,7 @@ pub(crate) fn diagnose_written(
             Answer::Failed(why) => Some(why.clone()),
             Answer::Report(_) => None,
         },
-        claims: answer.named().iter().map(claim).collect(),
+        claims: answer.named().iter().map(Claim::of).collect(),
         seconds,
         processor_seconds: processor_s.get(),
         report: answer.report().map(|report| serde_json::json!(report)),
@@ -81,25 +81,4 @@ pub(crate) fn thread_time() -> Duration {
 pub(crate) fn verdict(answer: &Answer) -> String {
     let verdict = answer.report().map(|report| serde_json::json!(report.verdict));
     verdict.as_ref().and_then(|word| word.as_str()).unwrap_or("failed").to_owned()
-}
-
-/// A cause that is named, for the score.
-pub(crate) fn claim(cause: &Cause) -> Claim {
-    let intervals = cause.parameter_intervals.iter();
-    Claim {
-        effect: cause.effect.clone(),
-        joint: cause.joint,
-        parameters: cause.parameters.clone(),
-        probability: cause.probability,
-        share_interval: cause.share_interval,
-        parameter_intervals: intervals.map(|(name, each)| (name.clone(), sides(each))).collect(),
-    }
-}
-
-/// The interval of each component.
-fn sides(interval: &Interval) -> Vec<[f64; 2]> {
-    match interval {
-        Interval::Number(sides) => vec![*sides],
-        Interval::Vector(components) => components.clone(),
-    }
 }

@@ -17,14 +17,14 @@ pub struct Calibration {
     pub brier: Option<f64>,
 }
 
-/// Causes of like confidence.
+/// Causes named with like probability.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Bin {
-    /// Least confidence.
+    /// Least probability.
     pub from: f64,
-    /// Largest confidence.
+    /// Largest.
     pub to: f64,
-    /// Mean confidence stated.
+    /// Mean of those stated.
     pub stated: f64,
     /// How many were right.
     pub right: Share,
@@ -36,7 +36,7 @@ impl Calibration {
         let squares = stated.iter().map(|&(p, right)| (p - f64::from(u8::from(right))).powi(2));
         let brier = squares.sum::<f64>() / stated.len() as f64;
         Self {
-            bins: BORDERS.windows(2).filter_map(|b| Bin::of(b[0], b[1], &stated)).collect(),
+            bins: BORDERS.windows(2).filter_map(|b| Bin::between(b[0], b[1], &stated)).collect(),
             brier: (!stated.is_empty()).then_some(brier),
         }
     }
@@ -49,7 +49,9 @@ fn claims(outcome: &Outcome) -> Vec<(f64, bool)> {
 }
 
 impl Bin {
-    fn of(from: f64, to: f64, stated: &[(f64, bool)]) -> Option<Self> {
+    /// Of those `stated`, each with whether it was right, from one probability to below another, 1 included; none
+    /// where there are none.
+    pub fn between(from: f64, to: f64, stated: &[(f64, bool)]) -> Option<Self> {
         let is_inside = |p: f64| p >= from && (p < to || to == 1.0);
         let inside: Vec<&(f64, bool)> = stated.iter().filter(|(p, _)| is_inside(*p)).collect();
         let sum: f64 = inside.iter().map(|(p, _)| p).sum();

@@ -21,8 +21,8 @@ use crate::result::{
 use crate::rows::evidence::{Evidence, Rows};
 use crate::trial::residual_rows::residual_rows;
 use crate::verdict::blocks::confirming_rms_v;
-use crate::verdict::confirmed::Held;
 use crate::verdict::decision::verdict;
+use crate::verdict::held::Held;
 use crate::verdict::judgement::Judgement;
 use crate::verdict::{detectable, misfit};
 use files::Role;

@@ -5,6 +5,7 @@ pub mod candidate;
 pub mod candidates;
 pub mod finalists;
 pub mod found;
+mod from_given;
 pub mod harmonics;
 pub mod independent_rows;
 pub mod objection;

@@ -3,15 +3,13 @@
 
 use super::finalists::{Contest, each_once};
 use super::found::{Added, KnownCauses, Rival, Selection};
+use super::from_given::{better_from_given, is_chain, refitted_from_given, with_given_parameters};
 use super::objection::objection_to;
 use super::policy::{gain, is_done};
 use super::refit::Finalist;
-use super::winner::{Winner, is_all_physical};
+use super::winner::Winner;
 use crate::fit::fitted_model::FittedModel;
-use crate::fit::linearisation::Linearisation;
-use crate::fit::preparation::as_given;
 use crate::fit::residual_stats::ResidualStats;
-use crate::fit::unknowns::kept_physical;
 use crate::logs::subject::Subject;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 
@@ -100,8 +98,11 @@ impl Search<'_> {
         for round in self.rivals.len()..criteria.selection.most_effects {
             progress(&format!("trying every effect on every joint, round {}", round + 1));
             // Without effects it has been done already.
-            if round > 0 && is_chain(self.subject) {
-                self.refit_from_given();
+            if round > 0
+                && is_chain(self.subject)
+                && let Some(better) = better_from_given(self.subject, &self.last)
+            {
+                self.last = better;
             }
             // Before any is known all are tried: one may gain much where no log is left far above its noise.
             let is_done = || is_done(&self.gap, &self.last.stats, criteria);
@@ -114,24 +115,6 @@ impl Search<'_> {
             }
         }
         None
-    }
-
-    /// The model refitted from the parameters as given where it gains by that, as candidates are: what a better
-    /// fit alone gains is no effect's.
-    fn refit_from_given(&mut self) {
-        let subject = self.subject;
-        let Some(start) = with_given_parameters(subject, &self.last) else { return };
-        let (evidence, given) = (&self.last.evidence, start.hypothesis.clone());
-        let steps = subject.criteria.selection.finalist_steps;
-        let (near, whole) = rayon::join(
-            || FittedModel::fitted_near(&start, evidence, subject, given, steps),
-            || whole_from_given(subject, &self.last, &start),
-        );
-        for model in [near, whole].into_iter().flatten() {
-            if model.gain_over(&self.last) > 0.0 && is_all_physical(subject, &model) {
-                self.last = model.settled(subject);
-            }
-        }
     }
 
     /// The search carried on with what is left taken to be systematic; none where that adds nothing.
@@ -224,33 +207,6 @@ impl Search<'_> {
     }
 }
 
-/// Whether the arm is a chain, whose many parameters leave fits short of their end; the three-joint robot's reach it.
-fn is_chain(subject: &Subject) -> bool {
-    subject.plant.as_chain().is_some()
-}
-
-/// A refitted model without effects that was searched for: the better of it and one fitted from the parameters as
-/// given, from where candidates are.
-fn refitted_from_given(subject: &Subject, refitted: FittedModel) -> FittedModel {
-    if !is_chain(subject) {
-        return refitted;
-    }
-    let start = with_given_parameters(subject, &refitted);
-    let again = start.and_then(|start| whole_from_given(subject, &refitted, &start));
-    let gains = again.filter(|again| again.gain_over(&refitted) > 0.0);
-    gains.map_or(refitted, |again| again.settled(subject))
-}
-
-/// A model fitted from the parameters as given, with slopes of its own.
-fn whole_from_given(
-    subject: &Subject,
-    fitted: &FittedModel,
-    start: &Linearisation,
-) -> Option<FittedModel> {
-    let steps = subject.criteria.selection.accepted_steps;
-    FittedModel::fitted(&fitted.evidence, subject, start.hypothesis.clone(), steps)
-}
-
 /// Brings up to date what each effect gains, in a model that holds just these.
 pub fn update_gains(subject: &Subject, last: &FittedModel, added: &mut [Added]) {
     let known = subject.known_effects.len();
@@ -262,18 +218,4 @@ pub fn update_gains(subject: &Subject, last: &FittedModel, added: &mut [Added]) 
             added.without = without;
         }
     }
-}
-
-/// The effects of a refitted model in the model as given. Effects are searched for from there,
-/// because the refit absorbs part of an effect that is missing; what shapes friction around
-/// standstill stays as it was refitted, for there nothing hides.
-fn with_given_parameters(subject: &Subject, refitted: &FittedModel) -> Option<Linearisation> {
-    let Linearisation { hypothesis, expected, .. } = &refitted.linear;
-    let (effects, tables) = (hypothesis.effects.clone(), hypothesis.tables.clone());
-    let mut start = Hypothesis { effects, tables, ..as_given(subject) };
-    for expected in expected.iter().filter(|expected| expected.unknown.shapes_friction()) {
-        expected.unknown.set(&mut start, expected.unknown.get(hypothesis));
-    }
-    kept_physical(&mut start, subject);
-    Linearisation::of(&refitted.evidence, start, expected.clone())
 }

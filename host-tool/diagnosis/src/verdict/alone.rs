@@ -1,7 +1,8 @@
 //! What a cause may be worth beside its share: causes that overlap share what they take by the order in
 //! which they are added, and a part of what is left is theirs, which their true parameters would take.
 
-use super::confirmed::{Confirmation, Held};
+use super::confirmed::Confirmation;
+use super::held::Held;
 use super::worth::Worth;
 use crate::fit::fitted_model::FittedModel;
 use crate::trial::hypothesis::EffectInstance;

@@ -1,10 +1,9 @@
 //! What causes are worth on the logs that chose nothing.
 
 use super::blocks::Blocks;
+use super::held::Held;
 use super::worth::{Worth, does_it_itself};
 use crate::fit::fitted_model::FittedModel;
-use crate::fit::gauss_newton::fit_held;
-use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Rows;
 use crate::search::found::Added;
@@ -24,15 +23,6 @@ pub struct Confirmation<'a> {
     pub without: Vec<Held>,
     /// Noise of a joint's rows in every stretch, rms [V], by joint.
     noise_v: Vec<Vec<f64>>,
-}
-
-/// A model within its doubt, and what it leaves.
-#[derive(Clone)]
-pub struct Held {
-    /// The model.
-    pub linear: Linearisation,
-    /// What it leaves of all rows [V].
-    pub residual_v: Rows,
 }
 
 impl<'a> Confirmation<'a> {
@@ -200,16 +190,4 @@ impl<'a> Confirmation<'a> {
 fn difference(rows: &Rows, others: &Rows) -> Rows {
     let of_joint = |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).map(|(a, b)| a - b).collect();
     rows.iter().zip(others).map(of_joint).collect()
-}
-
-impl Held {
-    /// A fitted model brought back to within the doubt about the model as given: what that can
-    /// explain, and no more.
-    pub fn of(subject: &Subject, model: &FittedModel) -> Self {
-        let far = model.stats.asks_for_cause(&subject.criteria.fit);
-        let held = far.then(|| fit_held(&model.evidence, subject, &model.linear)).flatten();
-        let linear = held.unwrap_or_else(|| model.linear.clone());
-        let rows = residual_rows(&model.evidence, &linear.hypothesis);
-        Self { residual_v: model.evidence.volts(&rows), linear }
-    }
 }

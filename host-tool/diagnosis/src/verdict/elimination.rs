@@ -1,7 +1,8 @@
 //! Effects taken out of a model one after the other, as long as one is not confirmed.
 
-use super::confirmed::{Confirmation, Held};
+use super::confirmed::Confirmation;
 use super::decision::{is_named, is_no_gap, is_sound, probability};
+use super::held::Held;
 use super::misfit::joints_of_another;
 use super::worth::Worth;
 use crate::fit::fitted_model::FittedModel;

@@ -6,6 +6,7 @@ pub mod confirmed;
 pub mod decision;
 pub mod detectable;
 pub mod elimination;
+pub mod held;
 pub mod judgement;
 pub mod misfit;
 pub mod told;

@@ -1,6 +1,7 @@
 //! Shares of causes that are told, by the measure of a report: those of a search that errs nowhere.
 
-use super::confirmed::{Confirmation, Held};
+use super::confirmed::Confirmation;
+use super::held::Held;
 use crate::fit::command_instants::prepared_by_instants;
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::preparation;

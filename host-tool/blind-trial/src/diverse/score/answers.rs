@@ -5,7 +5,8 @@ use serde::Serialize;
 use super::equivalence::{can_be_named, names, names_within};
 use crate::case::Kind;
 use crate::cause::TrueCause;
-use crate::diverse::outcome::{Claim, DiverseOutcome};
+use crate::claim::Claim;
+use crate::diverse::outcome::DiverseOutcome;
 use crate::score::Share;
 use diagnosis::Value;
 

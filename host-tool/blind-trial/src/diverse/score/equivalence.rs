@@ -4,7 +4,7 @@
 //! of a trial hold nothing that tells them apart; and what a foreign shape says it is nearest to.
 
 use crate::cause::{TrueCause, TrueEffect};
-use crate::diverse::outcome::Claim;
+use crate::claim::Claim;
 use diagnosis::Value;
 
 /// Two names for one thing on a joint, and where they are that.

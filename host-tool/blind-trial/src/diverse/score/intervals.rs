@@ -6,7 +6,8 @@ use serde::Serialize;
 
 use super::equivalence::names;
 use crate::cause::TrueCause;
-use crate::diverse::outcome::{Claim, DiverseOutcome};
+use crate::claim::Claim;
+use crate::diverse::outcome::DiverseOutcome;
 use crate::score::Share;
 use diagnosis::Value;
 use rig::effects::Kind;

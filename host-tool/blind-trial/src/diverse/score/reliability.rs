@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::diverse::outcome::DiverseOutcome;
-use crate::score::Share;
+use crate::score::{Bin, Share};
 
 /// Bins of equal width.
 const BINS: usize = 10;
@@ -21,19 +21,6 @@ pub struct Reliability {
     pub brier: Option<f64>,
     /// What is wrong among the surest names.
     pub risk: Vec<Risk>,
-}
-
-/// Names of like probability.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Bin {
-    /// Least probability.
-    pub from: f64,
-    /// Largest.
-    pub to: f64,
-    /// Mean of those stated.
-    pub stated: f64,
-    /// How many were right.
-    pub right: Share,
 }
 
 /// What is wrong among the surest names.
@@ -55,11 +42,13 @@ impl Reliability {
         let mut stated: Vec<(f64, bool)> =
             outcomes.iter().flat_map(|o| -> Vec<_> { claims(o) }).collect();
         stated.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let bins: Vec<Bin> = (0..BINS).filter_map(|k| Bin::of(k, &stated)).collect();
+        let border = |k: usize| k as f64 / BINS as f64;
+        let bin = |k: usize| Bin::between(border(k), border(k + 1), &stated);
+        let bins: Vec<Bin> = (0..BINS).filter_map(bin).collect();
         let part = |sum: f64| (!stated.is_empty()).then(|| sum / stated.len() as f64);
         let squares = stated.iter().map(|&(p, right)| (p - f64::from(u8::from(right))).powi(2));
         Self {
-            error: part(bins.iter().map(Bin::distance).sum()),
+            error: part(bins.iter().map(distance).sum()),
             brier: part(squares.sum()),
             risk: COVERAGES.iter().filter_map(|&c| Risk::of(c, &stated)).collect(),
             bins,
@@ -67,23 +56,9 @@ impl Reliability {
     }
 }
 
-impl Bin {
-    fn of(index: usize, stated: &[(f64, bool)]) -> Option<Self> {
-        let place = |p: f64| ((p * BINS as f64) as usize).min(BINS - 1);
-        let inside: Vec<_> = stated.iter().filter(|(p, _)| place(*p) == index).collect();
-        let sum: f64 = inside.iter().map(|(p, _)| p).sum();
-        (!inside.is_empty()).then(|| Self {
-            from: index as f64 / BINS as f64,
-            to: (index + 1) as f64 / BINS as f64,
-            stated: sum / inside.len() as f64,
-            right: inside.iter().fold(Share::default(), |share, (_, right)| share.with(*right)),
-        })
-    }
-
-    /// |stated - right|, times the number of names.
-    fn distance(&self) -> f64 {
-        self.right.of as f64 * (self.stated - self.right.part().unwrap_or_default()).abs()
-    }
+/// |stated - right|, times the number of names.
+fn distance(bin: &Bin) -> f64 {
+    bin.right.of as f64 * (bin.stated - bin.right.part().unwrap_or_default()).abs()
 }
 
 impl Risk {
