@@ -104,7 +104,7 @@ pub struct Settings {
     /// The same of a load that sits far from there.
     pub far_doubt: f64,
     /// Part of what is left that a place elsewhere must take for that. Pendulums with the model's own law of friction take up to 0.001, six
-    /// axes with a load 10 mm beyond the centre 0.06 and more: `docs/servo-arms.md`.
+    /// axes with a load 10 mm beyond the centre 0.06 and more: `docs/trial-history.md`.
     pub least_elsewhere_gain: f64,
     /// The same on one joint alone, where a place shows by inertia only, which the rotor has too: friction of another
     /// law than the model's put a load there a sixth too near, and made it a tenth too heavy.
