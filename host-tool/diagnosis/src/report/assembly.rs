@@ -113,7 +113,7 @@ impl Assembly<'_> {
     /// What lengths that are a little off would do as well, each in its words.
     fn remarks_of_lengths(&self) -> impl Iterator<Item = String> {
         let Judgement { last, unconfirmed, .. } = self.judgement;
-        let effects = unconfirmed.iter().map(|(effect, ..)| effect);
+        let effects = unconfirmed.iter().map(|unconfirmed| &unconfirmed.effect);
         effects.filter(|effect| is_by_lengths(self.subject, last, effect)).map(|effect| {
             let words = effect_words(effect.definition.name);
             format!("lengths that are a few per cent off do what a {words} would do; measure them")

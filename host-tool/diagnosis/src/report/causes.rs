@@ -10,6 +10,7 @@ use crate::result::{Alternative, Cause, Interval, Rival};
 use crate::search::found;
 use crate::search::objection::Objection;
 use crate::trial::hypothesis::EffectInstance;
+use crate::verdict::judged::Unconfirmed;
 use crate::verdict::judgement::{Judgement, Named};
 use rig::effects::{Kind, Parameter};
 
@@ -134,19 +135,16 @@ fn of_rivals(
     all
 }
 
-/// Effects that the search added and the confirming logs do not confirm.
+/// Effects that the search added and that are not named, and why.
 fn unconfirmed(subject: &Subject, judgement: &Judgement) -> Vec<Alternative> {
-    let alternative = |(effect, worth, probability): &(EffectInstance, _, f64)| {
-        let worth: &crate::verdict::worth::Worth = worth;
-        Alternative {
-            effect: effect.definition.name.into(),
-            joint: subject.outer_joint(effect.joint),
-            probability: *probability,
-            confidence: *probability,
-            instead_of: None,
-            share: worth.share,
-            why: None,
-        }
+    let alternative = |Unconfirmed { effect, judged, reason }: &Unconfirmed| Alternative {
+        effect: effect.definition.name.into(),
+        joint: subject.outer_joint(effect.joint),
+        probability: judged.probability,
+        confidence: judged.probability,
+        instead_of: None,
+        share: judged.worth.share,
+        why: Some(reason.words().into()),
     };
     judgement.unconfirmed.iter().map(alternative).collect()
 }
@@ -187,8 +185,8 @@ pub fn rivals(subject: &Subject, judgement: &Judgement) -> Vec<Rival> {
             .iter()
             .map(|other| rival(&other.effect, explained(other), why_refused(other))),
     );
-    all.extend(judgement.unconfirmed.iter().map(|(effect, worth, _)| {
-        rival(effect, worth.share, "the confirming logs do not confirm it".into())
+    all.extend(judgement.unconfirmed.iter().map(|Unconfirmed { effect, judged, reason }| {
+        rival(effect, judged.worth.share, format!("not named: {}", reason.words()))
     }));
     all.sort_by(|a, b| b.explained.total_cmp(&a.explained));
     all

@@ -48,7 +48,7 @@ fn nearest(subject: &Subject, judgement: &Judgement, joint: u8) -> Option<String
         [0, joint].contains(&subject.outer_joint(effect.joint))
     };
     let refused = judgement.refused.iter().map(|rival| &rival.effect);
-    let unconfirmed = judgement.unconfirmed.iter().map(|(effect, ..)| effect);
+    let unconfirmed = judgement.unconfirmed.iter().map(|unconfirmed| &unconfirmed.effect);
     let first = unconfirmed.chain(refused).find(|effect| on_joint(effect))?;
     Some(first.definition.name.into())
 }

@@ -1,6 +1,7 @@
 //! Which causes are named, how sure they are, and what the verdict is in one word.
 
 use super::confirmed::Confirmation;
+use super::judged::Reason;
 use super::worth::Worth;
 use crate::criteria::VerdictCriteria;
 use crate::fit::fitted_model::FittedModel;
@@ -27,23 +28,28 @@ fn confirmed(worth: &Worth, criteria: &VerdictCriteria) -> f64 {
     (deviations / criteria.sure_deviations).clamp(0.0, 1.0)
 }
 
-/// Whether a cause is named; `explained` is the part of the arm's gap that all causes take together, and
-/// `no_gap` whether there is none. One that is not sure, or that is found where there is no gap, takes half of
+/// Why a cause is not named, where it is not; `explained` is the part of the arm's gap that all causes take together,
+/// and `no_gap` whether there is none. One that is not sure, or that is found where there is no gap, takes half of
 /// what is left without it, and causes half of the gap: where most stays, something else may be the cause of
 /// all of it, on that joint or, as a belt between two, on the arm.
-pub fn is_named(
+pub fn why_not_named(
     probability: f64,
     worth: &Worth,
     explained: f64,
     no_gap: bool,
     criteria: &VerdictCriteria,
-) -> bool {
+) -> Option<Reason> {
     let sure = probability >= criteria.sure_probability && !no_gap;
     let most = worth.part_of_left.min(explained) >= criteria.most_of_left;
-    probability >= criteria.least_probability
-        && (sure || most)
-        && is_large(worth, criteria)
-        && worth.share_interval[0] > 0.0
+    if probability < criteria.least_probability {
+        Some(Reason::Unlikely)
+    } else if !is_large(worth, criteria) {
+        Some(Reason::Small)
+    } else if worth.share_interval[0] <= 0.0 {
+        Some(Reason::NoShare)
+    } else {
+        (!sure && !most).then_some(Reason::MostStays)
+    }
 }
 
 /// Whether a cause is more than what nobody's formula leaves: a good part of the gap, or most of
@@ -139,10 +145,11 @@ mod tests {
     #[test]
     fn a_cause_that_is_not_twice_as_likely_as_not_is_named_where_causes_take_most_of_the_gap() {
         let criteria = Criteria::default().verdict;
-        let named = |probability, explained| {
-            is_named(probability, &worth([0.4, 0.8]), explained, false, &criteria)
+        let against = |probability, explained| {
+            why_not_named(probability, &worth([0.4, 0.8]), explained, false, &criteria)
         };
-        assert!(named(0.6, 0.6) && named(0.7, 0.2));
-        assert!(!named(0.6, 0.2) && !named(0.4, 0.9));
+        assert_eq!((against(0.6, 0.6), against(0.7, 0.2)), (None, None));
+        assert_eq!(against(0.6, 0.2), Some(Reason::MostStays));
+        assert_eq!(against(0.4, 0.9), Some(Reason::Unlikely));
     }
 }

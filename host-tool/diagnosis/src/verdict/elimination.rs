@@ -1,8 +1,9 @@
 //! Effects taken out of a model one after the other, as long as one is not confirmed.
 
 use super::confirmed::Confirmation;
-use super::decision::{is_named, is_no_gap, is_sound, probability};
+use super::decision::{is_no_gap, is_sound, probability, why_not_named};
 use super::held::Held;
+use super::judged::{Judged, Reason, Unconfirmed};
 use super::misfit::joints_of_another;
 use super::worth::Worth;
 use crate::fit::fitted_model::FittedModel;
@@ -12,17 +13,6 @@ use crate::search::found::{Added, Rival, Selection};
 use crate::search::selection::update_gains;
 use crate::tables::ceiling::reaches_ceiling;
 use crate::trial::hypothesis::EffectInstance;
-
-/// What an effect amounts to.
-#[derive(Clone, Copy, Debug)]
-pub struct Judged {
-    /// Its worth as it is told.
-    pub worth: Worth,
-    /// Its worth by which it is judged, joints in units of what is left on each.
-    pub weighed: Worth,
-    /// The probability that it is a cause.
-    pub probability: f64,
-}
 
 /// The model of a selection, less and less of it.
 pub struct Elimination<'a> {
@@ -36,7 +26,7 @@ pub struct Elimination<'a> {
     /// Those effects, in the order of the model's.
     pub added: Vec<Added>,
     /// Those that were taken out.
-    pub unconfirmed: Vec<(EffectInstance, Worth, f64)>,
+    pub unconfirmed: Vec<Unconfirmed>,
     /// Candidates that were not accepted at the end.
     pub refused: Vec<Rival>,
     /// Joints (from 0) whose logs are as of another robot.
@@ -84,46 +74,51 @@ impl<'a> Elimination<'a> {
         (confirmation, judged)
     }
 
-    /// The smallest effect that cannot be a cause or is not likely to be one.
-    pub fn unlikely(&self, confirmation: &Confirmation, judged: &[Judged]) -> Option<usize> {
+    /// The smallest effect that cannot be a cause or is not likely to be one, and why.
+    pub fn unlikely(
+        &self,
+        confirmation: &Confirmation,
+        judged: &[Judged],
+    ) -> Option<(usize, Reason)> {
         let least = self.subject.criteria.verdict.least_probability;
-        let fails = |index: &usize| {
-            judged[*index].probability < least
-                || !self.can_be(confirmation, *index, &judged[*index].weighed)
+        let fails = |index: usize| {
+            let reason = match judged[index].probability < least {
+                true => Some(Reason::Unlikely),
+                false => self.cannot_be(confirmation, index, &judged[index].weighed),
+            };
+            Some((index, reason?))
         };
-        self.smallest(judged, fails)
+        let failing: Vec<_> = (0..self.added.len()).filter_map(fails).collect();
+        smallest(judged, &failing)
     }
 
-    fn smallest(&self, judged: &[Judged], fails: impl Fn(&usize) -> bool) -> Option<usize> {
-        let share = |index: &usize| judged[*index].weighed.share;
-        let indices = (0..self.added.len()).filter(fails);
-        indices.min_by(|a, b| share(a).total_cmp(&share(b)))
-    }
-
-    /// Those `among` some effects that are likely but not named: too small, or less than what something along
-    /// their axis could explain.
+    /// Those `among` some effects that are likely but not named, and why.
     fn not_named(
         &self,
         confirmation: &Confirmation,
         judged: &[Judged],
         among: impl Iterator<Item = usize>,
-    ) -> Vec<usize> {
+    ) -> Vec<(usize, Reason)> {
         let criteria = &self.subject.criteria.verdict;
         let of_arm = confirmation.explained(&self.last);
         let no_gap = is_no_gap(&self.refitted, &self.last, confirmation, criteria);
-        let fails = |index: &usize| {
-            let Judged { worth, weighed, probability } = &judged[*index];
-            let without = &self.added[*index].without;
-            let effect = &self.last.linear.hypothesis.effects[self.place(*index)];
+        let fails = |index: usize| {
+            let Judged { worth, weighed, probability } = &judged[index];
+            let without = &self.added[index].without;
+            let effect = &self.last.linear.hypothesis.effects[self.place(index)];
             // Where the arm has no gap, other joints are left with what noise is known by.
             let own = || confirmation.explained_on(&self.last, &confirmation.joints_of(effect));
             let explained = if no_gap { own() } else { of_arm };
-            !self.can_be(confirmation, *index, weighed)
-                || worth.share <= 0.0
-                || !is_named(*probability, weighed, explained, no_gap, criteria)
-                || !reaches_ceiling(self.subject, without, &self.last, self.place(*index))
+            let is_below =
+                || !reaches_ceiling(self.subject, without, &self.last, self.place(index));
+            let reason = self
+                .cannot_be(confirmation, index, weighed)
+                .or_else(|| (worth.share <= 0.0).then_some(Reason::NoShare))
+                .or_else(|| why_not_named(*probability, weighed, explained, no_gap, criteria))
+                .or_else(|| is_below().then_some(Reason::Ceiling))?;
+            Some((index, reason))
         };
-        among.filter(fails).collect()
+        among.filter_map(fails).collect()
     }
 
     /// Takes out effects that are not named, the smallest first, as long as they are not named without those before
@@ -136,46 +131,61 @@ impl<'a> Elimination<'a> {
     ) -> Vec<Judged> {
         let mut told = judged.clone();
         let mut small = self.not_named(confirmation, &judged, 0..self.added.len());
-        while let Some(index) = self.smallest(&judged, |index| small.contains(index)) {
-            small.retain(|other| *other != index);
+        while let Some((index, reason)) = smallest(&judged, &small) {
+            small.retain(|(other, _)| *other != index);
             // One without which nothing can be fitted stays.
-            if !self.take_out(index, judged[index]) {
+            if !self.take_out(index, judged[index], reason) {
                 continue;
             }
             told.remove(index);
-            small.iter_mut().filter(|other| **other > index).for_each(|other| *other -= 1);
+            small.iter_mut().filter(|(other, _)| *other > index).for_each(|(other, _)| *other -= 1);
             if small.is_empty() {
                 break;
             }
             let now;
             (now, judged) = self.judged();
-            let still = self.not_named(&now, &judged, small.iter().copied());
-            let named = small.iter().filter(|index| !still.contains(index));
-            named.for_each(|index| told[*index] = judged[*index]);
+            let still = self.not_named(&now, &judged, small.iter().map(|(index, _)| *index));
+            let is_still = |index: usize| still.iter().any(|(other, _)| *other == index);
+            let named = small.iter().filter(|(index, _)| !is_still(*index));
+            named.for_each(|(index, _)| told[*index] = judged[*index]);
             small = still;
         }
         told
     }
 
     /// Takes an effect out and refits the model; false where that cannot be fitted.
-    pub fn take_out(&mut self, index: usize, judged: Judged) -> bool {
+    pub fn take_out(&mut self, index: usize, judged: Judged, reason: Reason) -> bool {
         let Some((effect, model)) = self.without(index) else { return false };
-        self.unconfirmed.push((effect, judged.worth, judged.probability));
+        self.unconfirmed.push(Unconfirmed { effect, judged, reason });
         self.added.remove(index);
         self.last = if self.added.is_empty() { self.refitted.clone() } else { model };
         update_gains(self.subject, &self.last, &mut self.added);
         true
     }
 
-    /// Whether an effect can be a cause at all: of this robot, and what it says.
-    fn can_be(&self, confirmation: &Confirmation, index: usize, weighed: &Worth) -> bool {
+    /// Why an effect cannot be a cause at all: the model is not of this robot, or it is not what it says.
+    fn cannot_be(
+        &self,
+        confirmation: &Confirmation,
+        index: usize,
+        weighed: &Worth,
+    ) -> Option<Reason> {
         let effect = &self.last.linear.hypothesis.effects[self.place(index)];
-        self.is_plausible
-            && !self.is_anothers(confirmation, effect)
-            && is_sound(effect, weighed, &self.subject.criteria.verdict)
-            && !(effect.is_spring() && confirmation.takes_noise(&self.last, effect))
-            && confirmation.acts(&self.last, index)
-            && !is_by_lengths(self.subject, &self.added[index].without, effect)
+        let criteria = &self.subject.criteria.verdict;
+        if !self.is_plausible {
+            Some(Reason::ImplausibleModel)
+        } else if self.is_anothers(confirmation, effect) {
+            Some(Reason::AnotherRobot)
+        } else if !is_sound(effect, weighed, criteria) {
+            Some(Reason::SmallSpring)
+        } else if effect.is_spring() && confirmation.takes_noise(&self.last, effect) {
+            Some(Reason::SpringNearNoise)
+        } else if !confirmation.acts(&self.last, index) {
+            Some(Reason::Idle)
+        } else {
+            is_by_lengths(self.subject, &self.added[index].without, effect)
+                .then_some(Reason::Lengths)
+        }
     }
 
     /// Whether an effect acts on joints whose logs are as of another robot, and causes do not explain
@@ -201,4 +211,10 @@ impl<'a> Elimination<'a> {
     fn place(&self, index: usize) -> usize {
         self.subject.known_effects.len() + index
     }
+}
+
+/// The one of some effects, each with a reason, that has the smallest share.
+fn smallest(judged: &[Judged], among: &[(usize, Reason)]) -> Option<(usize, Reason)> {
+    let share = |(index, _): &(usize, Reason)| judged[*index].weighed.share;
+    among.iter().copied().min_by(|a, b| share(a).total_cmp(&share(b)))
 }

@@ -1,12 +1,12 @@
 //! The causes that are named, with what they are worth, and what else was tried.
 
 use super::confirmed::Confirmation;
-use super::elimination::{Elimination, Judged};
+use super::elimination::Elimination;
+use super::judged::{Judged, Unconfirmed};
 use super::worth::Worth;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
 use crate::search::found::{Added, Rival, Selection};
-use crate::trial::hypothesis::EffectInstance;
 
 /// What the search amounts to.
 pub struct Judgement<'a> {
@@ -17,7 +17,7 @@ pub struct Judgement<'a> {
     /// The causes, in the order of the model's.
     pub named: Vec<Named>,
     /// Effects that were added by the search but are not named.
-    pub unconfirmed: Vec<(EffectInstance, Worth, f64)>,
+    pub unconfirmed: Vec<Unconfirmed>,
     /// Candidates that were not accepted at the end.
     pub refused: Vec<Rival>,
     /// The models on the confirming logs.
@@ -44,8 +44,8 @@ impl<'a> Judgement<'a> {
     pub fn of(subject: &'a Subject, selection: Selection, noise_v: &[Vec<f64>]) -> Self {
         let mut model = Elimination::of(subject, selection, noise_v);
         let (mut confirmation, mut judged) = model.judged();
-        while let Some(index) = model.unlikely(&confirmation, &judged) {
-            if !model.take_out(index, judged[index]) {
+        while let Some((index, reason)) = model.unlikely(&confirmation, &judged) {
+            if !model.take_out(index, judged[index], reason) {
                 break;
             }
             (confirmation, judged) = model.judged();

@@ -7,6 +7,7 @@ pub mod decision;
 pub mod detectable;
 pub mod elimination;
 pub mod held;
+pub mod judged;
 pub mod judgement;
 pub mod misfit;
 pub mod told;

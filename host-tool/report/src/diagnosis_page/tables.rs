@@ -184,7 +184,7 @@ fn rival_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
 }
 
 const ALTERNATIVES: [&str; 5] =
-    ["effect", "joint", "probability", "share of the gap", "in place of"];
+    ["effect", "joint", "probability", "share of the gap", "in place of, or why not named"];
 
 fn alternative_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
     let report = &diagnosis.report;
@@ -195,7 +195,10 @@ fn alternative_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
             joint_number(other.joint),
             percent_words(other.probability),
             percent_words(other.share),
-            cause.map_or_else(String::new, |cause| effect_words(&cause.effect)),
+            cause.map_or_else(
+                || other.why.clone().unwrap_or_default(),
+                |cause| effect_words(&cause.effect),
+            ),
         ]
     };
     report.alternatives.iter().map(row).collect()
