@@ -50,6 +50,15 @@ fn partial() -> Diagnosis {
         share: 0.3,
         why: None,
     });
+    report.alternatives.push(Alternative {
+        effect: "dead_zone".into(),
+        joint: 1,
+        probability: 0.6,
+        confidence: 0.6,
+        instead_of: None,
+        share: 0.2,
+        why: Some("its share may be nothing".into()),
+    });
     partial
 }
 
@@ -64,6 +73,7 @@ fn what_is_named_in_part_is_drawn_with_its_remainder() {
         "joint 2, viscous friction",
         "+18 %",
         "94 % of the gap, sure (98 %)",
+        "its share may be nothing",
         "with tables",
         "Confirmed on: excitation-2.csv.",
     ] {

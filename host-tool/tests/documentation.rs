@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use clap::CommandFactory;
+use diagnosis::verdict::judged::Reason;
 use firmware::supervisor::Fault;
 use host_tool::commands::CommandLine;
 
@@ -124,6 +125,14 @@ fn every_fault_has_its_row() {
     for fault in Fault::ALL {
         let row = format!("| {} | {} |", fault.number(), fault.name());
         assert!(page.contains(&row), "docs/safety.md has no row of {}", fault.name());
+    }
+}
+
+#[test]
+fn every_reason_not_to_name_an_effect_has_its_cure() {
+    let page = text("docs/diagnosis.md");
+    for reason in Reason::ALL {
+        assert!(page.contains(reason.words()), "docs/diagnosis.md lacks \"{}\"", reason.words());
     }
 }
 

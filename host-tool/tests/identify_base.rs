@@ -14,7 +14,7 @@ use model::{BaseParameters, Friction, FrictionState, Posture, Robot, friction_pa
 use rand_distr::{Distribution, StandardNormal, Uniform};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
-use recordings::campaign::{JointTrace, Known};
+use recordings::campaign::JointTrace;
 use recordings::{Campaign, StepError, Trace};
 use rig::plan::excitation;
 use rig::{Plan, Rig};

@@ -105,7 +105,10 @@ fn lengths_two_per_cent_too_long_are_no_force_on_the_tip() {
     assert!(names.contains(&"cogging") && !names.contains(&"tip_force"), "{names:?}");
     let why =
         report.alternatives.iter().find(|other| other.effect == "tip_force").map(|it| &it.why);
-    assert_eq!(why, Some(&Some("lengths a few per cent off would do the same".into())));
+    assert_eq!(
+        why,
+        Some(&Some("lengths off within their doubt, a tenth, would do the same".into()))
+    );
     assert!(report.remarks.iter().any(|said| said.contains("lengths") && said.contains("force")));
 }
 

@@ -41,13 +41,14 @@ class Cause:
 
 @dataclass(frozen=True)
 class Alternative:
-    """A cause that the logs do not rule out; `instead_of` is the index of the one it would replace."""
+    """A rival of a cause, `instead_of` its index; or an effect that was found and is not named, and why."""
 
     effect: str
     joint: int
     probability: float
     instead_of: int | None
     share: float
+    why: str | None = None
 
 
 @dataclass(frozen=True)
@@ -137,7 +138,7 @@ class Report:
 
     @cached_property
     def alternatives(self) -> list[Alternative]:
-        """Causes that the logs do not rule out, likeliest first."""
+        """Rivals that the logs do not rule out, and what was found and is not named, likeliest first."""
         return self._entries("alternatives", Alternative)
 
     @cached_property

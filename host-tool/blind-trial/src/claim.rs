@@ -1,4 +1,4 @@
-//! A cause as a report names it, of trials that know more than its name.
+//! A cause that is named, with its parameters and intervals: for the diverse trial and those of other arms.
 
 use std::collections::BTreeMap;
 

@@ -15,6 +15,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod answer;
 pub mod arms;
 pub mod case;
 pub mod cause;
@@ -37,14 +38,16 @@ pub mod robots;
 pub mod score;
 pub mod sealed_truth;
 mod settings;
+mod thread_time;
 pub mod visibility;
 pub mod whole_way;
 
+pub use answer::Answer;
 pub use case::{Case, Kind};
 pub use cause::{TrueCause, TrueEffect};
 pub use draw::draw;
 pub use error::TrialError;
-pub use outcome::{Answer, Outcome, RunSettings, diagnose_case};
+pub use outcome::{Outcome, RunSettings, diagnose_case};
 pub use results::Results;
 pub use rng::Rng;
 pub use score::Score;

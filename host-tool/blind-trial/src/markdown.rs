@@ -2,8 +2,9 @@
 
 use std::fmt::Display;
 
+use super::answer::Answer;
 use super::case::Kind;
-use super::outcome::{Answer, Outcome};
+use super::outcome::Outcome;
 use super::results::Results;
 use super::score::{ConfusionRow, ParameterScore, Score, Share};
 use super::{TrueCause, cause};

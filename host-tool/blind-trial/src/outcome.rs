@@ -1,17 +1,17 @@
 //! What a diagnosis made of a case, beside the truth.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use serde::Serialize;
 
+use super::answer::Answer;
 use super::case::{Case, Kind};
 use super::cause::TrueCause;
 use super::error::TrialError;
 use super::logs;
 use super::visibility::Visibility;
-use diagnosis::{Cause, Report, Verdict};
+use diagnosis::{Cause, Report};
 use recordings::Campaign;
 
 /// Whatever diagnoses logs: the report, or why there is none.
@@ -37,16 +37,6 @@ pub struct Outcome {
     /// not asked for.
     #[serde(rename = "ceiling_V")]
     pub ceiling_v: Option<Vec<f64>>,
-}
-
-/// What a diagnosis said.
-#[derive(Clone, Debug, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Answer {
-    /// Its report.
-    Report(Box<Report>),
-    /// Why there is none.
-    Failed(String),
 }
 
 /// How cases are run.
@@ -102,21 +92,12 @@ pub(crate) fn answer_to(
 ) -> Result<(Answer, f64), TrialError> {
     let campaign = logs::read(directory)?;
     let began = Instant::now();
-    let answer = answer(&campaign, diagnose);
+    let answer = Answer::of(|| diagnose(&campaign));
     let seconds = began.elapsed().as_secs_f64();
     if !keep_logs {
         logs::remove(directory)?;
     }
     Ok((answer, seconds))
-}
-
-/// A diagnosis that panics has failed, and the trial goes on.
-fn answer(campaign: &Campaign, diagnose: Diagnose) -> Answer {
-    match catch_unwind(AssertUnwindSafe(|| diagnose(campaign))) {
-        Ok(Ok(report)) => Answer::Report(Box::new(report)),
-        Ok(Err(why)) => Answer::Failed(why),
-        Err(_) => Answer::Failed("it panicked".into()),
-    }
 }
 
 /// What the refitted model leaves of the robot without causes.
@@ -138,36 +119,6 @@ fn ceiling_v(
     let twin = case.with_causes(Vec::new());
     let (answer, _) = answer_in(&twin, Path::new(&directory), false, diagnose)?;
     Ok(refitted(&answer))
-}
-
-impl Answer {
-    /// The report, where there is one.
-    pub fn report(&self) -> Option<&Report> {
-        match self {
-            Self::Report(report) => Some(report),
-            Self::Failed(_) => None,
-        }
-    }
-
-    /// The causes that the verdict names; none unless it is "effect" or "partial".
-    pub fn named(&self) -> &[Cause] {
-        match self.report() {
-            Some(Report { verdict: Verdict::Effect | Verdict::Partial, causes, .. }) => causes,
-            _ => &[],
-        }
-    }
-
-    /// The first cause's name, or "none", "unknown" or "failed".
-    pub fn label(&self) -> &str {
-        match self.report().map(|report| report.verdict) {
-            Some(Verdict::Effect | Verdict::Partial) => {
-                self.named().first().map_or("unknown", |cause| &cause.effect)
-            }
-            Some(Verdict::None) => "none",
-            Some(Verdict::Unknown) => "unknown",
-            None => "failed",
-        }
-    }
 }
 
 impl Outcome {

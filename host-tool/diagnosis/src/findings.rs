@@ -177,7 +177,7 @@ pub struct DataParts {
     pub confirm: Vec<String>,
 }
 
-/// A cause that is not ruled out.
+/// A rival of a cause that is not ruled out, or an effect that was found and is not named.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Alternative {
     /// Name in the catalogue.
@@ -192,7 +192,7 @@ pub struct Alternative {
     pub instead_of: Option<usize>,
     /// Part of the gap's squares above the noise that it would take.
     pub share: f64,
-    /// Why it is not named; where motion is judged.
+    /// Why it is not named; none where it could stand for a cause.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
 }

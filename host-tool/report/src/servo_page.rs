@@ -1,5 +1,6 @@
 //! `report.html` of an arm of position servos: motion as it was and as models make it.
 
+use diagnosis::report::words::{effect_words, joint_words};
 use diagnosis::{Alternative, ParameterChange, Report};
 use servo::Outcome;
 use servo::report_words::{cause_words, sentence};
@@ -55,8 +56,9 @@ fn changes(report: &Report) -> Vec<Vec<String>> {
 
 fn alternatives(report: &Report) -> Vec<String> {
     let sentence = |other: &Alternative| {
-        let why = other.why.as_deref().unwrap_or("not confirmed");
-        format!("{} of joint {}: {why}", other.effect, other.joint)
+        let (effect, joint) = (effect_words(&other.effect), joint_words(other.joint));
+        let why = other.why.as_deref().unwrap_or_default();
+        format!("{effect}, {joint}: {why}")
     };
     report.alternatives.iter().map(sentence).collect()
 }

@@ -1,6 +1,5 @@
 //! Has a case diagnosed from its files alone.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
 use diagnosis::Report;
@@ -9,11 +8,12 @@ use recordings::ArmCampaign;
 use super::case::ArmCase;
 use super::logs::{read, write};
 use super::outcome::ArmOutcome;
+use crate::answer::Answer;
 use crate::claim::Claim;
-use crate::diverse::{thread_time, verdict};
 use crate::error::TrialError;
 use crate::logs;
-use crate::outcome::{Answer, RunSettings};
+use crate::outcome::RunSettings;
+use crate::thread_time::thread_time;
 
 /// Whatever diagnoses an arm's logs: the report, or why there is none.
 pub type DiagnoseArm<'a> = &'a dyn Fn(&ArmCampaign) -> Result<Report, String>;
@@ -41,11 +41,7 @@ pub fn diagnose_arm_case(
     let directory = record_arm_case(case, &settings.out)?;
     let campaign = read(&directory)?;
     let began = thread_time();
-    let answer = match catch_unwind(AssertUnwindSafe(|| diagnose(&campaign))) {
-        Ok(Ok(report)) => Answer::Report(Box::new(report)),
-        Ok(Err(why)) => Answer::Failed(why),
-        Err(_) => Answer::Failed("it panicked".into()),
-    };
+    let answer = Answer::of(|| diagnose(&campaign));
     let seconds = thread_time().saturating_sub(began).as_secs_f64();
     if !settings.keep_logs {
         logs::remove(&directory)?;
@@ -60,11 +56,8 @@ fn outcome(case: &ArmCase, answer: &Answer, seconds: f64) -> ArmOutcome {
         kind: case.kind,
         truth: case.cause.clone(),
         oracle: case.oracle,
-        verdict: verdict(answer),
-        failure: match answer {
-            Answer::Failed(why) => Some(why.clone()),
-            Answer::Report(_) => None,
-        },
+        verdict: answer.verdict(),
+        failure: answer.failure().map(str::to_owned),
         claims: answer.named().iter().map(Claim::of).collect(),
         seconds,
     }

@@ -25,7 +25,7 @@ pub use output::{append, write, write_known};
 pub use page::{answer, page, short};
 pub use results::DiverseResults;
 pub use run::diagnose_diverse;
-pub(crate) use run::{diagnose_written, thread_time, verdict};
+pub(crate) use run::diagnose_written;
 pub use score::DiverseScore;
 pub(crate) use score::{KNOWABLE, names};
 pub use settings::{DiverseSettings, FrictionRanges, Ranges};

@@ -2,9 +2,6 @@
 
 use std::cell::{Cell, RefCell};
 use std::path::Path;
-use std::time::Duration;
-
-use nix::time::{ClockId, clock_gettime};
 
 use super::beside::beside;
 use super::draw::DiverseCase;
@@ -13,7 +10,8 @@ use super::told::told;
 use crate::claim::Claim;
 use crate::error::TrialError;
 use crate::logs;
-use crate::outcome::{Answer, Diagnose, RunSettings, answer_to};
+use crate::outcome::{Diagnose, RunSettings, answer_to};
+use crate::thread_time::thread_time;
 
 /// Writes the logs of a case, reads them back and diagnoses them; the diagnosis sees nothing
 /// else. Processor time is this thread's, which must do all the work.
@@ -60,25 +58,11 @@ pub(crate) fn diagnose_written(
         told_shares: told_shares.into_inner(),
         reality,
         beside: beside(case),
-        verdict: verdict(&answer),
-        failure: match &answer {
-            Answer::Failed(why) => Some(why.clone()),
-            Answer::Report(_) => None,
-        },
+        verdict: answer.verdict(),
+        failure: answer.failure().map(str::to_owned),
         claims: answer.named().iter().map(Claim::of).collect(),
         seconds,
         processor_seconds: processor_s.get(),
         report: answer.report().map(|report| serde_json::json!(report)),
     })
-}
-
-/// What this thread has computed for so far.
-pub(crate) fn thread_time() -> Duration {
-    clock_gettime(ClockId::CLOCK_THREAD_CPUTIME_ID).map_or(Duration::ZERO, Duration::from)
-}
-
-/// The verdict as `report.json` writes it.
-pub(crate) fn verdict(answer: &Answer) -> String {
-    let verdict = answer.report().map(|report| serde_json::json!(report.verdict));
-    verdict.as_ref().and_then(|word| word.as_str()).unwrap_or("failed").to_owned()
 }

@@ -63,3 +63,16 @@ impl Bin {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_border_belongs_to_the_bin_above_and_one_to_the_last() {
+        let stated = |p: f64| [(p, true)];
+        assert!(Bin::between(0.2, 0.3, &stated(0.3)).is_none());
+        assert!(Bin::between(0.3, 0.4, &stated(0.3)).is_some());
+        assert!(Bin::between(0.9, 1.0, &stated(1.0)).is_some());
+    }
+}

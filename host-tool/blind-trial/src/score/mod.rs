@@ -15,7 +15,8 @@ pub use shrinkage::Shrinkage;
 
 use serde::Serialize;
 
-use super::outcome::{Answer, Outcome};
+use super::answer::Answer;
+use super::outcome::Outcome;
 use rig::effects::Catalogue;
 
 /// The score of a trial.

@@ -11,7 +11,7 @@ use crate::fit::fitted_model::FittedModel;
 use crate::fit::preparation::as_given;
 use crate::gap_by_axis::gap_by_axis;
 use crate::logs::subject::Subject;
-use crate::model_faults::{FoundFault, is_by_lengths};
+use crate::model_faults::FoundFault;
 use crate::model_file::ModelFile;
 use crate::posterior::Posterior;
 use crate::result::{
@@ -23,6 +23,7 @@ use crate::trial::residual_rows::residual_rows;
 use crate::verdict::blocks::confirming_rms_v;
 use crate::verdict::decision::verdict;
 use crate::verdict::held::Held;
+use crate::verdict::judged::Reason;
 use crate::verdict::judgement::Judgement;
 use crate::verdict::{detectable, misfit};
 use files::Role;
@@ -112,10 +113,9 @@ impl Assembly<'_> {
 
     /// What lengths that are a little off would do as well, each in its words.
     fn remarks_of_lengths(&self) -> impl Iterator<Item = String> {
-        let Judgement { last, unconfirmed, .. } = self.judgement;
-        let effects = unconfirmed.iter().map(|unconfirmed| &unconfirmed.effect);
-        effects.filter(|effect| is_by_lengths(self.subject, last, effect)).map(|effect| {
-            let words = effect_words(effect.definition.name);
+        let by_lengths = self.judgement.withheld.iter().filter(|it| it.reason == Reason::Lengths);
+        by_lengths.map(|withheld| {
+            let words = effect_words(withheld.effect.definition.name);
             format!("lengths that are a few per cent off do what a {words} would do; measure them")
         })
     }

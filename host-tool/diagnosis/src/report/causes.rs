@@ -10,7 +10,7 @@ use crate::result::{Alternative, Cause, Interval, Rival};
 use crate::search::found;
 use crate::search::objection::Objection;
 use crate::trial::hypothesis::EffectInstance;
-use crate::verdict::judged::Unconfirmed;
+use crate::verdict::judged::Withheld;
 use crate::verdict::judgement::{Judgement, Named};
 use rig::effects::{Kind, Parameter};
 
@@ -27,11 +27,11 @@ pub fn causes(subject: &Subject, judgement: &Judgement) -> (Vec<Cause>, Vec<Alte
         causes.push(cause(subject, judgement, named, known + index, &halves));
         alternatives.extend(of_rivals(subject, judgement, named, known + index, place));
     }
-    alternatives.extend(unconfirmed(subject, judgement));
+    alternatives.extend(withheld(subject, judgement));
     let is_named = |other: &Alternative| {
         causes.iter().any(|c: &Cause| c.effect == other.effect && c.joint == other.joint)
     };
-    alternatives.retain(|other| !is_named(other));
+    alternatives.retain(|other| other.instead_of.is_none() || !is_named(other));
     alternatives.sort_by(|a, b| b.probability.total_cmp(&a.probability));
     (causes, alternatives)
 }
@@ -136,8 +136,8 @@ fn of_rivals(
 }
 
 /// Effects that the search added and that are not named, and why.
-fn unconfirmed(subject: &Subject, judgement: &Judgement) -> Vec<Alternative> {
-    let alternative = |Unconfirmed { effect, judged, reason }: &Unconfirmed| Alternative {
+fn withheld(subject: &Subject, judgement: &Judgement) -> Vec<Alternative> {
+    let alternative = |Withheld { effect, judged, reason }: &Withheld| Alternative {
         effect: effect.definition.name.into(),
         joint: subject.outer_joint(effect.joint),
         probability: judged.probability,
@@ -146,7 +146,7 @@ fn unconfirmed(subject: &Subject, judgement: &Judgement) -> Vec<Alternative> {
         share: judged.worth.share,
         why: Some(reason.words().into()),
     };
-    judgement.unconfirmed.iter().map(alternative).collect()
+    judgement.withheld.iter().map(alternative).collect()
 }
 
 /// Why an effect was not added.
@@ -185,7 +185,7 @@ pub fn rivals(subject: &Subject, judgement: &Judgement) -> Vec<Rival> {
             .iter()
             .map(|other| rival(&other.effect, explained(other), why_refused(other))),
     );
-    all.extend(judgement.unconfirmed.iter().map(|Unconfirmed { effect, judged, reason }| {
+    all.extend(judgement.withheld.iter().map(|Withheld { effect, judged, reason }| {
         rival(effect, judged.worth.share, format!("not named: {}", reason.words()))
     }));
     all.sort_by(|a, b| b.explained.total_cmp(&a.explained));

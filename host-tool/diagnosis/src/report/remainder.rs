@@ -48,8 +48,8 @@ fn nearest(subject: &Subject, judgement: &Judgement, joint: u8) -> Option<String
         [0, joint].contains(&subject.outer_joint(effect.joint))
     };
     let refused = judgement.refused.iter().map(|rival| &rival.effect);
-    let unconfirmed = judgement.unconfirmed.iter().map(|unconfirmed| &unconfirmed.effect);
-    let first = unconfirmed.chain(refused).find(|effect| on_joint(effect))?;
+    let withheld = judgement.withheld.iter().map(|it| &it.effect);
+    let first = withheld.chain(refused).find(|effect| on_joint(effect))?;
     Some(first.definition.name.into())
 }
 

@@ -42,8 +42,8 @@ pub(super) fn refitted_from_given(subject: &Subject, refitted: FittedModel) -> F
     gains.map_or(refitted, |again| again.settled(subject))
 }
 
-/// The better of a model and one refitted from the parameters as given, where candidates are: what a better fit alone
-/// gains is no effect's.
+/// The better of two fits from the parameters as given, where candidates are, by few steps and by slopes of its own; none
+/// where neither is better than the model so far. What a better fit alone gains is no effect's.
 pub(super) fn better_from_given(subject: &Subject, last: &FittedModel) -> Option<FittedModel> {
     let start = with_given_parameters(subject, last)?;
     let (evidence, given) = (&last.evidence, start.hypothesis.clone());

@@ -7,17 +7,33 @@ use crate::criteria::VerdictCriteria;
 use crate::fit::fitted_model::FittedModel;
 use crate::result::Verdict;
 use crate::rows::evidence::Rows;
-use crate::search::found::Added;
+use crate::search::found::{Added, Rival};
 use crate::trial::hypothesis::EffectInstance;
 
 /// Probability that an added effect is a cause: against each of its rivals by the log-likelihood
 /// that it has over it, and against chance by the one that the model loses without it.
 pub fn probability(added: &Added, worth: &Worth, criteria: &VerdictCriteria) -> f64 {
+    probability_among(&added.rivals, added.gain, worth, criteria)
+}
+
+/// The same of an effect that gains so much, among these rivals.
+fn probability_among(
+    rivals: &[Rival],
+    gain: f64,
+    worth: &Worth,
+    criteria: &VerdictCriteria,
+) -> f64 {
     let odds = |log_likelihood: f64| (criteria.log_likelihood_weight * log_likelihood).exp();
-    let rivals: f64 = added.rivals.iter().map(|rival| odds(rival.gain)).sum();
-    let chance = odds(-added.gain) * criteria.tried_by_chance;
+    let rivals: f64 = rivals.iter().map(|rival| odds(rival.gain)).sum();
+    let chance = odds(-gain) * criteria.tried_by_chance;
     let doubt = 1.0 - confirmed(worth, criteria);
     criteria.highest_probability * (1.0 - doubt) / (1.0 + rivals + chance)
+}
+
+/// Why an effect has a probability below one half: something else may do the same, or chance.
+pub fn why_unlikely(added: &Added, worth: &Worth, criteria: &VerdictCriteria) -> Reason {
+    let alone = probability_among(&[], added.gain, worth, criteria);
+    if alone >= criteria.least_probability { Reason::Rival } else { Reason::Unlikely }
 }
 
 /// How well a worth is confirmed, 0 to 1: its shrinkage against the half width of that interval.
@@ -48,7 +64,8 @@ pub fn why_not_named(
     } else if worth.share_interval[0] <= 0.0 {
         Some(Reason::NoShare)
     } else {
-        (!sure && !most).then_some(Reason::MostStays)
+        let reason = if no_gap { Reason::NearNoise } else { Reason::MostStays };
+        (!sure && !most).then_some(reason)
     }
 }
 
@@ -151,5 +168,18 @@ mod tests {
         assert_eq!((against(0.6, 0.6), against(0.7, 0.2)), (None, None));
         assert_eq!(against(0.6, 0.2), Some(Reason::MostStays));
         assert_eq!(against(0.4, 0.9), Some(Reason::Unlikely));
+    }
+
+    #[test]
+    fn what_is_small_or_near_the_noise_is_not_named_however_sure() {
+        let criteria = Criteria::default().verdict;
+        let sure = worth([0.4, 0.8]);
+        let against = |worth: &Worth, no_gap| why_not_named(0.98, worth, 0.9, no_gap, &criteria);
+        assert_eq!(against(&sure, true), None);
+        assert_eq!(against(&Worth { part_of_left: 0.3, ..sure }, false), None);
+        assert_eq!(against(&Worth { part_of_left: 0.3, ..sure }, true), Some(Reason::NearNoise));
+        assert_eq!(against(&Worth { share: 0.005, ..sure }, false), Some(Reason::Small));
+        let nothing = Worth { share_interval: [-0.01, 0.5], ..sure };
+        assert_eq!(against(&nothing, false), Some(Reason::NoShare));
     }
 }

@@ -1,9 +1,9 @@
 //! Effects taken out of a model one after the other, as long as one is not confirmed.
 
 use super::confirmed::Confirmation;
-use super::decision::{is_no_gap, is_sound, probability, why_not_named};
+use super::decision::{is_no_gap, is_sound, probability, why_not_named, why_unlikely};
 use super::held::Held;
-use super::judged::{Judged, Reason, Unconfirmed};
+use super::judged::{Judged, Reason, Withheld};
 use super::misfit::joints_of_another;
 use super::worth::Worth;
 use crate::fit::fitted_model::FittedModel;
@@ -26,7 +26,7 @@ pub struct Elimination<'a> {
     /// Those effects, in the order of the model's.
     pub added: Vec<Added>,
     /// Those that were taken out.
-    pub unconfirmed: Vec<Unconfirmed>,
+    pub withheld: Vec<Withheld>,
     /// Candidates that were not accepted at the end.
     pub refused: Vec<Rival>,
     /// Joints (from 0) whose logs are as of another robot.
@@ -44,7 +44,7 @@ impl<'a> Elimination<'a> {
             held: Held::of(subject, &refitted),
             anothers: joints_of_another(subject, &refitted),
             is_plausible: !last.stats.is_implausible(&subject.criteria.fit),
-            unconfirmed: Vec::new(),
+            withheld: Vec::new(),
             subject,
             refitted,
             last,
@@ -80,11 +80,15 @@ impl<'a> Elimination<'a> {
         confirmation: &Confirmation,
         judged: &[Judged],
     ) -> Option<(usize, Reason)> {
-        let least = self.subject.criteria.verdict.least_probability;
+        let criteria = &self.subject.criteria.verdict;
         let fails = |index: usize| {
-            let reason = match judged[index].probability < least {
-                true => Some(Reason::Unlikely),
-                false => self.cannot_be(confirmation, index, &judged[index].weighed),
+            let Judged { weighed, probability, .. } = &judged[index];
+            let reason = if *probability < criteria.least_probability {
+                let effect = &self.last.linear.hypothesis.effects[self.place(index)];
+                let unlikely = || why_unlikely(&self.added[index], weighed, criteria);
+                Some(self.of_wrong_model(confirmation, effect).unwrap_or_else(unlikely))
+            } else {
+                self.cannot_be(confirmation, index, weighed)
             };
             Some((index, reason?))
         };
@@ -92,7 +96,7 @@ impl<'a> Elimination<'a> {
         smallest(judged, &failing)
     }
 
-    /// Those `among` some effects that are likely but not named, and why.
+    /// Those `among` some effects, which are likely, that are not named all the same, and why.
     fn not_named(
         &self,
         confirmation: &Confirmation,
@@ -156,11 +160,23 @@ impl<'a> Elimination<'a> {
     /// Takes an effect out and refits the model; false where that cannot be fitted.
     pub fn take_out(&mut self, index: usize, judged: Judged, reason: Reason) -> bool {
         let Some((effect, model)) = self.without(index) else { return false };
-        self.unconfirmed.push(Unconfirmed { effect, judged, reason });
+        self.withheld.push(Withheld { effect, judged, reason });
         self.added.remove(index);
         self.last = if self.added.is_empty() { self.refitted.clone() } else { model };
         update_gains(self.subject, &self.last, &mut self.added);
         true
+    }
+
+    /// Why an effect is of a model that is not this robot's, where it is.
+    fn of_wrong_model(
+        &self,
+        confirmation: &Confirmation,
+        effect: &EffectInstance,
+    ) -> Option<Reason> {
+        match self.is_plausible {
+            false => Some(Reason::ImplausibleModel),
+            true => self.is_anothers(confirmation, effect).then_some(Reason::AnotherRobot),
+        }
     }
 
     /// Why an effect cannot be a cause at all: the model is not of this robot, or it is not what it says.
@@ -172,10 +188,9 @@ impl<'a> Elimination<'a> {
     ) -> Option<Reason> {
         let effect = &self.last.linear.hypothesis.effects[self.place(index)];
         let criteria = &self.subject.criteria.verdict;
-        if !self.is_plausible {
-            Some(Reason::ImplausibleModel)
-        } else if self.is_anothers(confirmation, effect) {
-            Some(Reason::AnotherRobot)
+        let of_wrong_model = self.of_wrong_model(confirmation, effect);
+        if of_wrong_model.is_some() {
+            of_wrong_model
         } else if !is_sound(effect, weighed, criteria) {
             Some(Reason::SmallSpring)
         } else if effect.is_spring() && confirmation.takes_noise(&self.last, effect) {

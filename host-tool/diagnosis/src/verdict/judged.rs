@@ -14,9 +14,9 @@ pub struct Judged {
     pub probability: f64,
 }
 
-/// An effect that was taken out of the model.
+/// An effect that was taken out of the model, and is not named.
 #[derive(Clone, Debug)]
-pub struct Unconfirmed {
+pub struct Withheld {
     /// The effect.
     pub effect: EffectInstance,
     /// What it amounts to.
@@ -28,15 +28,17 @@ pub struct Unconfirmed {
 /// Why an effect that the search found is not named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// Its probability is below one half.
+    /// Its probability is below one half: chance may be all of it.
     Unlikely,
-    /// The whole model is far from what is known of the arm.
+    /// Its probability would be one half or more, but for what does the same in its place.
+    Rival,
+    /// Parameters are far from what is known of the arm.
     ImplausibleModel,
     /// The logs of a joint on which it acts are as of another robot.
     AnotherRobot,
     /// A spring between motor and link that may take less than half of what is left without it.
     SmallSpring,
-    /// A spring where the logs held out are near their noise, or that leaves less than the noise.
+    /// A spring where the logs held out are near their noise, or that leaves less than their noise.
     SpringNearNoise,
     /// What goes with it on the logs held out is not its own doing.
     Idle,
@@ -46,26 +48,53 @@ pub enum Reason {
     Small,
     /// Its share may be nothing.
     NoShare,
-    /// It is not sure while most stays, or is near the noise and takes less than half of what is left.
+    /// It is not sure, and most of the gap stays.
     MostStays,
+    /// There is no gap above the noise, and it takes less than half of what is left.
+    NearNoise,
     /// A curve along one axis takes more.
     Ceiling,
 }
 
 impl Reason {
-    /// In words, after the effect and a colon.
+    /// All reasons.
+    pub const ALL: [Self; 13] = [
+        Self::Unlikely,
+        Self::Rival,
+        Self::ImplausibleModel,
+        Self::AnotherRobot,
+        Self::SmallSpring,
+        Self::SpringNearNoise,
+        Self::Idle,
+        Self::Lengths,
+        Self::Small,
+        Self::NoShare,
+        Self::MostStays,
+        Self::NearNoise,
+        Self::Ceiling,
+    ];
+
+    /// In words, as they stand in brackets behind an effect.
     pub fn words(self) -> &'static str {
         match self {
             Self::Unlikely => "less likely than not",
-            Self::ImplausibleModel => "the model is far from what is known of the arm",
-            Self::AnotherRobot => "the logs of its joint are as of another robot",
-            Self::SmallSpring => "a spring must surely take half of what is left without it",
-            Self::SpringNearNoise => "near the noise a spring may only smooth what encoders read",
+            Self::Rival => "another effect may do the same",
+            Self::ImplausibleModel => {
+                "refitted parameters are further from the file's than their doubt allows"
+            }
+            Self::AnotherRobot => "a joint on which it acts does not fit this model",
+            Self::SmallSpring => "a spring that may take less than half of what is left",
+            Self::SpringNearNoise => {
+                "the gap is near the noise, or less than noise is left: a spring may only smooth encoder steps"
+            }
             Self::Idle => "it hardly acts on the logs held out",
-            Self::Lengths => "lengths a few per cent off would do the same",
-            Self::Small => "too small a part of what is left",
+            Self::Lengths => "lengths off within their doubt, a tenth, would do the same",
+            Self::Small => "too small a part of the gap or of what is left",
             Self::NoShare => "its share may be nothing",
-            Self::MostStays => "not sure enough where most of the gap stays or noise is near",
+            Self::MostStays => "not sure enough, and most of the gap stays",
+            Self::NearNoise => {
+                "no gap above the noise, and it takes less than half of what is left"
+            }
             Self::Ceiling => "a curve along one axis explains more",
         }
     }

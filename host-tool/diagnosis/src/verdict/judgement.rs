@@ -2,7 +2,7 @@
 
 use super::confirmed::Confirmation;
 use super::elimination::Elimination;
-use super::judged::{Judged, Unconfirmed};
+use super::judged::{Judged, Withheld};
 use super::worth::Worth;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
@@ -17,7 +17,7 @@ pub struct Judgement<'a> {
     /// The causes, in the order of the model's.
     pub named: Vec<Named>,
     /// Effects that were added by the search but are not named.
-    pub unconfirmed: Vec<Unconfirmed>,
+    pub withheld: Vec<Withheld>,
     /// Candidates that were not accepted at the end.
     pub refused: Vec<Rival>,
     /// The models on the confirming logs.
@@ -52,9 +52,9 @@ impl<'a> Judgement<'a> {
         }
         judged = model.take_out_small(&confirmation, judged);
         let confirmation = model.confirmation();
-        let Elimination { refitted, last, added, refused, unconfirmed, .. } = model;
+        let Elimination { refitted, last, added, refused, withheld, .. } = model;
         let named = added.into_iter().zip(judged).map(Named::of).collect();
-        let mut judgement = Self { refitted, last, named, unconfirmed, refused, confirmation };
+        let mut judgement = Self { refitted, last, named, withheld, refused, confirmation };
         judgement.widen_shares(subject.known_effects.len());
         judgement
     }

@@ -59,7 +59,12 @@ pub(super) fn add(page: &mut Page, diagnosis: &Diagnosis) {
     page.heading("The gap on the logs that chose nothing, rms")
         .table(&header, &gap_rows(diagnosis));
     words(page, "Rivals, and why they lost", &RIVALS, rival_rows(diagnosis));
-    words(page, "Not ruled out", &ALTERNATIVES, alternative_rows(diagnosis));
+    words(
+        page,
+        "Not ruled out, or found and not named",
+        &ALTERNATIVES,
+        alternative_rows(diagnosis),
+    );
     words(page, "What these logs cannot show", &UNTESTABLE, untestable_rows(diagnosis));
     words(
         page,

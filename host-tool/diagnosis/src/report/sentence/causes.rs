@@ -1,7 +1,7 @@
 //! The causes in words, and what else they may be.
 
 use super::refit::refitted;
-use super::{MOST_SAID, SAID_NEAREST, joint_numbers};
+use super::{LEAST_SAID_SHARE, MOST_SAID, joint_numbers};
 use crate::report::remaining_words::{remaining, rest_part};
 use crate::report::words::{
     capitalised, certainty_words, effect_words, joint_words, parameter_words, percent,
@@ -14,7 +14,7 @@ pub(super) fn named(diagnosis: &Diagnosis) -> String {
     let mut parts: Vec<String> =
         report.causes.iter().map(|cause| cause_words(diagnosis, cause)).collect();
     parts.extend(not_ruled_out(diagnosis));
-    parts.extend(not_named(diagnosis));
+    parts.extend(not_named(diagnosis, &found_not_named(diagnosis)));
     parts.extend(refitted(diagnosis));
     parts.extend(remaining(&report.remainder, rest_part(&report.gap)));
     parts.join(" ")
@@ -52,16 +52,22 @@ fn not_ruled_out(diagnosis: &Diagnosis) -> Option<String> {
     (!said.is_empty()).then(|| format!("Not ruled out: {}.", said.join("; ")))
 }
 
-/// What was found besides and is not named, the likeliest first, and why.
-pub(super) fn not_named(diagnosis: &Diagnosis) -> Option<String> {
-    let is_said = |other: &&Alternative| other.instead_of.is_none() && other.share >= SAID_NEAREST;
-    let mut others: Vec<_> = diagnosis.report.alternatives.iter().filter(is_said).collect();
-    others.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+/// What was found and is not named, the likeliest first, as many as are said.
+pub(super) fn found_not_named(diagnosis: &Diagnosis) -> Vec<&Alternative> {
+    let is_said =
+        |other: &&Alternative| other.instead_of.is_none() && other.share >= LEAST_SAID_SHARE;
+    diagnosis.report.alternatives.iter().filter(is_said).take(MOST_SAID).collect()
+}
+
+/// These in words, and why they are not named.
+pub(super) fn not_named(diagnosis: &Diagnosis, found: &[&Alternative]) -> Option<String> {
+    let alone = joint_numbers(diagnosis).len() == 1;
     let words = |other: &&Alternative| {
         let (effect, joint) = (effect_words(&other.effect), joint_words(other.joint));
+        let whose = if alone || other.joint == 0 { "the" } else { "its" };
         let why = other.why.as_ref().map_or_else(String::new, |why| format!(" ({why})"));
-        format!("{effect} on {joint}, {} %{why}", percent(other.share))
+        format!("{effect} on {joint}, {} % of {whose} gap{why}", percent(other.share))
     };
-    let said: Vec<String> = others.iter().take(MOST_SAID).map(words).collect();
+    let said: Vec<String> = found.iter().map(words).collect();
     (!said.is_empty()).then(|| format!("Found, but not named: {}.", said.join("; ")))
 }

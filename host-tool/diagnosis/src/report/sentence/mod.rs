@@ -18,8 +18,8 @@ use crate::result::{Diagnosis, ModelFaultFound, Verdict};
 
 /// Most alternatives and parameters that are said.
 const MOST_SAID: usize = 2;
-/// Share of the gap from which what came nearest is said.
-const SAID_NEAREST: f64 = 0.01;
+/// Share of the gap from which an effect that is not named is said.
+const LEAST_SAID_SHARE: f64 = 0.01;
 
 /// What a person must know and can act on.
 pub fn sentence(diagnosis: &Diagnosis) -> String {

@@ -43,7 +43,7 @@ fn what_may_stand_in_place_of_a_cause_is_said() {
     (other.instead_of, other.share) = (None, 0.03);
     other.why = Some("its share may be nothing".into());
     let said = sentence(&found);
-    let words = "Found, but not named: torque ripple on joint 3, 3 % (its share may be nothing).";
+    let words = "Found, but not named: torque ripple on joint 3, 3 % of its gap (its share may be nothing).";
     assert!(said.contains(words), "{said}");
 }
 
@@ -63,4 +63,28 @@ fn the_unknown_is_said_with_what_came_nearest() {
     assert!(said.contains("on joint 3 that nothing in the catalogue explains; it "), "{said}");
     let nearest = "Nearest: torque ripple on joint 3, 8 per turn, +8.0 %, would take 41 %, but ";
     assert!(said.contains(nearest), "{said}");
+}
+
+#[test]
+fn what_is_found_and_not_named_on_the_joint_is_said_in_place_of_what_came_nearest() {
+    let found = |effect: &str, joint| Alternative {
+        effect: effect.into(),
+        joint,
+        probability: 0.98,
+        confidence: 0.98,
+        instead_of: None,
+        share: 0.54,
+        why: Some("a curve along one axis explains more".into()),
+    };
+    let mut unknown = diagnosis(Verdict::Unknown, vec![], |at| 0.05 * at.qd);
+    unknown.report.alternatives = vec![found("dac_offset", 1)];
+    let elsewhere = sentence(&unknown);
+    assert!(elsewhere.contains("on joint 3 that nothing in the catalogue explains"), "{elsewhere}");
+    assert!(elsewhere.contains("Nearest: torque ripple on joint 3"), "{elsewhere}");
+    let others = ["cogging", "dead_zone", "payload"].map(|effect| found(effect, 3));
+    unknown.report.alternatives = others.to_vec();
+    let here = sentence(&unknown);
+    assert!(here.contains("on joint 3 that no cause surely explains"), "{here}");
+    assert!(here.contains("dead zone") && !here.contains("payload"), "{here}");
+    assert!(!here.contains("Nearest"), "{here}");
 }

@@ -1,8 +1,8 @@
 //! A gap without a name, in words.
 
-use super::causes::not_named;
+use super::causes::{found_not_named, not_named};
 use super::refit::refitted;
-use super::{MOST_SAID, SAID_NEAREST, joint_numbers, largest_excess, size};
+use super::{LEAST_SAID_SHARE, MOST_SAID, joint_numbers, largest_excess, size};
 use crate::report::remaining_words::along;
 use crate::report::words::{axis_words, effect_words, joint_words, parameter_words, percent};
 use crate::result::{Diagnosis, GapShare, Rival};
@@ -17,15 +17,19 @@ pub(super) fn unexplained(diagnosis: &Diagnosis) -> String {
         return "A gap that nothing in the catalogue explains.".into();
     };
     let share = report.gap_shares.iter().find(|share| share.joint == joint);
+    let found = found_not_named(diagnosis);
+    let is_found_here = found.iter().any(|other| [0, joint].contains(&other.joint));
+    let explains = if is_found_here { "no cause surely" } else { "nothing in the catalogue" };
     let mut parts = vec![format!(
-        "A gap of {} on joint {joint} that nothing in the catalogue explains{}.",
+        "A gap of {} on joint {joint} that {explains} explains{}.",
         size(diagnosis, joint, excess_v),
         share.map_or_else(String::new, |share| {
             format!("; {}, {} % of the gap", varies(share), percent(share.share))
         })
     )];
     parts.extend(elsewhere(&report.gap_shares, share));
-    parts.extend(not_named(diagnosis).or_else(|| nearest(diagnosis, joint)));
+    parts.extend(not_named(diagnosis, &found));
+    parts.extend((!is_found_here).then(|| nearest(diagnosis, joint)).flatten());
     parts.extend(refitted(diagnosis));
     parts.join(" ")
 }
@@ -46,7 +50,7 @@ fn nearest(diagnosis: &Diagnosis, joint: u8) -> Option<String> {
     let rival = diagnosis.rivals.iter().find(on_joint)?;
     let parameters = parameter_words(&diagnosis.catalogue, &rival.effect, &rival.parameters, false);
     let parameters = diagnosis.units_of(rival.joint).in_words(&parameters);
-    (rival.explained >= SAID_NEAREST).then(|| {
+    (rival.explained >= LEAST_SAID_SHARE).then(|| {
         format!(
             "Nearest: {} on {}, {parameters}, would take {} %, but {}.",
             effect_words(&rival.effect),
