@@ -1,7 +1,7 @@
 //! The causes in words, and what else they may be.
 
+use super::figures::{LEAST_SAID_SHARE, MOST_SAID, joint_numbers};
 use super::refit::refitted;
-use super::{LEAST_SAID_SHARE, MOST_SAID, joint_numbers};
 use crate::report::remaining_words::{remaining, rest_part};
 use crate::report::words::{
     capitalised, certainty_words, effect_words, joint_words, parameter_words, percent,

@@ -1,6 +1,7 @@
 //! A diagnosis in a few sentences.
 
 mod causes;
+mod figures;
 mod no_gap;
 mod refit;
 #[cfg(test)]
@@ -8,18 +9,14 @@ mod tests;
 mod unexplained;
 
 use causes::named;
+pub use figures::joint_numbers;
+use figures::{largest_excess, size};
 use no_gap::no_gap;
 use unexplained::unexplained;
 
 use super::words::percent;
 pub use super::words::{effect_words, joint_words};
-use crate::quantity::volts;
 use crate::result::{Diagnosis, ModelFaultFound, Verdict};
-
-/// Most alternatives and parameters that are said.
-const MOST_SAID: usize = 2;
-/// Share of the gap from which an effect that is not named is said.
-const LEAST_SAID_SHARE: f64 = 0.01;
 
 /// What a person must know and can act on.
 pub fn sentence(diagnosis: &Diagnosis) -> String {
@@ -47,24 +44,4 @@ fn at_fault(diagnosis: &Diagnosis, fault: &ModelFaultFound) -> String {
         fault.what,
         percent(fault.explained)
     )
-}
-
-/// The rig's joints, 1 to 3, in the order in which the gap is given.
-pub fn joint_numbers(diagnosis: &Diagnosis) -> Vec<u8> {
-    match diagnosis.logs.first() {
-        Some(log) => log.joints.iter().map(|joint| joint.joint).collect(),
-        None => (1..=diagnosis.report.gap.refitted_v.len() as u8).collect(),
-    }
-}
-
-/// A residual in the unit of its joint.
-fn size(diagnosis: &Diagnosis, joint: u8, value: f64) -> String {
-    diagnosis.units_of(joint).in_words(&volts(value))
-}
-
-/// Where the square lies most above the floor's, and the root of that excess.
-fn largest_excess(left_v: &[f64], floor_v: &[f64]) -> Option<(usize, f64)> {
-    let squares = left_v.iter().zip(floor_v).map(|(left, floor)| left * left - floor * floor);
-    let largest = squares.enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?;
-    Some((largest.0, largest.1.max(0.0).sqrt()))
 }

@@ -1,7 +1,7 @@
 //! That there is no gap, in words.
 
+use super::figures::{joint_numbers, largest_excess, size};
 use super::refit::refitted;
-use super::{joint_numbers, largest_excess, size};
 use crate::result::Diagnosis;
 
 /// That noise alone is left, and what the refit moved.

@@ -1,6 +1,6 @@
 //! What the refit moved, in words.
 
-use super::{MOST_SAID, joint_numbers, largest_excess, size};
+use super::figures::{MOST_SAID, joint_numbers, largest_excess, size};
 use crate::report::words::{change_words, joint_of, model_parameter_words, percent};
 use crate::result::{Diagnosis, ParameterChange, Verdict};
 

@@ -1,8 +1,8 @@
 //! A gap without a name, in words.
 
 use super::causes::{found_not_named, not_named};
+use super::figures::{LEAST_SAID_SHARE, MOST_SAID, joint_numbers, largest_excess, size};
 use super::refit::refitted;
-use super::{LEAST_SAID_SHARE, MOST_SAID, joint_numbers, largest_excess, size};
 use crate::report::remaining_words::along;
 use crate::report::words::{axis_words, effect_words, joint_words, parameter_words, percent};
 use crate::result::{Diagnosis, GapShare, Rival};
