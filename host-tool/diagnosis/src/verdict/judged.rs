@@ -42,6 +42,8 @@ pub enum Reason {
     SpringNearNoise,
     /// What goes with it on the logs held out is not its own doing.
     Idle,
+    /// A lag or delay that is not the same in every part of the logs, as that of a drive is.
+    Unsteady,
     /// Lengths within their doubt would do the same.
     Lengths,
     /// It takes too small a part of the gap, or of what is left without it.
@@ -58,7 +60,7 @@ pub enum Reason {
 
 impl Reason {
     /// All reasons.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Unlikely,
         Self::Rival,
         Self::ImplausibleModel,
@@ -66,6 +68,7 @@ impl Reason {
         Self::SmallSpring,
         Self::SpringNearNoise,
         Self::Idle,
+        Self::Unsteady,
         Self::Lengths,
         Self::Small,
         Self::NoShare,
@@ -88,6 +91,7 @@ impl Reason {
                 "the gap is near the noise, or less than noise is left: a spring may only smooth encoder steps"
             }
             Self::Idle => "it hardly acts on the logs held out",
+            Self::Unsteady => "late by other times in other parts of the logs, as no drive is",
             Self::Lengths => "lengths off within their doubt, a tenth, would do the same",
             Self::Small => "too small a part of the gap or of what is left",
             Self::NoShare => "its share may be nothing",
