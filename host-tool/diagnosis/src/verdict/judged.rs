@@ -91,7 +91,9 @@ impl Reason {
                 "the gap is near the noise, or less than noise is left: a spring may only smooth encoder steps"
             }
             Self::Idle => "it hardly acts on the logs held out",
-            Self::Unsteady => "late by other times in other parts of the logs, as no drive is",
+            Self::Unsteady => {
+                "its time is uncertain by more than a fifth, as play makes it and no drive is"
+            }
             Self::Lengths => "lengths off within their doubt, a tenth, would do the same",
             Self::Small => "too small a part of the gap or of what is left",
             Self::NoShare => "its share may be nothing",
