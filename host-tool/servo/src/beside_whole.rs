@@ -9,7 +9,7 @@
 use files::ArmFile;
 
 use crate::base::{Base, Frame, refit};
-use crate::candidates::like_a_load;
+use crate::candidates::{Candidate, by_motor_torque, over_speed};
 use crate::confirm::{squares, units};
 use crate::cross::Gain;
 use crate::fit::fit;
@@ -21,6 +21,7 @@ use crate::prepared::Prepared;
 use crate::ranking::suffices;
 use crate::settings::Settings;
 use crate::whole_cause::{WholeCause, find_from};
+use crate::whole_effect::Whole;
 use crate::whole_fit::{WholeFit, rigid};
 
 /// The arm with what acts on all of it, and what was found joint by joint beside that.
@@ -44,7 +45,7 @@ pub fn beside_whole(
     progress: &dyn Fn(&str),
 ) -> Found {
     let named = |whole: &[WholeCause]| whole.first().filter(|cause| cause.is_named).cloned();
-    let Some(cause) = named(&found.whole) else { return found };
+    let Some(cause) = named(&found.whole).or_else(|| alone(&found)) else { return found };
     let with = loaded(&found.prepared, &cause, settings);
     let (prepared, whole) = match with_friction(&with, &found.bases, &cause, settings) {
         None => (with, found.whole),
@@ -59,6 +60,12 @@ pub fn beside_whole(
     let beside = settings.beside_whole();
     let joints = JointEffects::taking(&least, &prepared, arm, &beside, progress);
     Found { prepared, joints, whole, bases: found.bases }
+}
+
+/// The payload that fits best where a joint is alone: there friction may hide a load as well as look like one.
+fn alone(found: &Found) -> Option<WholeCause> {
+    let mut payloads = found.whole.iter().filter(|cause| cause.fit.effect == Whole::Payload);
+    payloads.next().filter(|_| found.bases.len() == 1).cloned()
 }
 
 /// Effects of the whole arm with these joints, the one that was found from where it was, too.
@@ -86,10 +93,8 @@ fn with_friction(
     let of = |(joint, base): (usize, &Base)| {
         let problem = frame.problem(joint, &base.unknowns, base.scale);
         let base = Base { fitted: fit(&problem, &cause.fit.servos[joint]), ..base.clone() };
-        let more =
-            |model: Model, effect| model.with(&frame, joint, base.scale, effect).unwrap_or(model);
         let bare = Model::of_base(&frame, joint, &base);
-        let model = like_a_load(&base).iter().fold(bare.clone(), more);
+        let model = open(&frame, joint, &base, &bare);
         let takes = suffices(&Gain::of(&model.left, &bare.left), &bare.settings(settings));
         let is_open = takes || bases.len() == 1;
         let Model { unknowns, fitted, .. } = if is_open { model } else { bare };
@@ -98,6 +103,25 @@ fn with_friction(
     let found: Vec<(bool, Base)> = bases.iter().enumerate().map(of).collect();
     let any = found.iter().any(|(is_open, _)| *is_open);
     any.then(|| found.into_iter().map(|(_, base)| base).collect())
+}
+
+/// A joint with friction over speed and by the motor's torque open. Each is added first in turn, for a search from
+/// where one has taken what is the other's may stop there.
+fn open(frame: &Frame, joint: usize, base: &Base, bare: &Model) -> Model {
+    let speeds = frame.logs.iter().flat_map(|log| &log.record.joints[joint].velocity);
+    let top = speeds.fold(0.0_f64, |top, speed| top.max(speed.abs()));
+    let [torque, speed] = [by_motor_torque(base), over_speed(base, top)];
+    let more = |model: Model, effect: &Candidate| {
+        model.with(frame, joint, base.scale, effect).unwrap_or(model)
+    };
+    let orders = [[&torque, &speed], [&speed, &torque]];
+    let polished = |order: [&Candidate; 2]| {
+        let mut model = order.into_iter().fold(bare.clone(), more);
+        model.polish(frame, joint, base.scale);
+        model
+    };
+    let [one, other] = orders.map(polished);
+    if other.fitted.rms() < one.fitted.rms() { other } else { one }
 }
 
 /// The arm with an effect in its logs, the bare joints refitted with it.

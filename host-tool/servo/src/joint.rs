@@ -3,6 +3,7 @@
 use files::ArmJoint;
 
 use crate::error::ServoError;
+use crate::over_speed::OverSpeed;
 
 /// Parameters of a joint, in the units of the joint (rad or m) and of the drive (V); torque is
 /// `torque_constant` times volts.
@@ -43,6 +44,8 @@ pub struct ServoJoint {
     pub viscous_asymmetry: f64,
     /// Velocity squared, against the motion [V s^2/rad^2].
     pub drag: f64,
+    /// Friction more than Coulomb's and viscous, over speed.
+    pub over_speed: OverSpeed,
     /// First-order lag from u to torque [s].
     pub lag_s: f64,
     /// Volts that the amplifier swallows.
@@ -109,6 +112,7 @@ impl ServoJoint {
             asymmetry: 0.0,
             viscous_asymmetry: 0.0,
             drag: 0.0,
+            over_speed: OverSpeed::default(),
             lag_s: 0.0,
             dead_zone: 0.0,
             offset: 0.0,

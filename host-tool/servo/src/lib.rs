@@ -50,6 +50,7 @@ pub mod model_file;
 pub mod motion;
 pub mod moves;
 pub mod outcome;
+pub mod over_speed;
 pub mod pieces;
 pub mod pooled;
 pub mod prepared;

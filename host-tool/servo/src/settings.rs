@@ -106,8 +106,8 @@ pub struct Settings {
     /// Part of what is left that a place elsewhere must take for that. Pendulums with the model's own law of friction take up to 0.001, six
     /// axes with a load 10 mm beyond the centre 0.06 and more: `docs/trial-history.md`.
     pub least_elsewhere_gain: f64,
-    /// The same on one joint alone, where a place shows by inertia only, which the rotor has too: friction of another
-    /// law than the model's put a load there a sixth too near, and made it a tenth too heavy.
+    /// The same on one joint alone, where a distance shows by inertia only, which the rotor is free to take. So what a
+    /// place along the link gains is the search's, up to a quarter: a load was put two fifths too near, and made two thirds too heavy.
     pub least_elsewhere_gain_alone: f64,
     /// Length of logs in which effects of the whole arm are searched for [s].
     pub whole_arm_s: f64,
@@ -159,7 +159,7 @@ impl Default for Settings {
             elsewhere_doubt: 0.3,
             far_doubt: 10.0,
             least_elsewhere_gain: 0.02,
-            least_elsewhere_gain_alone: 0.1,
+            least_elsewhere_gain_alone: 0.5,
             whole_arm_s: 200.0,
         }
     }

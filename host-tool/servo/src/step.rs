@@ -141,6 +141,9 @@ impl ServoJoint {
             let part = state.v / self.stribeck_velocity;
             level += self.stribeck * (-part * part).exp();
         }
+        if self.over_speed.top != 0.0 {
+            level += self.over_speed.at(state.v.abs());
+        }
         if self.motor_load_friction != 0.0 {
             level += self.motor_load_friction * (self.torque_constant * state.u).abs();
         }

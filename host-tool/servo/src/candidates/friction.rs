@@ -3,6 +3,7 @@
 use super::candidate::{Candidate, free};
 use crate::base::Base;
 use crate::fit::{Field, Unknown};
+use crate::over_speed::SPEEDS;
 
 /// The part of the motor's torque that friction in a gear may take: four tenths were measured.
 pub const MOST_LOST: f64 = 0.6;
@@ -12,7 +13,7 @@ const MOST_OF_LOAD: f64 = 0.9;
 /// All that are tried.
 pub fn effects(base: &Base) -> Vec<Candidate> {
     vec![
-        load_friction(base, Field::MotorLoadFriction, MOST_LOST),
+        by_motor_torque(base),
         stribeck(base),
         one_way("viscous_asymmetry", Field::ViscousAsymmetry),
         one_way("asymmetric_friction", Field::Asymmetry),
@@ -22,20 +23,19 @@ pub fn effects(base: &Base) -> Vec<Candidate> {
     ]
 }
 
-/// What looks like a load: friction that grows less than with the velocity, a static level other than the sliding
-/// one, and friction by the motor's torque.
-pub fn like_a_load(base: &Base) -> [Candidate; 3] {
-    [drag(base), at_rest(base), load_friction(base, Field::MotorLoadFriction, MOST_LOST)]
+/// Friction by the motor's torque.
+pub fn by_motor_torque(base: &Base) -> Candidate {
+    load_friction(base, Field::MotorLoadFriction, MOST_LOST)
 }
 
-/// A static level above or below the sliding one.
-fn at_rest(base: &Base) -> Candidate {
+/// Friction over speed by a table up to the speed `top` [rad/s; m/s]: what no formula holds.
+pub fn over_speed(base: &Base, top: f64) -> Candidate {
     let level = base.fitted.servo.coulomb.max(0.01);
-    let peak = stribeck(base);
-    let mut unknowns = peak.unknowns;
-    unknowns[0].low = -0.9 * level;
-    let starts = vec![vec![-0.2 * level, 0.5], vec![0.2 * level, 0.1]];
-    Candidate::new(peak.effect, unknowns, starts)
+    let value = |knot| free(Field::OverSpeed(knot), [-0.9 * level, 4.0 * level], 0.1 * level);
+    let count = SPEEDS.len() as u8;
+    let unknowns = (0..count).map(value).collect();
+    let found = Candidate::new("table", unknowns, vec![vec![0.0; SPEEDS.len()]]);
+    Candidate { fixed: vec![(Field::TopSpeed, top)], ..found }
 }
 
 /// Friction by a torque, of which it takes no more than a part.

@@ -9,7 +9,7 @@ mod typical;
 use crate::base::Base;
 
 pub use candidate::{Candidate, free};
-pub use friction::{MOST_LOST, like_a_load};
+pub use friction::{MOST_LOST, by_motor_torque, over_speed};
 pub use typical::Typical;
 
 /// All effects that are tried on a joint; `cogging` lists orders per turn.
