@@ -59,7 +59,9 @@ pub fn why_not_named(
     let most = worth.part_of_left.min(explained) >= criteria.most_of_left;
     if probability < criteria.least_probability {
         Some(Reason::Unlikely)
-    } else if !is_large(worth, criteria) {
+    } else if !is_large(worth, criteria)
+        && (no_gap || !is_surely_small(probability, worth, criteria))
+    {
         Some(Reason::Small)
     } else if worth.share_interval[0] <= 0.0 {
         Some(Reason::NoShare)
@@ -77,6 +79,11 @@ fn is_large(worth: &Worth, criteria: &VerdictCriteria) -> bool {
     let of_left =
         worth.share >= criteria.least_small_share && worth.part_of_left >= criteria.most_of_left;
     of_gap || of_left
+}
+
+/// Whether a cause takes little, and is as likely as what is named for that.
+fn is_surely_small(probability: f64, worth: &Worth, criteria: &VerdictCriteria) -> bool {
+    probability >= criteria.sure_of_small && worth.share >= criteria.least_small_share
 }
 
 /// Whether an effect is what it says: a spring between motor and link, which can stand for much, surely takes most of
@@ -182,6 +189,16 @@ mod tests {
         assert_eq!((against(0.6, 0.6), against(0.7, 0.2)), (None, None));
         assert_eq!(against(0.6, 0.2), Some(Reason::MostStays));
         assert_eq!(against(0.4, 0.9), Some(Reason::Unlikely));
+    }
+
+    #[test]
+    fn a_small_cause_is_named_where_it_is_four_times_as_likely_as_not() {
+        let criteria = Criteria::default().verdict;
+        let small = Worth { share: 0.03, part_of_left: 0.1, ..worth([0.05, 0.15]) };
+        let against = |probability| why_not_named(probability, &small, 0.9, false, &criteria);
+        assert_eq!((against(0.79), against(0.81)), (Some(Reason::Small), None));
+        let nothing = Worth { share: 0.009, ..small };
+        assert_eq!(why_not_named(0.98, &nothing, 0.9, false, &criteria), Some(Reason::Small));
     }
 
     #[test]
