@@ -2,23 +2,20 @@
 //!
 //! Friction that grows with the load, or less than with the velocity, looks like a load where a joint is alone:
 //! on simulated pendulums whose friction has both and a peak, gravity came out 8 % too large, and a load of that
-//! size was named where there was none. So an effect of the whole arm that is found is sought again with what
-//! looks like it open on every joint of whose logs that takes a good part, named or not, and stands if it takes
-//! its part of what is left beside it.
+//! size was named where there was none; and it hides a load that pulls the other way. So an effect of the whole
+//! arm that is found, and the payload of a joint that is alone, found or not, is sought again with friction open
+//! on every joint of whose logs that takes a good part, and stands if it takes its part of what is left beside it.
 
 use files::ArmFile;
 
 use crate::base::{Base, Frame, refit};
-use crate::candidates::{Candidate, by_motor_torque, over_speed};
 use crate::confirm::{squares, units};
-use crate::cross::Gain;
 use crate::fit::fit;
 use crate::joint::ServoJoint;
 use crate::joint_effects::JointEffects;
-use crate::joint_model::Model;
 use crate::judged::Judged;
+use crate::open_friction::with_open_friction;
 use crate::prepared::Prepared;
-use crate::ranking::suffices;
 use crate::settings::Settings;
 use crate::whole_cause::{WholeCause, find_from};
 use crate::whole_effect::Whole;
@@ -36,8 +33,8 @@ pub struct Found {
     pub bases: Vec<Base>,
 }
 
-/// What is found once an effect of the whole arm is named; all as it was where none is, or where none is any
-/// more beside the joints' friction.
+/// What is found once an effect of the whole arm is named, or beside the payload of a joint that is alone. Where
+/// none is named beside the joints' friction, all is as it was but the effects that were tried.
 pub fn beside_whole(
     found: Found,
     arm: &ArmFile,
@@ -45,17 +42,20 @@ pub fn beside_whole(
     progress: &dyn Fn(&str),
 ) -> Found {
     let named = |whole: &[WholeCause]| whole.first().filter(|cause| cause.is_named).cloned();
-    let Some(cause) = named(&found.whole).or_else(|| alone(&found)) else { return found };
-    let with = loaded(&found.prepared, &cause, settings);
-    let (prepared, whole) = match with_friction(&with, &found.bases, &cause, settings) {
-        None => (with, found.whole),
-        Some(bases) => {
-            progress("trying it again beside the joints' friction");
-            let whole = again(&found.prepared, &cause, bases, settings);
-            let Some(cause) = named(&whole) else { return Found { whole, ..found } };
-            (loaded(&found.prepared, &cause, settings), whole)
-        }
+    let Some(cause) = named(&found.whole).or_else(|| payload_of_one_joint(&found)) else {
+        return found;
     };
+    let with = loaded(&found.prepared, &cause, settings);
+    let (prepared, whole) =
+        match with_open_friction(&with, &found.bases, &cause.fit.servos, settings) {
+            None => (with, found.whole),
+            Some(bases) => {
+                progress("trying it again beside the joints' friction");
+                let whole = again(&found.prepared, &cause, bases, settings);
+                let Some(cause) = named(&whole) else { return Found { whole, ..found } };
+                (loaded(&found.prepared, &cause, settings), whole)
+            }
+        };
     let least = least_beside(&found.prepared, &prepared, settings);
     let beside = settings.beside_whole();
     let joints = JointEffects::taking(&least, &prepared, arm, &beside, progress);
@@ -63,7 +63,7 @@ pub fn beside_whole(
 }
 
 /// The payload that fits best where a joint is alone: there friction may hide a load as well as look like one.
-fn alone(found: &Found) -> Option<WholeCause> {
+fn payload_of_one_joint(found: &Found) -> Option<WholeCause> {
     let mut payloads = found.whole.iter().filter(|cause| cause.fit.effect == Whole::Payload);
     payloads.next().filter(|_| found.bases.len() == 1).cloned()
 }
@@ -78,50 +78,6 @@ fn again(
     let known = WholeFit { servos: rigid(&bases), ..cause.fit.clone() };
     let bases = refitted(prepared, bases, settings);
     find_from(prepared, &bases, Some(&known), settings)
-}
-
-/// These joints with what of their friction may look like a load open where that takes a good part, or where a
-/// joint is alone; none where it is opened on no joint. `prepared` is the arm with the effect in its logs.
-fn with_friction(
-    prepared: &Prepared,
-    bases: &[Base],
-    cause: &WholeCause,
-    settings: &Settings,
-) -> Option<Vec<Base>> {
-    let train = prepared.train();
-    let frame = Frame { logs: &train, period_s: prepared.period_s, settings };
-    let of = |(joint, base): (usize, &Base)| {
-        let problem = frame.problem(joint, &base.unknowns, base.scale);
-        let base = Base { fitted: fit(&problem, &cause.fit.servos[joint]), ..base.clone() };
-        let bare = Model::of_base(&frame, joint, &base);
-        let model = open(&frame, joint, &base, &bare);
-        let takes = suffices(&Gain::of(&model.left, &bare.left), &bare.settings(settings));
-        let is_open = takes || bases.len() == 1;
-        let Model { unknowns, fitted, .. } = if is_open { model } else { bare };
-        (is_open, Base { unknowns, fitted, ..base })
-    };
-    let found: Vec<(bool, Base)> = bases.iter().enumerate().map(of).collect();
-    let any = found.iter().any(|(is_open, _)| *is_open);
-    any.then(|| found.into_iter().map(|(_, base)| base).collect())
-}
-
-/// A joint with friction over speed and by the motor's torque open. Each is added first in turn, for a search from
-/// where one has taken what is the other's may stop there.
-fn open(frame: &Frame, joint: usize, base: &Base, bare: &Model) -> Model {
-    let speeds = frame.logs.iter().flat_map(|log| &log.record.joints[joint].velocity);
-    let top = speeds.fold(0.0_f64, |top, speed| top.max(speed.abs()));
-    let [torque, speed] = [by_motor_torque(base), over_speed(base, top)];
-    let more = |model: Model, effect: &Candidate| {
-        model.with(frame, joint, base.scale, effect).unwrap_or(model)
-    };
-    let orders = [[&torque, &speed], [&speed, &torque]];
-    let polished = |order: [&Candidate; 2]| {
-        let mut model = order.into_iter().fold(bare.clone(), more);
-        model.polish(frame, joint, base.scale);
-        model
-    };
-    let [one, other] = orders.map(polished);
-    if other.fitted.rms() < one.fitted.rms() { other } else { one }
 }
 
 /// The arm with an effect in its logs, the bare joints refitted with it.

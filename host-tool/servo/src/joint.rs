@@ -44,7 +44,7 @@ pub struct ServoJoint {
     pub viscous_asymmetry: f64,
     /// Velocity squared, against the motion [V s^2/rad^2].
     pub drag: f64,
-    /// Friction more than Coulomb's and viscous, over speed.
+    /// Friction more than Coulomb's and viscous [V], over speed [rad/s; m/s].
     pub over_speed: OverSpeed,
     /// First-order lag from u to torque [s].
     pub lag_s: f64,

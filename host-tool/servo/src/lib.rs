@@ -7,7 +7,7 @@
 //! | module | what it holds, in the order in which data flow |
 //! | --- | --- |
 //! | [`settings`] | every choice with its reason |
-//! | [`joint`], [`step`] | a joint under its servo, and one step of it, friction as a set-valued law |
+//! | [`joint`], [`over_speed`], [`step`] | a joint under its servo, friction over speed by a table, and one step, friction as a set-valued law |
 //! | [`record`], [`motion`], [`pieces`] | logs as stretches; smoothed velocity; pieces to leave out |
 //! | [`moves`], [`along`], [`along_row`], [`judged`] | the motion it goes along, and what the rigid body asks of each joint along a log |
 //! | [`replay`], [`arm_replay`] | one joint simulated while the others move as measured; the whole arm |
@@ -16,7 +16,7 @@
 //! | [`candidates`], [`cogging_orders`], [`cross`], [`joint_model`], [`selection`] | effects on one joint |
 //! | [`pooled`], [`common_fit`] | servos of one type, load friction in common |
 //! | [`whole_effect`], [`whole_fit`], [`whole_step`], [`whole_normal`], [`whole_cause`] | a payload, a force, a base that leans |
-//! | [`beside_whole`] | that and the joints' friction, each as the other leaves it |
+//! | [`beside_whole`], `open_friction` | that and the joints' friction, each as the other leaves it |
 //! | [`confirm`], [`verdict`], [`joint_effects`], [`outcome`] | what stands on logs that chose nothing |
 //! | [`effect_table`], [`whole_table`], [`model_file`], [`identified`] | what goes into model files |
 //! | [`report`] and those behind it | `report.json` |
@@ -49,6 +49,7 @@ pub mod judged;
 pub mod model_file;
 pub mod motion;
 pub mod moves;
+mod open_friction;
 pub mod outcome;
 pub mod over_speed;
 pub mod pieces;

@@ -39,6 +39,7 @@ mod tests {
         let at = |speed: f64| (1e6 * table.at(speed)).round() / 1e6;
         assert_eq!([0.0, 0.025, 0.05, 0.4, 2.0].map(at), [0.0, 0.05, 0.1, 0.25, 0.4]);
         assert_eq!([7.5, 10.0, 20.0].map(at), [0.25, 0.0, 0.0]);
-        assert_eq!(OverSpeed::default().at(1.0), 0.0);
+        let none = OverSpeed { top: 0.0, ..table };
+        assert_eq!([0.0, 1.0].map(|speed| none.at(speed)), [0.0, 0.0]);
     }
 }

@@ -51,7 +51,8 @@ impl Truth {
 
 /// Logs of an arm under its servos, `file` for encoders and ranges; other seeds, other motions.
 pub fn record(file: &ArmFile, truth: &Truth, recording: &Recording, seed: u64) -> ArmCampaign {
-    let mut random = Pcg64Mcg::new(u128::from(seed) << 1 | 1);
+    // Other numbers than those that an arm of the same seed was drawn by.
+    let mut random = Pcg64Mcg::new((0xfeed_u128 << 64) | (u128::from(seed) << 1) | 1);
     let [train, held_out] = recording.logs;
     let of = |k: usize| ArmRecording {
         file: format!("motion-{:02}.csv", k + 1),

@@ -106,8 +106,8 @@ pub struct Settings {
     /// Part of what is left that a place elsewhere must take for that. Pendulums with the model's own law of friction take up to 0.001, six
     /// axes with a load 10 mm beyond the centre 0.06 and more: `docs/trial-history.md`.
     pub least_elsewhere_gain: f64,
-    /// The same on one joint alone, where a distance shows by inertia only, which the rotor is free to take. So what a
-    /// place along the link gains is the search's, up to a quarter: a load was put two fifths too near, and made two thirds too heavy.
+    /// The same where a joint is alone. There a load's distance shows by its inertia only, and the rotor is fitted
+    /// too: a wrong place, two fifths too near and with two thirds too much mass, took a tenth or more.
     pub least_elsewhere_gain_alone: f64,
     /// Length of logs in which effects of the whole arm are searched for [s].
     pub whole_arm_s: f64,

@@ -54,7 +54,7 @@ fn upright(name: &str, joints: Vec<ArmJoint>) -> ArmFile {
 
 /// A pendulum of one servo about a horizontal axis, hanging at zero: a mass [kg] at a distance [m].
 pub fn pendulum(seed: u64, mass_kg: f64, length_m: f64) -> ArmFile {
-    let mut random = Pcg64Mcg::new(u128::from(seed) << 1 | 1);
+    let mut random = Pcg64Mcg::new((u128::from(seed) << 1) | 1);
     let joint = ArmJoint {
         axis: [0.0, -1.0, 0.0],
         link: link(mass_kg, [0.0, 0.0, -length_m]),
@@ -68,7 +68,7 @@ type Place = (&'static str, [f64; 3], [f64; 3], f64, [f64; 3]);
 
 /// An arm of six servos: turn, shoulder, elbow, wrist about three axes, 0.35 m long.
 pub fn six_axes(seed: u64) -> ArmFile {
-    let mut random = Pcg64Mcg::new(u128::from(seed) << 1 | 1);
+    let mut random = Pcg64Mcg::new((u128::from(seed) << 1) | 1);
     let places: [Place; 6] = [
         ("turn", [0.0, 0.0, 0.05], [0.0, 0.0, 1.0], 0.15, [0.0, 0.0, 0.03]),
         ("shoulder", [0.0, 0.0, 0.05], [0.0, 1.0, 0.0], 0.12, [0.06, 0.0, 0.0]),

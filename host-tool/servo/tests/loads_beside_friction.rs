@@ -33,7 +33,8 @@ fn degressive(joint: ServoJoint) -> ServoJoint {
     }
 }
 
-/// Viscous friction by the 0.8th power of the speed, with a part of the motor's torque.
+/// Viscous friction by the 0.8th power of the speed, straight between seven speeds up to 10 rad/s, with a part of the
+/// motor's torque.
 fn of_a_power(joint: ServoJoint) -> ServoJoint {
     let (top, viscous) = (10.0, 0.8);
     let more = SPEEDS.map(|part| 1.2 * (part * top).powf(0.8) - viscous * part * top);
@@ -51,8 +52,12 @@ fn payload(causes: &[Cause]) -> Option<f64> {
 
 #[test]
 fn friction_is_not_named_as_a_load() {
-    let found = causes(0.0, 11, degressive);
-    assert!(found.iter().all(|cause| cause.joint != 0), "{found:?}");
+    for (seed, rub) in
+        [(11, degressive as fn(ServoJoint) -> ServoJoint), (12, of_a_power), (14, |joint| joint)]
+    {
+        let found = causes(0.0, seed, rub);
+        assert!(found.iter().all(|cause| cause.joint != 0), "{seed}: {found:?}");
+    }
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Simulated servo arms: what is hidden in them is found, and nothing where nothing is.
 
 use diagnosis::{Report, Value, Verdict};
+use servo::prepared::joints;
 use servo::recorded::{Recording, Truth, record};
 use servo::report::report;
 use servo::synthetic::{links_of, pendulum, six_axes};
@@ -92,4 +93,17 @@ fn asymmetry_of_viscous_friction_is_told_from_that_of_all_friction() {
 fn an_offset_is_told_from_the_spring_that_rests_far_away() {
     let named = causes_of(|joint| ServoJoint { offset: 0.2, ..joint });
     assert_eq!(named, [("dac_offset".into(), 1)]);
+}
+
+#[test]
+fn another_seed_draws_other_motions_and_another_arm() {
+    let file = pendulum(2, 0.35, 0.16);
+    let truth = Truth::of(links_of(&file), joints(&file).unwrap());
+    let recording = Recording { length_s: 5.0, logs: [1, 1], ..Recording::default() };
+    let goals = |seed| {
+        let campaign = record(&file, &truth, &recording, seed);
+        campaign.recordings[0].log.joints[0].command.clone()
+    };
+    assert_ne!(goals(2), goals(3));
+    assert_ne!(file, pendulum(3, 0.35, 0.16));
 }

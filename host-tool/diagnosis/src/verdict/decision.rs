@@ -60,7 +60,7 @@ pub fn why_not_named(
     if probability < criteria.least_probability {
         Some(Reason::Unlikely)
     } else if !is_large(worth, criteria)
-        && (no_gap || !is_surely_small(probability, worth, criteria))
+        && (no_gap || !is_sure_enough(probability, worth, criteria))
     {
         Some(Reason::Small)
     } else if worth.share_interval[0] <= 0.0 {
@@ -81,8 +81,8 @@ fn is_large(worth: &Worth, criteria: &VerdictCriteria) -> bool {
     of_gap || of_left
 }
 
-/// Whether a cause takes little, and is as likely as what is named for that.
-fn is_surely_small(probability: f64, worth: &Worth, criteria: &VerdictCriteria) -> bool {
+/// Whether a cause that takes little is named all the same: it is likely enough, and takes a hundredth of the gap.
+fn is_sure_enough(probability: f64, worth: &Worth, criteria: &VerdictCriteria) -> bool {
     probability >= criteria.sure_of_small && worth.share >= criteria.least_small_share
 }
 
@@ -197,12 +197,13 @@ mod tests {
         let small = Worth { share: 0.03, part_of_left: 0.1, ..worth([0.05, 0.15]) };
         let against = |probability| why_not_named(probability, &small, 0.9, false, &criteria);
         assert_eq!((against(0.79), against(0.81)), (Some(Reason::Small), None));
+        assert_eq!(why_not_named(0.98, &small, 0.9, true, &criteria), Some(Reason::Small));
         let nothing = Worth { share: 0.009, ..small };
         assert_eq!(why_not_named(0.98, &nothing, 0.9, false, &criteria), Some(Reason::Small));
     }
 
     #[test]
-    fn what_is_small_or_near_the_noise_is_not_named_however_sure() {
+    fn what_is_below_a_hundredth_or_near_the_noise_is_not_named_however_sure() {
         let criteria = Criteria::default().verdict;
         let sure = worth([0.4, 0.8]);
         let against = |worth: &Worth, no_gap| why_not_named(0.98, worth, 0.9, no_gap, &criteria);

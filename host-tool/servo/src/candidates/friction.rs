@@ -23,19 +23,21 @@ pub fn effects(base: &Base) -> Vec<Candidate> {
     ]
 }
 
-/// Friction by the motor's torque.
+/// Friction by the motor's torque [V/Nm].
 pub fn by_motor_torque(base: &Base) -> Candidate {
     load_friction(base, Field::MotorLoadFriction, MOST_LOST)
 }
 
-/// Friction over speed by a table up to the speed `top` [rad/s; m/s]: what no formula holds.
+/// Friction over speed by a table up to the speed `top` [rad/s; m/s], values in V: what no formula holds, within a
+/// level and a fifth of what viscous friction is there.
 pub fn over_speed(base: &Base, top: f64) -> Candidate {
-    let level = base.fitted.servo.coulomb.max(0.01);
-    let value = |knot| free(Field::OverSpeed(knot), [-0.9 * level, 4.0 * level], 0.1 * level);
+    let servo = &base.fitted.servo;
+    let size = servo.coulomb.max(0.01) + 0.2 * servo.viscous * top;
+    let value = |knot| free(Field::OverSpeed(knot), [-0.9 * size, 4.0 * size], 0.1 * size);
     let count = SPEEDS.len() as u8;
     let unknowns = (0..count).map(value).collect();
-    let found = Candidate::new("table", unknowns, vec![vec![0.0; SPEEDS.len()]]);
-    Candidate { fixed: vec![(Field::TopSpeed, top)], ..found }
+    let found = Candidate::new("friction_over_speed", unknowns, vec![vec![0.0; SPEEDS.len()]]);
+    Candidate { fixed: vec![(Field::OverSpeedTop, top)], ..found }
 }
 
 /// Friction by a torque, of which it takes no more than a part.
