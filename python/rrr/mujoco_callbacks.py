@@ -38,6 +38,7 @@ class Joint:
         name = effect["actuator"]
         self.actuator = None if name is None else int(m.actuator(name).id)
         self.bristles = _bristles(m, int(joint.id))
+        self.scales = (1.0, 0.0, 1.0)
 
     def command(self, m: Any, d: Any) -> float:
         """What reaches the motor, after delay, limit and lag, in the command's unit."""
@@ -56,8 +57,13 @@ class Joint:
         """Coriolis and gravity torque [Nm]; of the step before."""
         return float(d.qfrc_bias[self.dof])
 
-    def scale_friction(self, m: Any, level: float, added: float, viscous: float) -> None:
-        """Friction's level times a factor and with a torque added [Nm], its viscous part times one."""
+    def scale_friction(self, level: float, added: float, viscous: float) -> None:
+        """Friction's level times a factor and with a torque added [Nm], its viscous part times one: by
+        this effect; those of others come to it."""
+        self.scales = (level, added, viscous)
+
+    def set_friction(self, m: Any, level: float, added: float, viscous: float) -> None:
+        """The same, by all effects."""
         coulomb = max(level * self.coulomb + added, 0.0)
         m.dof_damping[self.dof] = viscous * self.viscous
         if self.bristles is None:
@@ -97,19 +103,21 @@ def _viscous_asymmetry(joint: Joint, p: Parameters, m: Any, d: Any) -> float:
 
 def _position_friction(joint: Joint, p: Parameters, m: Any, d: Any) -> float:
     level = 1 + p["relative_amplitude"] * _wave(p, float(d.qpos[joint.q]))
-    joint.scale_friction(m, level, 0.0, 1.0)
+    joint.scale_friction(level, 0.0, 1.0)
     return 0.0
 
 
 def _load_friction(joint: Joint, p: Parameters, m: Any, d: Any) -> float:
     slope = abs(joint.torque_constant) * p["coefficient_V_per_Nm"]
-    joint.scale_friction(m, 1.0, slope * abs(joint.load(m, d)), 1.0)
+    by_motor = p.get("by_motor_torque", 0.0) >= 0.5
+    load = joint.torque_constant * joint.command(m, d) if by_motor else joint.load(m, d)
+    joint.scale_friction(1.0, slope * abs(load), 1.0)
     return 0.0
 
 
 def _drift(joint: Joint, p: Parameters, m: Any, d: Any) -> float:
     factor = 1 + p["relative_change"] * (1 - math.exp(-float(d.time) / p["time_constant_s"]))
-    joint.scale_friction(m, factor, 0.0, factor)
+    joint.scale_friction(factor, 0.0, factor)
     return 0.0
 
 
@@ -176,6 +184,8 @@ ON_JOINT: dict[str, Callable[[Joint, Parameters, Any, Any], float]] = {
     "table": _table,
 }
 """Added torque [Nm; N] of a joint, the parameters, and MuJoCo's model and data."""
+CHANGE_FRICTION = (_position_friction, _load_friction, _drift)
+"""Of these, those that change the joint's own friction instead."""
 
 
 def _tip_force(p: Parameters, height: float) -> list[float]:
@@ -208,10 +218,18 @@ class Forces:
                 self.on_tip.append((ON_TIP[name], body, np.array(effect["tip_m"]), p))
             elif name not in ON_READING:
                 raise ValueError(f"the effect {name} has no form here")
+        rubbing: dict[int, list[Joint]] = {}
+        for torque, joint, _ in self.on_joint:
+            if torque in CHANGE_FRICTION:
+                rubbing.setdefault(joint.dof, []).append(joint)
+        self.rubbing = list(rubbing.values())
 
     def __call__(self, m: Any, d: Any) -> None:
         for torque, joint, p in self.on_joint:
             d.qfrc_passive[joint.dof] += torque(joint, p, m, d)
+        for joints in self.rubbing:
+            levels, added, viscous = zip(*(joint.scales for joint in joints), strict=True)
+            joints[0].set_friction(m, math.prod(levels), sum(added), math.prod(viscous))
         for force, body, tip, p in self.on_tip:
             place = d.xpos[body] + d.xmat[body].reshape(3, 3) @ tip
             pushed = np.array(force(p, float(place[2])))

@@ -123,7 +123,8 @@ impl SimulatedPlant {
             let driving_v = &mut driving_v[..command_v.len()];
             driving_v.copy_from_slice(command_v);
             let load_nm = self.load_nm(&rest);
-            let state = joint_state(self.time_s, &self.motor.q_rad, &rest, &load_nm);
+            let motor_nm = self.motor_nm(command_v);
+            let state = joint_state(self.time_s, [&self.motor.q_rad, &rest, &load_nm, &motor_nm]);
             for effect in &mut self.effects {
                 effect.change_command(&state, driving_v);
             }
@@ -212,8 +213,8 @@ impl SimulatedPlant {
         driving_v.copy_from_slice(voltage_v);
         let has_effects = !self.effects.is_empty();
         let load_nm = if has_effects { self.load_nm(qd) } else { Joints::default() };
-        let q_rad = &self.motor.q_rad;
-        let state = joint_state(self.time_s, q_rad, qd, &load_nm);
+        let (q_rad, motor_nm) = (&self.motor.q_rad, self.motor_nm(voltage_v));
+        let state = joint_state(self.time_s, [q_rad, qd, &load_nm, &motor_nm]);
         for effect in &mut self.effects {
             effect.change_command(&state, driving_v);
             effect.change_friction(&state, &mut scale[..count]);
@@ -238,6 +239,14 @@ impl SimulatedPlant {
             self.plant.body.load(&self.motor.q_rad, qd_rad_per_s, &mut load_nm);
         }
         load_nm
+    }
+
+    /// Torques that the motors make of what they are sent [Nm].
+    fn motor_nm(&self, voltage_v: &[f64]) -> Joints {
+        let mut motor_nm = Joints::default();
+        let sent = voltage_v.iter().zip(&self.plant.torque_constant_nm_per_v);
+        motor_nm.iter_mut().zip(sent).for_each(|(torque, (voltage, k_t))| *torque = voltage * k_t);
+        motor_nm
     }
 
     /// Dry friction that the motor passes on to the link as it moves past it [Nm].
@@ -278,14 +287,14 @@ impl SimulatedPlant {
     }
 }
 
-/// The joints at an instant, as effects see them.
-fn joint_state<'a>(
-    time_s: f64,
-    q_rad: &'a [f64],
-    qd_rad_per_s: &'a [f64],
-    load_nm: &'a Joints,
-) -> JointState<'a> {
-    let count = q_rad.len();
-    let (qd_rad_per_s, load_nm) = (&qd_rad_per_s[..count], &load_nm[..count]);
-    JointState { time_s, q_rad, qd_rad_per_s, load_nm }
+/// The joints at an instant, as effects see them: angles, velocities, loads, torques of the motors.
+fn joint_state<'a>(time_s: f64, [q, qd, load, motor]: [&'a [f64]; 4]) -> JointState<'a> {
+    let of_joints = |values: &'a [f64]| &values[..q.len()];
+    JointState {
+        time_s,
+        q_rad: q,
+        qd_rad_per_s: of_joints(qd),
+        load_nm: of_joints(load),
+        motor_nm: of_joints(motor),
+    }
 }

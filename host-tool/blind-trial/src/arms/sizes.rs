@@ -34,7 +34,7 @@ pub fn can_be(definition: &Definition, joint: u8, values: &[f64], plant: &Plant)
 
 fn varied(value: f64, parameter: &Parameter, is_size: bool, rng: &mut Rng) -> f64 {
     let varied = match parameter.kind {
-        Kind::Harmonic => value,
+        Kind::Harmonic | Kind::Choice => value,
         Kind::Phase => rng.phase_rad(),
         Kind::Angle => value + rng.uniform(-0.5, 0.5),
         // Searches begin at limits that lie close to each other.

@@ -18,8 +18,10 @@ pub fn typical(case: &ArmCase, clean: &ArmCampaign, joint: u8) -> Result<Typical
         clean.recordings.iter().flat_map(|log| log.log.joints[index].position.clone()).collect();
     // A first joint whose axis is vertical carries no gravity.
     let loaded = if joint == 0 { 0..plant.joints() } else { index..index + 1 };
+    let command_v = command_v(case, clean, index);
     Ok(Typical {
-        command_v: command_v(case, clean, index),
+        command_v,
+        motor_nm: command_v * plant.torque_constant_nm_per_v[index],
         friction_v: plant.friction[index].alpha0_v,
         load_nm: loaded.map(|joint| load_nm(&plant, clean, joint)).fold(0.0, f64::max),
         speed_rad_per_s: speed(clean, index),

@@ -86,7 +86,10 @@ pub fn errors(truth: &TrueCause, named: &Cause) -> Vec<ParameterError> {
     };
     let is_first =
         |index: usize| index == 0 || parameters[index - 1].name != parameters[index].name;
-    let counts = |kind: Kind| kind != Kind::Phase || same_harmonic(truth, named);
+    let counts = |kind: Kind| match kind {
+        Kind::Phase => same_harmonic(truth, named),
+        kind => kind != Kind::Choice,
+    };
     let wanted =
         parameters.iter().enumerate().filter(|(index, p)| is_first(*index) && counts(p.kind));
     wanted.map(|(_, parameter)| one(parameter)).collect()

@@ -13,6 +13,14 @@ use super::unknowns::{COULOMB, OF_JOINT, ROTOR, link_numbers};
 /// The effects that the logs are asked for.
 pub const SOUGHT: [&str; 2] = ["load_friction", "quadratic_drag"];
 
+/// Whether logs are asked for an effect: friction by the load on the joint, not by what its motor gives.
+pub fn is_sought(effect: &EffectTable) -> bool {
+    let by_motor = effect.parameters.get("by_motor_torque").is_some_and(|choice| {
+        choice.as_float().or(choice.as_integer().map(|whole| whole as f64)) != Some(0.0)
+    });
+    SOUGHT.contains(&effect.effect.as_str()) && !by_motor
+}
+
 /// A change below this part of the prior's doubt is none: the data said nothing.
 const CHANGE: f64 = 1e-3;
 
@@ -32,7 +40,7 @@ pub fn model_file(arm: &ArmFile, fit: &Fit, moves: &[bool], terms: &FrictionTerm
     }
     let is_found_anew = |effect: &EffectTable| {
         let moves = usize::from(effect.joint).checked_sub(1).and_then(|joint| moves.get(joint));
-        SOUGHT.contains(&effect.effect.as_str()) && moves == Some(&true)
+        is_sought(effect) && moves == Some(&true)
     };
     model.effects.retain(|effect| !is_found_anew(effect));
     for (joint, terms) in terms.joints.iter().enumerate() {

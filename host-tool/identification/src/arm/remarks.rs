@@ -4,7 +4,7 @@ use files::{ArmFile, ArmJoint, EffectTable};
 use model::mechanism::JointKind;
 
 use super::fit::Fit;
-use super::model_file::SOUGHT;
+use super::model_file::is_sought;
 use super::own_prior::Rotor;
 use super::result::{Estimate, FoundTerms, IdentifiedArm};
 
@@ -85,7 +85,7 @@ fn of_terms(number: usize, joint: &ArmJoint, terms: &FoundTerms) -> Vec<String> 
 
 /// Effects of the robot file that are not sought in the logs, nor taken off them.
 fn of_given_effects(arm: &ArmFile) -> Option<String> {
-    let other = |effect: &&EffectTable| !SOUGHT.contains(&effect.effect.as_str());
+    let other = |effect: &&EffectTable| !is_sought(effect);
     let names: Vec<&str> = arm.effects.iter().filter(other).map(|e| e.effect.as_str()).collect();
     (!names.is_empty()).then(|| {
         format!(

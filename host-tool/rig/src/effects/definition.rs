@@ -104,7 +104,9 @@ impl Definition {
             return Err(self.wrong_parameters(format!("{} values", values.len())));
         }
         for (parameter, &value) in self.parameters.iter().zip(values) {
-            if !(parameter.lowest..=parameter.highest).contains(&value) {
+            let is_choice = parameter.kind == super::parameter::Kind::Choice;
+            let is_whole = !is_choice || [parameter.lowest, parameter.highest].contains(&value);
+            if !is_whole || !(parameter.lowest..=parameter.highest).contains(&value) {
                 return Err(EffectError::Value {
                     effect: self.name,
                     parameter: parameter.name,

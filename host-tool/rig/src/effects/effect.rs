@@ -18,6 +18,8 @@ pub struct JointState<'a> {
     pub qd_rad_per_s: &'a [f64],
     /// Coriolis and gravity torques c + h [Nm].
     pub load_nm: &'a [f64],
+    /// Torques that the motors make of what they are sent [Nm].
+    pub motor_nm: &'a [f64],
 }
 
 /// What an effect does to the simulated robot; it does nothing unless it says so.
@@ -48,6 +50,11 @@ pub trait Effect: Debug + Send + Sync {
 
     /// Whether it needs [`JointState::load_nm`].
     fn feels_load(&self) -> bool {
+        false
+    }
+
+    /// Whether it needs [`JointState::motor_nm`].
+    fn feels_motor_torque(&self) -> bool {
         false
     }
 

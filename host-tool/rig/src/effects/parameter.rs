@@ -9,6 +9,8 @@ pub enum Kind {
     Amplitude,
     /// Waves per turn, a whole number that is tried and not fitted.
     Harmonic,
+    /// One of two, 0 or 1, that are tried and not fitted.
+    Choice,
     /// Phase of a harmonic [rad], the same after a turn.
     Phase,
     /// An angle that is another one after a turn [rad].
@@ -45,6 +47,13 @@ pub enum Kind {
     HalfWidth,
     /// Factor of a term of its own.
     Coefficient,
+}
+
+impl Kind {
+    /// Whether a search tries values of it, and no fit changes them.
+    pub fn is_tried(self) -> bool {
+        matches!(self, Self::Harmonic | Self::Choice)
+    }
 }
 
 /// A parameter of an effect.

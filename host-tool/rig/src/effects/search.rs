@@ -32,6 +32,8 @@ pub struct Typical {
     pub friction_v: f64,
     /// Load c + h, rms, of the joint that bears most where an effect acts on the whole robot [Nm].
     pub load_nm: f64,
+    /// Torque that the motor makes of the largest command [Nm].
+    pub motor_nm: f64,
     /// Highest speed [rad/s].
     pub speed_rad_per_s: f64,
     /// Mean angle [rad].

@@ -86,8 +86,9 @@ impl JointColumns {
     /// The values of [`JointColumns::needed`], from the rigid body's torque, Coriolis and gravity torques and the
     /// velocity.
     pub fn needed_values(&self, torque: f64, load: f64, velocity: f64) -> Option<[f64; 2]> {
-        let friction = self.friction.as_ref()?.at(velocity, load);
-        Some([friction, torque / self.torque_constant().unwrap_or(1.0) + friction])
+        let constant = self.torque_constant().unwrap_or(1.0);
+        let friction = self.friction.as_ref()?.at(velocity, load, torque, constant);
+        Some([friction, torque / constant + friction])
     }
 
     /// Torque by command.

@@ -51,7 +51,7 @@ fn parameters(claim: &Claim, truth: &TrueCause) -> Vec<bool> {
     names.dedup();
     for (name, kind) in names {
         let counts = match kind {
-            Kind::Harmonic => false,
+            Kind::Harmonic | Kind::Choice => false,
             Kind::Phase => same_harmonic(claim, truth),
             _ => !leans || kind == Kind::Rotation,
         };

@@ -25,13 +25,33 @@ pub(super) const DEFINITION: Definition = Definition {
     compensation: Compensation::None("the board does not compute the load's part of friction"),
     experiment: "`rrr run slow` in other postures or with a payload",
     build: |joint, values| {
-        Box::new(LoadFriction { joint: usize::from(joint) - 1, coefficient_v_per_nm: values[0] })
+        Box::new(LoadFriction {
+            joint: usize::from(joint) - 1,
+            coefficient_v_per_nm: values[0],
+            by_motor_torque: false,
+        })
     },
 };
 
-/// On an arm of any kind, whose commands may be newtons or amperes.
+/// On an arm of any kind, whose commands may be newtons or amperes: by the load on the joint, as a bearing's, or by all
+/// that the motor gives, as a gear's, whose teeth also carry what accelerates and what friction takes.
 pub(super) const OF_ARM: Definition = Definition {
-    parameters: &[Parameter::new("coefficient_V_per_Nm", Kind::Coefficient, 0.0, 1000.0)],
+    equation: "gamma + b |c + h|, or gamma + b |k_t u|",
+    parameters: &[
+        Parameter::new("coefficient_V_per_Nm", Kind::Coefficient, 0.0, 1000.0),
+        Parameter::new("by_motor_torque", Kind::Choice, 0.0, 1.0).optional(),
+    ],
+    search: Search::From(|typical| {
+        let by = |load_nm: f64| 0.1 * typical.friction_v / load_nm;
+        vec![vec![by(typical.load_nm), 0.0], vec![by(typical.motor_nm), 1.0]]
+    }),
+    build: |joint, values| {
+        Box::new(LoadFriction {
+            joint: usize::from(joint) - 1,
+            coefficient_v_per_nm: values[0],
+            by_motor_torque: values[1] >= 0.5,
+        })
+    },
     ..DEFINITION
 };
 
@@ -39,14 +59,21 @@ pub(super) const OF_ARM: Definition = Definition {
 struct LoadFriction {
     joint: usize,
     coefficient_v_per_nm: f64,
+    /// Whether it is the motor's torque that loads, and not gravity and Coriolis torques alone.
+    by_motor_torque: bool,
 }
 
 impl Effect for LoadFriction {
     fn feels_load(&self) -> bool {
-        true
+        !self.by_motor_torque
+    }
+
+    fn feels_motor_torque(&self) -> bool {
+        self.by_motor_torque
     }
 
     fn change_friction(&self, state: &JointState, scale: &mut [FrictionScale<f64>]) {
-        scale[self.joint].added_v += self.coefficient_v_per_nm * state.load_nm[self.joint].abs();
+        let loads_nm = if self.by_motor_torque { state.motor_nm } else { state.load_nm };
+        scale[self.joint].added_v += self.coefficient_v_per_nm * loads_nm[self.joint].abs();
     }
 }

@@ -158,6 +158,7 @@ mod tests {
             q_rad: &[0.0, 0.2, 0.0],
             qd_rad_per_s: &[0.0, 0.3, 0.0],
             load_nm: &[0.0, 0.4, 0.0],
+            motor_nm: &[0.0; 3],
         };
         let found = TableAxis::ALL.map(|axis| {
             let (knots, values_v) = (vec![-1.0, 1.0], vec![-1.0, 1.0]);
