@@ -46,6 +46,7 @@ pub use report::sentence::sentence;
 pub use result::*;
 
 use fit::command_instants::by_instants;
+use fit::gears::ask_for_loss;
 use fit::preparation;
 use logs::subject::Subject;
 use logs::usable::Usable;
@@ -138,6 +139,7 @@ fn diagnosed(
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnosisError> {
     let Usable { mut stretches, mut remarks } = Usable::of(traces, &subject)?;
+    subject.gears_lose = ask_for_loss(&subject, &stretches)?;
     let mut searched =
         Searched::of(&subject, stretches.clone(), None, KnownCauses::default(), true, progress)?;
     let early_part = searched.early_part;

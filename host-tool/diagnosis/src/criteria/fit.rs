@@ -42,6 +42,11 @@ criteria! {
         /// Deviation of friction's lead over velocity: soft constraints lead by some 10 ms, frictional
         /// memory lags by a few [s].
         friction_lead_s: f64 = 0.01,
+        /// Deviation of the part of a motor's torque that gears take, the same on all joints of an arm of three and more:
+        /// good ones take some hundredths.
+        gear_loss: f64 = 0.04,
+        /// The most that they take of it.
+        most_gear_loss: f64 = 0.5,
         /// Added for what shapes friction near standstill, the Stribeck velocity and the bristles, in
         /// parts of themselves: no machine's friction is of anybody's formula there.
         friction_shape: f64 = 3.0,

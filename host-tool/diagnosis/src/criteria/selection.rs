@@ -57,6 +57,11 @@ criteria! {
         /// and this part of the refitted model's excess: effects that are not linear are not removed
         /// to the last.
         done_part: f64 = 5e-4,
+        /// A fit of few steps that leaves more than this part of the excess, four times as much, does not come below
+        /// that at its end,
+        may_be_done_part: f64 = 2e-3,
+        /// but a spring's, which is far from linear, may from here.
+        may_be_done_by_spring: f64 = 0.5,
         /// Where no effect pays and a log is left with so many times the noise, that is taken to be systematic.
         systematic_ratio: f64 = 2.0,
         /// An effect that takes away less than this part of what a table over some axis of its joint

@@ -7,7 +7,6 @@ use crate::logs::subject::Subject;
 use crate::rows::evidence::{Evidence, Rows};
 use crate::trial::hypothesis::Hypothesis;
 use crate::trial::residual_rows::train_residual_rows;
-use rig::effects::Kind;
 
 /// Fits a model with everything open in it; `None` where the numbers do not work out.
 pub fn fit(
@@ -136,7 +135,7 @@ pub fn open_in(evidence: &Evidence, subject: &Subject, hypothesis: &Hypothesis) 
     let effects = hypothesis.effects.iter().enumerate().skip(subject.known_effects.len());
     for (index, effect) in effects {
         for (value, parameter) in effect.definition.parameters.iter().enumerate() {
-            if parameter.kind == Kind::Harmonic {
+            if parameter.kind.is_tried() {
                 continue;
             }
             let unknown = Unknown::Effect { index, value };

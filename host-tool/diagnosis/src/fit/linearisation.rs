@@ -3,13 +3,14 @@
 use std::sync::Arc;
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use rayon::prelude::*;
 
 use super::earlier::Earlier;
 use super::gram;
 use super::joint_slopes::JointSlopes;
 use super::normal_equations::{gradient, normal, objective, refitted_squares, train_rows};
 use super::slopes::slopes;
-use super::unknowns::Expected;
+use super::unknowns::{Expected, Unknown};
 use crate::rows::evidence::{Evidence, Rows};
 use crate::trial::hypothesis::Hypothesis;
 use crate::trial::parts::Parts;
@@ -108,17 +109,14 @@ impl Linearisation {
     /// The same model and slopes on rows with other weights; `None` where the numbers do not work
     /// out.
     pub fn reweighted(&self, from: &Evidence, to: &Evidence) -> Option<Self> {
-        let ratio = |joint: usize| -> Vec<f64> {
-            let both = from.weights(joint).zip(to.weights(joint));
-            both.map(|(from, to)| if from > 0.0 { to / from } else { 0.0 }).collect()
-        };
-        let ratios: Vec<Vec<f64>> = (0..from.joint_count()).map(ratio).collect();
+        let ratios: Vec<Vec<f64>> =
+            (0..from.joint_count()).map(|joint| from.ratios_to(to, joint).collect()).collect();
         let mut residual = self.residual.clone();
         for (rows, ratios) in residual.iter_mut().zip(&ratios) {
             rows.iter_mut().zip(ratios).for_each(|(row, ratio)| *row *= ratio);
         }
         let joints: Vec<JointSlopes> =
-            self.joints.iter().map(|slopes| slopes.scaled(&ratios[slopes.joint])).collect();
+            self.joints.par_iter().map(|slopes| slopes.scaled(&ratios[slopes.joint])).collect();
         let objective = objective(&residual, &self.train, &self.hypothesis, &self.expected);
         let (products, of_folds) = products(to, &joints, self.expected.len());
         let gradient = gradient(&joints, &residual, &self.train, &self.hypothesis, &self.expected);
@@ -166,6 +164,11 @@ impl Linearisation {
     /// The lower factor L of the inverse L L^T of the covariance of all that is open.
     pub fn factor(&self) -> DMatrix<f64> {
         self.normal.l()
+    }
+
+    /// Place of a parameter among what is open.
+    pub fn place_of(&self, unknown: Unknown) -> Option<usize> {
+        self.expected.iter().position(|expected| expected.unknown == unknown)
     }
 
     /// Standard deviation of an open parameter, for residuals that are noise alone.

@@ -10,6 +10,7 @@ pub mod earlier;
 pub mod excess;
 pub mod fitted_model;
 pub mod gauss_newton;
+pub mod gears;
 mod gram;
 mod inertia;
 pub mod joint_slopes;

@@ -16,12 +16,8 @@ impl Linearisation {
         let joints = changed_joints(evidence, effect, which);
         let others = &self.hypothesis.effects;
         let hypothesis = self.hypothesis.with(effect.clone());
-        let mut change = evidence.no_change();
-        for (s, parts) in self.parts.iter().enumerate() {
-            let before = (parts, &self.hypothesis);
-            changed(evidence, s, before, &hypothesis, (effect, others), &joints, &mut change);
-        }
-        change
+        let before = (&self.parts[..], &self.hypothesis);
+        changed(evidence, before, &hypothesis, (effect, others), &joints)
     }
 
     /// The same to first order in how far a link is ahead of its motor, where the effect is the first spring of its
@@ -41,11 +37,7 @@ impl Linearisation {
         }
         let joints = changed_joints(evidence, effect, which);
         let hypothesis = self.hypothesis.with(effect.clone());
-        let mut change = evidence.no_change();
-        for (s, parts) in self.parts.iter().enumerate() {
-            changed_by_spring(evidence, s, parts, &hypothesis, effect, &joints, &mut change);
-        }
-        change
+        changed_by_spring(evidence, &self.parts, &hypothesis, effect, &joints)
     }
 }
 

@@ -54,7 +54,7 @@ pub fn slopes(
     let of_joint = |&joint: &usize| {
         joined(JointSlopes::of(joint, &columns[joint], residual[joint].len()), earlier)
     };
-    let joints = evidence.joints.iter().map(of_joint).collect();
+    let joints = evidence.joints.par_iter().map(of_joint).collect();
     (parts, residual, joints)
 }
 
@@ -100,7 +100,7 @@ fn stretch_slopes(
         let columns = own_slopes(evidence, s, joint, &trial, hypothesis, wanted);
         (parts, rows, columns)
     };
-    (0..evidence.joint_count()).map(of_joint).collect()
+    (0..evidence.joint_count()).into_par_iter().map(of_joint).collect()
 }
 
 /// Slopes of a joint's rows in a stretch that need no whole model.
@@ -168,6 +168,7 @@ impl Known {
             Unknown::FrictionLead(of) if of == joint => {
                 Some(self.friction_slope(FRICTION_COUNT, joint, trial))
             }
+            Unknown::GearLoss => Some(self.friction_slope(FRICTION_COUNT + 1, joint, trial)),
             Unknown::Lag(of) if of == joint => {
                 Some(trial.command_slope(joint).iter().map(|u| -u).collect())
             }
@@ -237,11 +238,8 @@ fn effect_slope(
         true => evidence.joints.clone(),
         false => vec![usize::from(effect.joint) - 1],
     };
-    let mut slope = evidence.no_change();
-    for (s, parts) in parts.iter().enumerate() {
-        let before = (parts, hypothesis);
-        changed(evidence, s, before, &moved, (effect, &others), &joints, &mut slope);
-    }
+    let before = (parts, hypothesis);
+    let mut slope = changed(evidence, before, &moved, (effect, &others), &joints);
     slope.iter_mut().flatten().flatten().for_each(|row| *row /= step);
     slope
 }

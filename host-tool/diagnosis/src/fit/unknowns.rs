@@ -36,6 +36,8 @@ pub enum Unknown {
     Lag(usize),
     /// By how much a joint's friction runs ahead of its velocity.
     FrictionLead(usize),
+    /// The part of every motor's torque by which friction grows.
+    GearLoss,
     /// The value of a table at one of its knots.
     Table {
         /// Which table.
@@ -101,6 +103,9 @@ pub fn expected(subject: &Subject, period_s: f64) -> Vec<Expected> {
         all.push(Expected::new(Unknown::Lag(joint), 0.0, prior.lag_periods * period_s));
         all.push(Expected::new(Unknown::FrictionLead(joint), 0.0, prior.friction_lead_s));
     }
+    if subject.gears_lose {
+        all.push(Expected::new(Unknown::GearLoss, 0.0, prior.gear_loss));
+    }
     all
 }
 
@@ -138,11 +143,13 @@ fn usual_friction_deviation(
 }
 
 impl Unknown {
-    /// Whether it shapes a joint's friction around standstill, of which little is known beforehand.
+    /// Whether it shapes friction in a way of which little is known beforehand: a joint's around standstill, or all
+    /// joints' by what their gears take. A search begins where these are refitted: begun without a loss of gears that is
+    /// there, it misses loads, while a load that is missing takes the loss back once it is found.
     pub fn shapes_friction(self) -> bool {
         match self {
             Self::Friction { parameter, .. } => parameter != COULOMB && parameter != VISCOUS,
-            Self::FrictionLead(_) => true,
+            Self::FrictionLead(_) | Self::GearLoss => true,
             _ => false,
         }
     }
@@ -168,6 +175,7 @@ impl Unknown {
             }
             Self::Lag(joint) => hypothesis.lag_s[joint],
             Self::FrictionLead(joint) => hypothesis.friction_lead_s[joint],
+            Self::GearLoss => hypothesis.gear_loss,
             Self::Table { index, knot } => hypothesis.tables[index].values_v[knot],
             Self::Effect { index, value } => hypothesis.effects[index].values[value],
         }
@@ -185,14 +193,18 @@ impl Unknown {
             }
             Self::Lag(joint) => hypothesis.lag_s[joint] = to,
             Self::FrictionLead(joint) => hypothesis.friction_lead_s[joint] = to,
+            Self::GearLoss => hypothesis.gear_loss = to,
             Self::Table { index, knot } => hypothesis.tables[index].values_v[knot] = to,
             Self::Effect { index, value } => hypothesis.effects[index].values[value] = to,
         }
     }
 }
 
-/// Where a parameter of friction is one of friction.
+/// Where a parameter is physical: one of friction, or what gears take.
 fn physical(unknown: Unknown, hypothesis: &Hypothesis, subject: &Subject) -> [f64; 2] {
+    if unknown == Unknown::GearLoss {
+        return [0.0, subject.criteria.prior.most_gear_loss];
+    }
     let Unknown::Friction { joint, parameter } = unknown else {
         return [f64::NEG_INFINITY, f64::INFINITY];
     };
@@ -221,7 +233,7 @@ pub fn range(unknown: Unknown, hypothesis: &Hypothesis, subject: &Subject) -> [f
     }
 }
 
-/// Friction parameters kept where friction is friction.
+/// Parameters of friction kept where it is friction.
 pub fn kept_physical(hypothesis: &mut Hypothesis, subject: &Subject) {
     for joint in 0..subject.plant.friction.len() {
         // Coulomb friction comes first, for it bounds the Stribeck level.
@@ -231,4 +243,6 @@ pub fn kept_physical(hypothesis: &mut Hypothesis, subject: &Subject) {
             unknown.set(hypothesis, unknown.get(hypothesis).max(least).min(most));
         }
     }
+    let most = subject.criteria.prior.most_gear_loss;
+    hypothesis.gear_loss = hypothesis.gear_loss.clamp(0.0, most);
 }

@@ -46,6 +46,7 @@ impl Subject {
             known_tables: Vec::new(),
             joints: (0..arm.joints.len()).collect(),
             one_joint: false,
+            gears_lose: false,
             known: known(arm, &plant, &numbers),
             encoder_step_rad: encoder_steps(arm, traces, criteria),
             command_limits_v: joints.command_limits_v,

@@ -50,6 +50,7 @@ impl Subject {
             known_tables: Vec::new(),
             joints: if one_joint { vec![ONLY] } else { vec![0, 1, 2] },
             one_joint,
+            gears_lose: false,
             encoder_step_rad: vec![known.encoder_step_rad; 3],
             command_limits_v: vec![known.command_limit_v; 3],
             known,

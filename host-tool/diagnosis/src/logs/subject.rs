@@ -29,6 +29,8 @@ pub struct Subject {
     pub numbers: Vec<u8>,
     /// Whether the rig has but one joint that is the third of an arm here.
     pub one_joint: bool,
+    /// Whether its gears take a part of their motors' torque that the model does not tell.
+    pub gears_lose: bool,
     /// What the manufacturer tells of all joints alike.
     pub known: Known,
     /// Encoder step of every joint of the plant [rad; m].
@@ -62,6 +64,12 @@ impl Subject {
     /// Inertia of a joint (from 0) with the arm stretched, motor included.
     pub fn inertia_kg_m2(&self, joint: usize) -> f64 {
         self.plant.body.inertia(joint, &vec![0.0; self.plant.joints()])
+    }
+
+    /// Whether its gears may take the same part of their motors' torque: those of one arm of three joints and more are of
+    /// one kind, while a joint alone tells no loss from friction by its load. The three-joint robot has none.
+    pub fn may_share_gear_loss(&self) -> bool {
+        self.plant.as_chain().is_some() && self.joints.len() >= 3
     }
 
     /// The most that a motor accelerates the joint of this number in files [rad/s^2; m/s^2], the arm

@@ -21,7 +21,8 @@ pub fn amended(subject: &Subject, file: &ModelFile, hypothesis: &Hypothesis) -> 
         Table { joint: subject.outer_joint(table.joint), ..table.clone() }.to_effect_table()
     };
     let mut amended = file.refitted(subject, hypothesis);
-    let effects = hypothesis.effects.iter().map(effect);
+    let of_gears = hypothesis.effects_of_gears();
+    let effects = hypothesis.effects.iter().chain(&of_gears).map(effect);
     amended.set_effects(effects.chain(hypothesis.tables.iter().map(table)).collect());
     amended
 }

@@ -67,6 +67,7 @@ impl Assembly<'_> {
             parameters_changed: parameters_changed(
                 subject,
                 &judgement.confirmation.refitted.linear,
+                &judgement.last.linear,
             ),
             remainder: remainder(subject, judgement, &logs),
             gap_shares: self.gap_shares(&logs),

@@ -85,7 +85,7 @@ fn intervals(
     let mut all = BTreeMap::<String, Interval>::new();
     for (value, parameter) in effect.definition.parameters.iter().enumerate() {
         let unknown = Unknown::Effect { index, value };
-        let Some(place) = linear.expected.iter().position(|e| e.unknown == unknown) else {
+        let Some(place) = linear.place_of(unknown) else {
             continue;
         };
         let middle = effect.values[value];

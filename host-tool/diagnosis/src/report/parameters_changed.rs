@@ -13,14 +13,24 @@ use crate::result::ParameterChange;
 /// The squares that go from given to refitted are a sum over the parameters, by the slopes of the
 /// refitted model: for r the refitted residual and d = -J (found - given) what setting back adds,
 /// they are d (2 r + d), and each column of J has its term of d in it.
-pub fn parameters_changed(subject: &Subject, refitted: &Linearisation) -> Vec<ParameterChange> {
+///
+/// What gears take is told as the model with all causes has it: without a load, say, all that it adds seems theirs.
+pub fn parameters_changed(
+    subject: &Subject,
+    refitted: &Linearisation,
+    last: &Linearisation,
+) -> Vec<ParameterChange> {
     let criteria = &subject.criteria.verdict;
     let taken = refitted.squares_by_parameter();
     let whole: f64 = taken.iter().sum();
     let change = |place: usize| {
         let expected = &refitted.expected[place];
-        let found = expected.unknown.get(&refitted.hypothesis);
-        let half = 1.96 * refitted.deviation(place);
+        let (told_by, at) = match expected.unknown {
+            Unknown::GearLoss => (last, last.place_of(Unknown::GearLoss)?),
+            _ => (refitted, place),
+        };
+        let found = expected.unknown.get(&told_by.hypothesis);
+        let half = 1.96 * told_by.deviation(at);
         let share = taken[place] / whole.max(f64::MIN_POSITIVE);
         let is_sure = (found - expected.mean).abs() > criteria.sure_half_widths * half;
         let parameter = name(subject, expected.unknown)?;
@@ -37,7 +47,7 @@ pub fn parameters_changed(subject: &Subject, refitted: &Linearisation) -> Vec<Pa
     all
 }
 
-/// A parameter's name in the model file; none for what that does not hold.
+/// A parameter's name: in the model file, or `gears.loss`, which that holds as effects; none for what it does not hold.
 pub(super) fn name(subject: &Subject, unknown: Unknown) -> Option<String> {
     match unknown {
         Unknown::Base(place) => Some(subject.base_name(place)),
@@ -46,6 +56,7 @@ pub(super) fn name(subject: &Subject, unknown: Unknown) -> Option<String> {
             let number = subject.numbers[place];
             Some(format!("friction[{number}].{}", subject.friction_name(joint, parameter)))
         }
+        Unknown::GearLoss => Some("gears.loss".into()),
         _ => None,
     }
 }

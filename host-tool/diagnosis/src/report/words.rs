@@ -65,6 +65,9 @@ fn one_parameter(parameter: &Parameter, value: &Value, alone: bool) -> String {
         Value::Number(value) if parameter.kind == Kind::Harmonic => {
             return format!("{} per turn", number(*value));
         }
+        Value::Number(_) if parameter.kind == Kind::Choice => {
+            return parameter.name.replace('_', " ");
+        }
         Value::Number(value) if unit.is_empty() => format!("{:+.1} %", 100.0 * value),
         Value::Number(value) => quantity(*value, unit),
         Value::Vector(values) => {
@@ -85,7 +88,7 @@ fn interval_words(parameter: &Parameter, value: &Value, interval: &Interval) -> 
             let scale = if unit.is_empty() { 100.0 } else { scale(*value, unit) };
             let is_wide = high - low > 2.0 * WITHIN_DIGITS * value.abs();
             let ends = [low, high].map(|end| number(scale * end));
-            let said = parameter.kind != Kind::Harmonic && is_wide;
+            let said = !parameter.kind.is_tried() && is_wide;
             said.then(|| format!(" [{} to {}]", ends[0], ends[1]))
         }
         (Value::Vector(_), Interval::Vector(ends)) => {

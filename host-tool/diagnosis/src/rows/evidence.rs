@@ -235,6 +235,21 @@ impl Evidence {
         self.weights[joint].iter().flatten().copied()
     }
 
+    /// By what rows of a joint with these weights are scaled to have those of other rows; by nothing where they have none.
+    pub fn ratios_to<'a>(&'a self, to: &'a Self, joint: usize) -> impl Iterator<Item = f64> + 'a {
+        let both = self.weights(joint).zip(to.weights(joint));
+        both.map(|(from, to)| if from > 0.0 { to / from } else { 0.0 })
+    }
+
+    /// A change of rows with these weights as one of rows with other weights.
+    pub fn change_on(&self, to: &Self, change: &RowChange) -> RowChange {
+        let of_joint = |(joint, rows): (usize, &Option<Vec<f64>>)| {
+            let both = rows.as_ref()?.iter().zip(self.ratios_to(to, joint));
+            Some(both.map(|(row, ratio)| row * ratio).collect())
+        };
+        change.iter().enumerate().map(of_joint).collect()
+    }
+
     /// Weighted rows of all joints in volts, by the part for which each counts; those without weight are zero.
     pub fn volts(&self, rows: &Rows) -> Rows {
         let in_volts = |joint: usize| {

@@ -65,7 +65,7 @@ impl Candidate {
     /// Indices of the values that a search changes.
     fn free_values(&self) -> Vec<usize> {
         let parameters = self.effect.definition.parameters.iter().enumerate();
-        parameters.filter(|(_, p)| p.kind != Kind::Harmonic).map(|(index, _)| index).collect()
+        parameters.filter(|(_, p)| !p.kind.is_tried()).map(|(index, _)| index).collect()
     }
 
     /// Slope of the rows along a value.

@@ -4,8 +4,8 @@ use rayon::prelude::*;
 
 use super::candidate::Candidate;
 use super::harmonics;
-use super::play::{best_of_each_gap, best_play, with_wider_gaps};
-use super::promise::{Start, promised};
+use super::play::best_play;
+use super::promise::Start;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
@@ -13,19 +13,6 @@ use crate::trial::equation::Trial;
 use crate::trial::hypothesis::EffectInstance;
 use rig::effects::{Definition, Search, Typical};
 use signal::rms;
-
-/// The most promising starts of these effects and joints, the best of each first.
-pub(super) fn starts_at(
-    places: &[(&'static Definition, u8)],
-    linear: &Linearisation,
-    evidence: &Evidence,
-    subject: &Subject,
-) -> Vec<Vec<Start>> {
-    let of_place = |&(definition, joint): &(&'static Definition, u8)| {
-        starts(linear, evidence, subject, definition, joint)
-    };
-    places.par_iter().map(of_place).collect()
-}
 
 /// The best of every effect on every joint that is worth a search from these starts, the best first.
 pub(super) fn candidates(
@@ -79,7 +66,9 @@ pub(crate) fn places_open(
 ) -> Vec<(&'static Definition, u8)> {
     let mut places = places(subject);
     places.retain(|&(definition, joint)| {
-        let same = |e: &EffectInstance| e.definition.name == definition.name && e.joint == joint;
+        let same = |e: &EffectInstance| {
+            e.definition.name == definition.name && e.joint == joint && !e.is_of_gear()
+        };
         let alone = matches!(definition.search, Search::From(_));
         !(alone && effects.iter().any(same))
     });
@@ -98,30 +87,8 @@ pub(crate) fn first_start(
     Some(EffectInstance { definition, joint, values })
 }
 
-/// The most promising starts of an effect, the best first.
-fn starts(
-    linear: &Linearisation,
-    evidence: &Evidence,
-    subject: &Subject,
-    definition: &'static Definition,
-    joint: u8,
-) -> Vec<Start> {
-    let values = start_values(linear, evidence, subject, definition, joint);
-    let effects = values.into_iter().map(|values| EffectInstance { definition, joint, values });
-    let mut starts: Vec<Start> = with_wider_gaps(effects.collect())
-        .into_iter()
-        .map(|effect| Start { gain: promised(linear, evidence, &effect), effect })
-        .collect();
-    starts.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-    match starts.first() {
-        Some(start) if start.effect.has_backlash() => best_of_each_gap(&mut starts),
-        _ => starts.truncate(evidence.criteria.search.starts),
-    }
-    starts
-}
-
 /// Values of an effect's parameters from which a search may begin.
-fn start_values(
+pub(super) fn start_values(
     linear: &Linearisation,
     evidence: &Evidence,
     subject: &Subject,
@@ -179,8 +146,10 @@ pub(crate) fn typical(
     };
     let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(1e-9, f64::max);
     let angles: Vec<f64> = all(|s, j| &s.motion.q_rad[j]).collect();
+    let command_v = largest(&mut all(|s, j| &s.command_v[j]));
     Typical {
-        command_v: largest(&mut all(|s, j| &s.command_v[j])),
+        command_v,
+        motor_nm: command_v * plant.torque_constant_nm_per_v[joint],
         friction_v: plant.friction[joint].alpha0_v,
         load_nm: loads.fold(1e-6, f64::max),
         speed_rad_per_s: largest(&mut all(|s, j| &s.motion.qd_rad_per_s[j])),

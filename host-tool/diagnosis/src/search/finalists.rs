@@ -3,11 +3,12 @@
 use rayon::prelude::*;
 
 use super::candidate::Candidate;
-use super::candidates::{candidates, places_open, starts_at};
+use super::candidates::{candidates, places_open};
 use super::independent_rows::by_independent_rows;
 use super::policy::is_more_than;
 use super::promise::Start;
 use super::refit::{Finalist, refitted};
+use super::starts::EffectStarts;
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
@@ -19,6 +20,8 @@ pub struct Contest<'a> {
     subject: &'a Subject,
     before: &'a FittedModel,
     now: &'a Linearisation,
+    /// What every effect's starts change.
+    tried: Vec<EffectStarts>,
     /// Candidates that were not refitted yet, the best first.
     promising: Vec<Candidate>,
     /// The best start of every effect on every joint.
@@ -36,7 +39,8 @@ impl<'a> Contest<'a> {
     /// effects are searched from.
     pub fn of(subject: &'a Subject, before: &'a FittedModel, now: &'a Linearisation) -> Self {
         let places = places_open(subject, &now.hypothesis.effects);
-        let starts = starts_at(&places, now, &before.evidence, subject);
+        let tried = EffectStarts::at(&places, now, &before.evidence, subject);
+        let starts: Vec<Vec<Start>> = tried.iter().map(|tried| tried.best(subject)).collect();
         let first_starts = starts.iter().filter_map(|starts| starts.first()).cloned().collect();
         let mut promising = candidates(starts, now, &before.evidence, subject);
         let without = now.refitted_objective();
@@ -46,6 +50,7 @@ impl<'a> Contest<'a> {
             subject,
             before,
             now,
+            tried,
             promising,
             first_starts,
             batches,
@@ -75,7 +80,7 @@ impl<'a> Contest<'a> {
             return false;
         }
         self.widened = true;
-        let more = by_independent_rows(self.subject, self.before, self.now);
+        let more = by_independent_rows(self.subject, self.before, self.now, &self.tried);
         let any = !more.is_empty();
         self.take(more);
         any

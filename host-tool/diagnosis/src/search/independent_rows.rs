@@ -7,16 +7,17 @@
 //! rows that all count, by what is left of their log, and rows that all count alike. Whether a candidate pays is
 //! judged by what it leaves then itself, like that of any other finalist.
 
+use rayon::prelude::*;
+
 use super::candidate::Candidate;
-use super::candidates::{candidates, places_open, starts_at};
+use super::candidates::candidates;
 use super::refit::{Finalist, refitted, refitted_from};
+use super::starts::{EffectStarts, is_spring};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
 use crate::rows::misfit::Misfit;
-use crate::trial::hypothesis::EffectInstance;
-use rig::effects::Definition;
 
 /// Rows of the size that a model leaves, each for itself, and a model linearised on them.
 struct IndependentRows {
@@ -35,7 +36,7 @@ impl IndependentRows {
         }
         let own = misfit.clone().independent();
         let pooled = own.clone().pooled();
-        [own, pooled].iter().filter_map(|misfit| Self::of(misfit, before, now)).collect()
+        [own, pooled].par_iter().filter_map(|misfit| Self::of(misfit, before, now)).collect()
     }
 
     /// Those of the size of a misfit.
@@ -48,10 +49,16 @@ impl IndependentRows {
 
     /// The best candidates. Springs between motor and link are not among them: they smooth, and take some of
     /// whatever is left.
-    fn candidates(&self, subject: &Subject) -> Vec<Candidate> {
-        let mut places = places_open(subject, &self.linear.hypothesis.effects);
-        places.retain(|(definition, _)| !is_spring(definition));
-        let starts = starts_at(&places, &self.linear, &self.evidence, subject);
+    fn candidates(
+        &self,
+        subject: &Subject,
+        from: &Evidence,
+        tried: &[EffectStarts],
+    ) -> Vec<Candidate> {
+        let here = (&self.linear, &self.evidence);
+        let starts = |tried: &EffectStarts| tried.on(from, here, subject).best(subject);
+        let others = tried.par_iter().filter(|tried| !is_spring(tried.definition));
+        let starts = others.map(starts).collect();
         let mut found = candidates(starts, &self.linear, &self.evidence, subject);
         let without = self.linear.refitted_objective();
         found.retain(|candidate| candidate.train < without);
@@ -60,25 +67,21 @@ impl IndependentRows {
     }
 }
 
-/// Whether an effect is a spring between motor and link, whatever its values.
-fn is_spring(definition: &'static Definition) -> bool {
-    let values = definition.parameters.iter().map(|parameter| parameter.highest).collect();
-    EffectInstance { definition, joint: 1, values }.is_spring()
-}
-
-/// The best effects beside those of the model `before`, sought from where it is linearised in `now`, refitted.
-pub fn by_independent_rows(
+/// The best effects beside those of the model `before`, sought from where it is linearised in `now`, refitted; of starts
+/// that were `tried` there.
+pub(super) fn by_independent_rows(
     subject: &Subject,
     before: &FittedModel,
     now: &Linearisation,
+    tried: &[EffectStarts],
 ) -> Vec<Finalist> {
     let starts = IndependentRows::starts(subject, before, now);
     let Some(first) = starts.first() else { return Vec::new() };
-    let found = first.candidates(subject);
+    let found = first.candidates(subject, &before.evidence, tried);
     let from = |rows: &IndependentRows| {
         refitted_from(subject, before, (&rows.evidence, &rows.linear), &found)
     };
-    let mut all: Vec<Finalist> = starts.iter().flat_map(from).collect();
+    let mut all: Vec<Finalist> = starts.par_iter().flat_map(from).collect();
     all.extend(refitted(subject, before, now, found));
     all
 }
@@ -95,6 +98,7 @@ pub fn fitted_by_independent_rows(
         FittedModel::fitted(&rows.evidence, subject, start, steps)
     };
     let starts = IndependentRows::starts(subject, model, &model.linear);
-    let best = starts.into_iter().filter_map(fitted).reduce(FittedModel::better_of);
+    let all: Vec<FittedModel> = starts.into_par_iter().filter_map(fitted).collect();
+    let best = all.into_iter().reduce(FittedModel::better_of);
     best.map(|best| best.settled(subject))
 }

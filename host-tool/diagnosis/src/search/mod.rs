@@ -16,5 +16,6 @@ pub mod refit;
 pub mod restart;
 pub mod rivals;
 pub mod selection;
+mod starts;
 mod wave_rows;
 pub mod winner;

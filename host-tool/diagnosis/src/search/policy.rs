@@ -25,6 +25,17 @@ pub fn is_done(gap: &ResidualStats, left: &ResidualStats, criteria: &Criteria) -
     (left.excess == 0.0 && near) || nearly
 }
 
+/// Whether a model whose fit is not yet at its end may leave so little of the gap there that the search is done.
+pub fn may_be_done(gap: &ResidualStats, model: &FittedModel) -> bool {
+    let policy = &model.evidence.criteria.selection;
+    let part = if model.ends_with_spring() {
+        policy.may_be_done_by_spring
+    } else {
+        policy.may_be_done_part
+    };
+    model.stats.excess <= part * gap.excess
+}
+
 /// Effects that are another and something more, with that other.
 const CONTAINED: [(&str, &str); 2] =
     [("cable_spring", "dac_offset"), ("backlash", "joint_elasticity")];

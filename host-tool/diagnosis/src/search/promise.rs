@@ -2,7 +2,7 @@
 
 use crate::fit::linearisation::Linearisation;
 use crate::fit::row_changes::Joints;
-use crate::rows::evidence::Evidence;
+use crate::rows::evidence::{Evidence, RowChange};
 use crate::trial::hypothesis::EffectInstance;
 use rig::effects::Touches;
 
@@ -15,34 +15,48 @@ pub(crate) struct Start {
     pub gain: f64,
 }
 
-/// What a start promises. Backlash is far from linear: its promise is what the start itself gains, where that
-/// is more than nothing, on all joints, for a link that flies pulls at the others.
+/// What a start promises.
 pub(super) fn promised(
     linear: &Linearisation,
     evidence: &Evidence,
     effect: &EffectInstance,
 ) -> f64 {
-    if !effect.has_backlash() {
-        return promise(linear, evidence, effect);
-    }
-    let change = linear.change_nearly_by(evidence, effect, Joints::All);
-    let squares = linear.refitted_objective() - linear.objective_with(&change);
-    free_size_gain(squares, linear.squares())
+    promised_by(linear, effect, &change_that_shows(linear, evidence, effect))
 }
 
-/// Twice the log-likelihood that the change of rows by an effect would gain if it were scaled as
-/// suits best.
+/// Change of rows by a start, of the joints on which it shows.
 ///
-/// Another reading of an encoder bends the loads of all joints, whose parameters hide it on its own; a
-/// spring shows on its own.
-pub(crate) fn promise(linear: &Linearisation, evidence: &Evidence, effect: &EffectInstance) -> f64 {
-    let shows_on_all = effect.definition.touches == Touches::READING;
+/// Another reading of an encoder bends the loads of all joints, whose parameters hide it on its own; a link that flies
+/// pulls at the others; a spring shows on its own.
+pub(super) fn change_that_shows(
+    linear: &Linearisation,
+    evidence: &Evidence,
+    effect: &EffectInstance,
+) -> RowChange {
+    let shows_on_all = shows_on_all(effect) || effect.has_backlash();
     let joints = if shows_on_all { Joints::All } else { Joints::Own };
-    let change = linear.change_nearly_by(evidence, effect, joints);
-    let (gradient, curvature) = linear.along(&Default::default(), &[change]);
+    linear.change_nearly_by(evidence, effect, joints)
+}
+
+fn shows_on_all(effect: &EffectInstance) -> bool {
+    effect.definition.touches == Touches::READING
+}
+
+/// What a start promises by its change of rows: what that gains if it is scaled as suits best. Backlash is far from
+/// linear: its promise is what the start itself gains, where that is more than nothing.
+pub(super) fn promised_by(
+    linear: &Linearisation,
+    effect: &EffectInstance,
+    change: &RowChange,
+) -> f64 {
+    if effect.has_backlash() {
+        let squares = linear.refitted_objective() - linear.objective_with(change);
+        return free_size_gain(squares, linear.squares());
+    }
+    let (gradient, curvature) = linear.along(&Default::default(), std::slice::from_ref(change));
     let squares = gradient[0] * gradient[0] / curvature[(0, 0)].max(1e-12);
-    let of_squares = if shows_on_all { linear.squares() } else { linear.squares_of(effect) };
-    free_size_gain(squares, of_squares)
+    let all = shows_on_all(effect);
+    free_size_gain(squares, if all { linear.squares() } else { linear.squares_of(effect) })
 }
 
 /// Twice the log-likelihood that rows gain whose size is free, n ln(n / (n - gain)): an effect that

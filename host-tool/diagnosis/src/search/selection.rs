@@ -1,6 +1,8 @@
 //! The search: to a model and the effects that are known already others are added one after the other, each the
 //! best of all, as long as the policy accepts one; then each is tried without, and against its rivals.
 
+use rayon::prelude::*;
+
 use super::finalists::{Contest, each_once};
 use super::found::{Added, KnownCauses, Rival, Selection};
 use super::from_given::{better_from_given, is_chain, refitted_from_given, with_given_parameters};
@@ -212,10 +214,11 @@ pub fn update_gains(subject: &Subject, last: &FittedModel, added: &mut [Added]) 
     let known = subject.known_effects.len();
     let (gap, rivals) = (last.stats.clone(), Vec::new());
     let search = Search { subject, gap, last: last.clone(), rivals };
-    for (index, added) in added.iter_mut().enumerate() {
+    let update = |(index, added): (usize, &mut Added)| {
         if let Some(without) = search.without(known + index) {
             added.gain = gain(&without, last);
             added.without = without;
         }
-    }
+    };
+    added.par_iter_mut().enumerate().for_each(update);
 }

@@ -3,7 +3,7 @@
 use super::finalists::Contest;
 use super::independent_rows::fitted_by_independent_rows;
 use super::objection::objection;
-use super::policy::{is_done, is_physical};
+use super::policy::{is_done, is_physical, may_be_done};
 use super::refit::Finalist;
 use super::restart::{restarted, with_play};
 use crate::fit::fitted_model::FittedModel;
@@ -29,8 +29,15 @@ impl Winner {
         contest: &mut Contest,
         lost: &[EffectInstance],
     ) -> Option<Self> {
+        let criteria = &subject.criteria;
+        let may_end = |finalist: &Finalist| may_be_done(gap, &finalist.model);
+        if !contest.finalists.iter().any(may_end) {
+            // Whoever wins leaves much: it is told once all are there.
+            contest.widen();
+            return Self::among(subject, before, &contest.finalists, lost);
+        }
         let first = Self::among(subject, before, &contest.finalists, lost);
-        let is_all = |winner: &Self| is_done(gap, &winner.model.stats, &subject.criteria);
+        let is_all = |winner: &Self| is_done(gap, &winner.model.stats, criteria);
         let tried: Vec<EffectInstance> =
             contest.finalists.iter().map(|finalist| finalist.effect.clone()).collect();
         if first.as_ref().is_some_and(is_all) || !contest.widen() {

@@ -21,8 +21,8 @@ use rig::Plant;
 use rig::effects::{Effect, JointState, Table, TableAxis, Transmission};
 use signal::derivative;
 
-/// Slopes of friction: along its parameters, and along its lead.
-pub const FRICTION_SLOPES: usize = FRICTION_COUNT + 1;
+/// Slopes of friction: along its parameters, along its lead, and along the gears' loss.
+pub const FRICTION_SLOPES: usize = FRICTION_COUNT + 2;
 
 /// The effects of a hypothesis on a stretch.
 pub struct ActiveEffects<'a> {
@@ -37,6 +37,10 @@ pub struct ActiveEffects<'a> {
     middles: OnceLock<Middles>,
     /// Load on the joints in every interval, once it is asked for.
     loads: OnceLock<Arc<Vec<Joints>>>,
+    /// Torques of the motors in every interval, once they are asked for [Nm].
+    motor_nm: OnceLock<Vec<Joints>>,
+    /// Torques that effects on the whole robot add in every interval, by joints, once they are asked for [Nm].
+    pub(super) from_outside_nm: OnceLock<Vec<Vec<f64>>>,
 }
 
 impl<'a> ActiveEffects<'a> {
@@ -46,8 +50,18 @@ impl<'a> ActiveEffects<'a> {
         let mut plant = hypothesis.plant.clone();
         effects.iter().for_each(|effect| effect.change_robot(&mut plant));
         let motor = reading::corrected(&stretch.motion, &effects);
-        let (middles, loads) = (OnceLock::new(), OnceLock::new());
-        Self { stretch, hypothesis, effects, plant, motor, middles, loads }
+        let (middles, loads, motor_nm, from_outside_nm) = Default::default();
+        Self {
+            stretch,
+            hypothesis,
+            effects,
+            plant,
+            motor,
+            middles,
+            loads,
+            motor_nm,
+            from_outside_nm,
+        }
     }
 
     /// Joints (from 0) with a spring between motor and link.
@@ -62,12 +76,13 @@ impl<'a> ActiveEffects<'a> {
 
     /// Friction of a joint of `plant` in the interval after each sample [V].
     pub fn friction_v(&self, joint: usize, plant: &Plant) -> Vec<f64> {
-        let lead_s = self.hypothesis.friction_lead_s[joint];
-        self.friction_with(joint, &plant.friction[joint], lead_s, |friction_v| friction_v)
+        let Hypothesis { friction_lead_s, gear_loss, .. } = self.hypothesis;
+        let (friction, lead_s) = (&plant.friction[joint], friction_lead_s[joint]);
+        self.friction_with(joint, friction, (lead_s, *gear_loss), |friction_v| friction_v)
     }
 
     /// Slopes of a joint's friction in the interval after each sample: along each of its
-    /// parameters, in their order, and along its lead [V per their unit].
+    /// parameters, in their order, along its lead, and along the gears' loss [V per their unit].
     pub fn friction_slopes(&self, joint: usize) -> Vec<[f64; FRICTION_SLOPES]> {
         let mut place = 0;
         let mut along = |value: f64| {
@@ -76,16 +91,17 @@ impl<'a> ActiveEffects<'a> {
         };
         let friction = Friction::from_array(self.plant.friction[joint].to_array().map(&mut along));
         let lead_s = along(self.hypothesis.friction_lead_s[joint]);
-        self.friction_with(joint, &friction, lead_s, |friction_v| friction_v.slope)
+        let gear_loss = along(self.hypothesis.gear_loss);
+        self.friction_with(joint, &friction, (lead_s, gear_loss), |friction_v| friction_v.slope)
     }
 
-    /// A part of a joint's friction in the interval after each sample, were it `friction` and ahead
-    /// of the velocity by `lead_s`.
+    /// A part of a joint's friction in the interval after each sample, were it `friction`, ahead of the velocity by
+    /// `lead_s`, and its level grew by the part `gear_loss` of the command.
     fn friction_with<T: Real, P>(
         &self,
         joint: usize,
         friction: &Friction<T>,
-        lead_s: T,
+        (lead_s, gear_loss): (T, T),
         part: impl Fn(T) -> P,
     ) -> Vec<P> {
         let (half, quarter) = (T::constant(0.5), T::constant(0.25));
@@ -93,17 +109,19 @@ impl<'a> ActiveEffects<'a> {
         let v = self.velocity_ahead(joint, lead_s);
         let last = v.len() - 1;
         let scaling = at_rest(self.hypothesis.effects_on_friction_of(joint), self.stretch.period_s);
-        let feels_load = any_feels_load(&scaling);
+        let felt = TorquesFelt::by(&scaling);
+        let command_v = &self.stretch.command_v[joint];
         let mut bristles = FrictionState { deflection_rad: T::zero() };
         let mut scales = [FrictionScale::unchanged(); MAX_JOINTS];
         let scales = &mut scales[..self.plant.joints()];
         let mut interval = |k: usize| {
             if !scaling.is_empty() {
                 scales.fill(FrictionScale::unchanged());
-                let joint_state = self.joint_state(k, feels_load);
+                let joint_state = self.joint_state(k, felt);
                 scaling.iter().for_each(|e| e.change_friction(&joint_state, scales));
             }
-            let scale = scales[joint].cast();
+            let mut scale: FrictionScale<T> = scales[joint].cast();
+            scale.added_v = scale.added_v + gear_loss * T::constant(command_v[k].abs());
             let (here, next) = (v[k], v[(k + 1).min(last)]);
             let quarter_on = (next - here) * quarter;
             let early = bristles.step_scaled(friction, scale, here + quarter_on, half_s);
@@ -133,11 +151,11 @@ impl<'a> ActiveEffects<'a> {
         let mut scale = vec![FrictionScale::unchanged(); self.plant.joints()];
         let velocity: Vec<Cow<[f64]>> =
             (0..self.plant.joints()).map(|joint| self.sliding_velocity(joint)).collect();
-        let feels_load = any_feels_load(&self.effects);
+        let felt = TorquesFelt::by(&self.effects);
         let mut at = |k: usize| {
             let before = bristles.clone();
             scale.fill(FrictionScale::unchanged());
-            let joint_state = self.joint_state(k, feels_load);
+            let joint_state = self.joint_state(k, felt);
             self.effects.iter().for_each(|e| e.change_friction(&joint_state, &mut scale));
             for (joint, state) in bristles.iter_mut().enumerate() {
                 let v = velocity[joint][k];
@@ -152,25 +170,41 @@ impl<'a> ActiveEffects<'a> {
     /// Where on an axis a joint is in the interval after each sample, in the axis' unit.
     pub fn abscissa(&self, joint: usize, axis: TableAxis) -> Vec<f64> {
         let table = Table { joint: joint as u8 + 1, axis, knots: vec![], values_v: vec![] };
+        let felt = TorquesFelt { load: axis == TableAxis::Load, motor_torque: false };
         let at = |k: usize| {
-            let state = self.joint_state(k, axis == TableAxis::Load);
+            let state = self.joint_state(k, felt);
             table.abscissa(&state, self.stretch.command_v[joint][k])
         };
         (0..self.stretch.len()).map(at).collect()
     }
 
-    /// The middle of an interval, as effects see it; the load is zero unless it is asked for.
+    /// The middle of an interval, as effects see it; torques are zero unless they are felt.
     #[inline]
-    pub(super) fn joint_state(&self, k: usize, with_load: bool) -> JointState<'_> {
-        const NO_LOAD_NM: Joints = [0.0; MAX_JOINTS];
+    pub(super) fn joint_state(&self, k: usize, felt: TorquesFelt) -> JointState<'_> {
+        const NONE_NM: Joints = [0.0; MAX_JOINTS];
         let (q_rad, qd_rad_per_s) = self.middles().at(k);
-        let load_nm = if with_load { &self.loads()[k] } else { &NO_LOAD_NM };
+        let load_nm = if felt.load { &self.loads()[k] } else { &NONE_NM };
+        let motor_nm = if felt.motor_torque { &self.motor_torques()[k] } else { &NONE_NM };
         JointState {
             time_s: self.stretch.start_s + (k as f64 + 0.5) * self.stretch.period_s,
             q_rad,
             qd_rad_per_s,
             load_nm: &load_nm[..q_rad.len()],
+            motor_nm: &motor_nm[..q_rad.len()],
         }
+    }
+
+    /// Torques that the motors make of what they are sent in every interval [Nm; N].
+    fn motor_torques(&self) -> &[Joints] {
+        self.motor_nm.get_or_init(|| {
+            let sent = self.stretch.command_v.iter().zip(&self.plant.torque_constant_nm_per_v);
+            let mut torques_nm = vec![Joints::default(); self.stretch.len()];
+            for (joint, (command_v, k_t)) in sent.enumerate() {
+                let both = torques_nm.iter_mut().zip(command_v);
+                both.for_each(|(torques_nm, command_v)| torques_nm[joint] = k_t * command_v);
+            }
+            torques_nm
+        })
     }
 
     /// Load on the joints in every interval: those of the stretch where the encoders read true.
@@ -212,8 +246,21 @@ fn effects_at_rest(hypothesis: &Hypothesis, period_s: f64) -> Vec<Box<dyn Effect
     at_rest(hypothesis.built_effects(), period_s)
 }
 
-pub(super) fn any_feels_load(effects: &[Box<dyn Effect>]) -> bool {
-    effects.iter().any(|effect| effect.feels_load())
+/// Which torques effects feel.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TorquesFelt {
+    /// Those of gravity and Coriolis.
+    load: bool,
+    /// Those of the motors.
+    motor_torque: bool,
+}
+
+impl TorquesFelt {
+    /// By these effects.
+    pub fn by(effects: &[Box<dyn Effect>]) -> Self {
+        let any = |feels: fn(&dyn Effect) -> bool| effects.iter().any(|effect| feels(&**effect));
+        Self { load: any(|e| e.feels_load()), motor_torque: any(|e| e.feels_motor_torque()) }
+    }
 }
 
 pub(super) fn at_rest(mut effects: Vec<Box<dyn Effect>>, period_s: f64) -> Vec<Box<dyn Effect>> {

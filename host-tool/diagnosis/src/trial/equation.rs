@@ -147,7 +147,7 @@ impl<'a> Trial<'a> {
         self.effects.friction_v(joint, plant)
     }
 
-    /// Slopes of a joint's friction: along each of its parameters, and along its lead.
+    /// Slopes of a joint's friction: along each of its parameters, along its lead, and along the gears' loss.
     pub fn friction_slopes(&self, joint: usize) -> Vec<[f64; FRICTION_SLOPES]> {
         self.effects.friction_slopes(joint)
     }

@@ -4,7 +4,13 @@ use std::f64::consts::{PI, TAU};
 
 use model::chain::MAX_JOINTS;
 use rig::Plant;
-use rig::effects::{Definition, Effect, Kind, Table, Touches};
+use rig::effects::{Catalogue, Definition, Effect, Kind, Table, Touches};
+
+/// No gear takes less of its motor's torque.
+const LEAST_GEAR_LOSS: f64 = 1e-3;
+
+/// The choice of an effect `load_friction` that grows by the motor's torque.
+const BY_MOTOR_TORQUE: f64 = 1.0;
 
 /// Orders closer than this are of one wave: its order need not be whole.
 const SAME_ORDER: f64 = 0.5;
@@ -49,6 +55,13 @@ impl EffectInstance {
     /// The same cause as it is among others, with their values; itself where it is not.
     pub fn as_in<'a>(&'a self, others: &'a [Self]) -> &'a Self {
         others.iter().find(|other| other.is_same_cause(self)).unwrap_or(self)
+    }
+
+    /// Whether it is what a gear takes of its motor's torque: friction by the load on the joint may be beside it.
+    pub fn is_of_gear(&self) -> bool {
+        let mut parameters = self.definition.parameters.iter().zip(&self.values);
+        self.definition.name == "load_friction"
+            && parameters.any(|(p, value)| p.kind == Kind::Choice && *value == BY_MOTOR_TORQUE)
     }
 
     /// Whether it is a wave of one order of many.
@@ -109,6 +122,8 @@ pub struct Hypothesis {
     /// By how much each joint's friction runs ahead of its velocity: memory where it is negative;
     /// soft constraints of simulators lead [s].
     pub friction_lead_s: Vec<f64>,
+    /// Part of every motor's torque by which the friction of its joint grows: what gears take.
+    pub gear_loss: f64,
     /// Effects, in order.
     pub effects: Vec<EffectInstance>,
     /// Curves that act after the effects; no causes.
@@ -120,7 +135,7 @@ impl Hypothesis {
     pub fn bare(plant: Plant) -> Self {
         let none = vec![0.0; plant.joints()];
         let (effects, tables) = (Vec::new(), Vec::new());
-        Self { plant, lag_s: none.clone(), friction_lead_s: none, effects, tables }
+        Self { plant, lag_s: none.clone(), friction_lead_s: none, gear_loss: 0.0, effects, tables }
     }
 
     /// Rotors that stand for friction running ahead, where none does, in simulators and on the board: of
@@ -141,35 +156,60 @@ impl Hypothesis {
         plant
     }
 
+    /// Effects that stand for what gears take, in simulators and in model files; none where they take next to nothing.
+    pub fn effects_of_gears(&self) -> Vec<EffectInstance> {
+        if self.gear_loss < LEAST_GEAR_LOSS {
+            return Vec::new();
+        }
+        let constants = &self.plant.torque_constant_nm_per_v;
+        let Some(definition) = Catalogue::of_arm(constants.len()).by_name("load_friction") else {
+            return Vec::new();
+        };
+        let of_joint = |(index, k_t): (usize, &f64)| EffectInstance {
+            definition,
+            joint: index as u8 + 1,
+            values: vec![self.gear_loss / k_t, BY_MOTOR_TORQUE],
+        };
+        constants.iter().enumerate().map(of_joint).collect()
+    }
+
     /// Its effects and then its tables, ready to act.
     pub fn built_effects(&self) -> Vec<Box<dyn Effect>> {
         let tables = self.tables.iter().map(|table| Box::new(table.clone()) as Box<dyn Effect>);
         let effects = self.effects.iter().filter_map(EffectInstance::build);
-        self.geared(effects.chain(tables).collect())
+        let gears: Vec<_> =
+            self.effects_of_gears().iter().filter_map(EffectInstance::build).collect();
+        self.geared(effects.chain(gears).chain(tables).collect())
     }
 
     /// Those that change the friction of a joint (from 0), ready to act.
     pub fn effects_on_friction_of(&self, joint: usize) -> Vec<Box<dyn Effect>> {
-        self.geared(self.effects_on(joint, |touches| touches.friction).collect())
+        let of = |joint| self.effects_on(joint, |touches| touches.friction);
+        self.geared(of(0).chain(of(joint as u8 + 1)).collect())
     }
 
-    /// Those that change what drives a joint (from 0), and then its tables, ready to act.
+    /// Those on a joint (from 0) that change what drives it, and then its tables, ready to act.
     pub fn effects_on_drive_of(&self, joint: usize) -> Vec<Box<dyn Effect>> {
         let of_joint = |table: &&Table| usize::from(table.joint) == joint + 1;
         let tables = self.tables.iter().filter(of_joint);
         let tables = tables.map(|table| Box::new(table.clone()) as Box<dyn Effect>);
-        self.geared(self.effects_on(joint, |touches| touches.drive).chain(tables).collect())
+        let own = self.effects_on(joint as u8 + 1, |touches| touches.drive);
+        self.geared(own.chain(tables).collect())
     }
 
-    /// Those on a joint (from 0) or the whole robot that touch what is wanted.
+    /// Those on the whole robot that add torques to its joints, ready to act.
+    pub fn effects_from_outside(&self) -> Vec<Box<dyn Effect>> {
+        self.geared(self.effects_on(0, |touches| touches.drive).collect())
+    }
+
+    /// Those on a joint (from 1; 0: the whole robot) that touch what is wanted.
     fn effects_on(
         &self,
-        joint: usize,
+        joint: u8,
         wanted: fn(Touches) -> bool,
     ) -> impl Iterator<Item = Box<dyn Effect>> + '_ {
         let acts = move |effect: &&EffectInstance| {
-            let is_on_joint = [0, joint as u8 + 1].contains(&effect.joint);
-            wanted(effect.definition.touches) && is_on_joint
+            wanted(effect.definition.touches) && effect.joint == joint
         };
         self.effects.iter().filter(acts).filter_map(EffectInstance::build)
     }

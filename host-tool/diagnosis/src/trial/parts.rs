@@ -247,6 +247,7 @@ mod tests {
             q_rad: &[0.4; 3],
             qd_rad_per_s: &[0.7; 3],
             load_nm: &[2.0; 3],
+            motor_nm: &[3.0; 3],
         };
         for definition in catalogue().iter().filter(|definition| !definition.whole_robot) {
             for effect in instances(definition, &mut Lcg(3)) {

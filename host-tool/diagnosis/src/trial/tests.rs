@@ -6,9 +6,10 @@ use model::reference_robot::reference_robot;
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
 
+use super::active_effects::FRICTION_SLOPES;
 use super::equation::Trial;
 use super::hypothesis::{EffectInstance, Hypothesis};
-use super::test_stretch::{PERIOD_S, stretch_of};
+use super::test_stretch::{PERIOD_S, sines, stretch_of};
 use crate::criteria::FitCriteria;
 use crate::logs::kinematics::Kinematics;
 use crate::logs::stretch::Stretch;
@@ -124,4 +125,47 @@ fn bristles_of_a_joint_that_stands_do_not_let_go_by_noise() {
     let (by_noise, by_play) = (friction_at_rest(0.0), friction_at_rest(2.0 * COUNT_RAD));
     assert!(lost(&by_noise) > 0.2, "{}", lost(&by_noise));
     assert!(lost(&by_play).abs() < 0.01, "{}", lost(&by_play));
+}
+
+/// Half a second in which all joints turn back and all commands change their sign.
+fn swinging() -> Stretch {
+    let command = |w: f64| -> Vec<f64> {
+        (0..500).map(|k| 2.0 * (w * PERIOD_S * f64::from(k)).cos()).collect()
+    };
+    let frequencies = [9.0, 11.0, 13.0];
+    stretch_of(sines(0.3, frequencies, 500), frequencies.map(command).to_vec(), false)
+}
+
+/// What gears take, of which simulators and model files hear as effects.
+#[test]
+fn what_gears_take_is_friction_by_the_motors_torque_on_every_joint() {
+    let (stretch, criteria) = (swinging(), FitCriteria::default());
+    let bare = Hypothesis::bare(Plant::of_robot(&reference_robot()));
+    let lossy = Hypothesis { gear_loss: 0.06, ..bare.clone() };
+    let told = Hypothesis { effects: lossy.effects_of_gears(), ..bare.clone() };
+    assert!(bare.effects_of_gears().is_empty() && told.effects.len() == 3);
+    for joint in 0..3 {
+        let left = |hypothesis| Trial::of(&stretch, hypothesis, &criteria).residual(joint);
+        let both = left(&lossy).into_iter().zip(left(&told));
+        let worst = both.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let taken = left(&lossy).iter().zip(left(&bare)).map(|(a, b)| (a - b).abs()).sum::<f64>();
+        assert!(worst < 1e-12 && taken > 1.0, "joint {joint}: {worst} of {taken} V");
+    }
+}
+
+#[test]
+fn friction_changes_by_what_gears_take_as_its_slope_says() {
+    const STEP: f64 = 1e-6;
+    let (stretch, criteria) = (swinging(), FitCriteria::default());
+    let bare = Hypothesis::bare(Plant::of_robot(&reference_robot()));
+    let with = |gear_loss| Hypothesis { gear_loss, ..bare.clone() };
+    let friction_v = |hypothesis: &Hypothesis| {
+        Trial::of(&stretch, hypothesis, &criteria).friction(1, &hypothesis.plant)
+    };
+    let slopes = Trial::of(&stretch, &with(0.05), &criteria).friction_slopes(1);
+    let both = friction_v(&with(0.05 + STEP)).into_iter().zip(friction_v(&with(0.05)));
+    for (slope, (after, before)) in slopes.iter().zip(both) {
+        let wanted = (after - before) / STEP;
+        assert!((slope[FRICTION_SLOPES - 1] - wanted).abs() < 1e-3, "{wanted} V");
+    }
 }

@@ -1,11 +1,13 @@
 //! What a cause may be worth beside its share: causes that overlap share what they take by the order in
 //! which they are added, and a part of what is left is theirs, which their true parameters would take.
 
+use rayon::prelude::*;
+
 use super::confirmed::Confirmation;
 use super::held::Held;
 use super::worth::Worth;
 use crate::fit::fitted_model::FittedModel;
-use crate::trial::hypothesis::EffectInstance;
+use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 
 impl Worth {
     /// The same with an interval that holds the share of the cause whether it is added first or last:
@@ -38,12 +40,31 @@ impl Confirmation<'_> {
         last: &FittedModel,
         effect: &EffectInstance,
     ) -> Option<Worth> {
-        let FittedModel { linear, evidence, .. } = refitted;
-        let steps = self.subject.criteria.selection.accepted_steps;
-        let start = linear.hypothesis.with(effect.clone());
-        let model = FittedModel::fitted_near(linear, evidence, self.subject, start, steps)?;
-        let with = Held::of(self.subject, &model);
+        let with = Held::of(self.subject, &self.alone(refitted, last, effect)?);
         Some(self.worth_of(last, effect, &self.refitted.residual_v, &with.residual_v))
+    }
+
+    /// The model with one effect alone: the best of fits that begin with the parameters of the model without any, by its
+    /// slopes and by their own, and with those of the model with all. Far from linear, play say, it takes much only
+    /// where parameters make room for it.
+    fn alone(
+        &self,
+        refitted: &FittedModel,
+        last: &FittedModel,
+        effect: &EffectInstance,
+    ) -> Option<FittedModel> {
+        let (FittedModel { linear, evidence, .. }, subject) = (refitted, self.subject);
+        let steps = subject.criteria.selection.accepted_steps;
+        let from_refitted = linear.hypothesis.with(effect.clone());
+        let from_last =
+            Hypothesis { effects: from_refitted.effects.clone(), ..last.linear.hypothesis.clone() };
+        let near =
+            FittedModel::fitted_near(linear, evidence, subject, from_refitted.clone(), steps);
+        let anew = [from_refitted, from_last].into_par_iter().filter_map(|start| {
+            Some(FittedModel::fitted(evidence, subject, start, steps)?.settled(subject))
+        });
+        let anew: Vec<FittedModel> = anew.collect();
+        near.into_iter().chain(anew).reduce(FittedModel::better_of)
     }
 }
 

@@ -1,5 +1,7 @@
 //! Effects taken out of a model one after the other, as long as one is not confirmed.
 
+use rayon::prelude::*;
+
 use super::confirmed::Confirmation;
 use super::decision::{is_no_gap, is_sound, is_steady, probability, why_not_named, why_unlikely};
 use super::held::Held;
@@ -72,7 +74,7 @@ impl<'a> Elimination<'a> {
             let probability = probability(added, &weighed, &subject.criteria.verdict);
             Judged { worth, weighed, probability }
         };
-        let judged = added.iter().enumerate().map(judged).collect();
+        let judged = added.par_iter().enumerate().map(judged).collect();
         (confirmation, judged)
     }
 
@@ -214,7 +216,7 @@ impl<'a> Elimination<'a> {
         let index = self.place(index);
         let effect = &linear.hypothesis.effects[index];
         let time = Unknown::Effect { index, value: 0 };
-        let place = linear.expected.iter().position(|expected| expected.unknown == time);
+        let place = linear.place_of(time);
         let Some(place) = place.filter(|_| is_late(effect)) else { return false };
         let half_interval = linear.half_intervals(evidence)[place];
         !is_steady(effect.values[0], half_interval, &self.subject.criteria.verdict)
