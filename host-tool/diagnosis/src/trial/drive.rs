@@ -41,8 +41,8 @@ impl ActiveEffects<'_> {
         (0..self.stretch.len()).map(drive_v).collect()
     }
 
-    /// Torques that effects on the whole robot add (they change neither commands nor voltages) in the interval after each sample, by joints: of all at once, for
-    /// each needs the posture of the whole arm; none without such effects [Nm; N].
+    /// Torques that effects on the whole robot add in the interval after each sample, by joints: of all at once, for each
+    /// needs the posture of the whole arm; none without such effects [Nm; N]. They change neither commands nor voltages.
     fn torque_from_outside_nm(&self) -> &[Vec<f64>] {
         self.from_outside_nm.get_or_init(|| {
             let effects = at_rest(self.hypothesis.effects_from_outside(), self.stretch.period_s);

@@ -4,7 +4,7 @@ use super::compensation::Compensation;
 use super::confusion::{Confused, Confusion};
 use super::effect::Effect;
 use super::error::EffectError;
-use super::parameter::Parameter;
+use super::parameter::{Kind, Parameter};
 use super::random::Random;
 use super::search::{Search, Size};
 use super::sizes::DrawContext;
@@ -103,20 +103,22 @@ impl Definition {
         if values.len() != self.parameters.len() {
             return Err(self.wrong_parameters(format!("{} values", values.len())));
         }
-        for (parameter, &value) in self.parameters.iter().zip(values) {
-            let is_choice = parameter.kind == super::parameter::Kind::Choice;
-            let is_whole = !is_choice || [parameter.lowest, parameter.highest].contains(&value);
-            if !is_whole || !(parameter.lowest..=parameter.highest).contains(&value) {
-                return Err(EffectError::Value {
-                    effect: self.name,
-                    parameter: parameter.name,
-                    value,
-                    lowest: parameter.lowest,
-                    highest: parameter.highest,
-                });
+        let mut both = self.parameters.iter().zip(values);
+        both.try_for_each(|(parameter, &value)| self.check_value(parameter, value))
+    }
+
+    fn check_value(&self, known: &Parameter, value: f64) -> Result<(), EffectError> {
+        let (effect, parameter) = (self.name, known.name);
+        let &Parameter { kind, lowest, highest, .. } = known;
+        match kind {
+            Kind::Choice if ![lowest, highest].contains(&value) => {
+                Err(EffectError::Choice { effect, parameter, value, lowest, highest })
             }
+            _ if !(lowest..=highest).contains(&value) => {
+                Err(EffectError::Value { effect, parameter, value, lowest, highest })
+            }
+            _ => Ok(()),
         }
-        Ok(())
     }
 
     /// The refusal of parameters that are not those of the effect.

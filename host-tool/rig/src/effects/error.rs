@@ -45,6 +45,20 @@ pub enum EffectError {
         /// The most allowed.
         highest: f64,
     },
+    /// A choice that is none.
+    #[error("{parameter} of {effect} is {value}, but must be {lowest} or {highest}")]
+    Choice {
+        /// The effect.
+        effect: &'static str,
+        /// The parameter.
+        parameter: &'static str,
+        /// The value given.
+        value: f64,
+        /// The one.
+        lowest: f64,
+        /// The other.
+        highest: f64,
+    },
     /// A table whose axis is none.
     #[error("axis of table is `{found}`, but must be one of {known}")]
     TableAxis {

@@ -77,3 +77,28 @@ impl Effect for LoadFriction {
         scale[self.joint].added_v += self.coefficient_v_per_nm * loads_nm[self.joint].abs();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn friction_grows_by_the_joints_load_or_by_the_motors_torque_and_by_nothing_between() {
+        let built = |by_motor_torque: f64| OF_ARM.on_one_of(1, 1, &[0.1, by_motor_torque]);
+        let state = JointState {
+            time_s: 0.0,
+            q_rad: &[0.0],
+            qd_rad_per_s: &[1.0],
+            load_nm: &[-2.0],
+            motor_nm: &[5.0],
+        };
+        let added_v = |by_motor_torque: f64| {
+            let mut scale = [FrictionScale::unchanged()];
+            built(by_motor_torque).unwrap().change_friction(&state, &mut scale);
+            scale[0].added_v
+        };
+        assert_eq!([added_v(0.0), added_v(1.0)], [0.1 * 2.0, 0.1 * 5.0]);
+        let refused = built(0.3).unwrap_err().to_string();
+        assert!(refused.contains("is 0.3, but must be 0 or 1"), "{refused}");
+    }
+}
