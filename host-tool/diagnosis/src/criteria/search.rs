@@ -37,6 +37,13 @@ criteria! {
         overlooked: usize = 10,
         /// Steps of their search.
         overlooked_steps: usize = 3,
+        /// On arms of so many joints causes of different joints that one round found are added one after the other
+        /// without a round for each,
+        apart_from_joints: usize = 4,
+        /// those that gain so many times what an effect must,
+        runner_up_gain: f64 = 2.0,
+        /// where they still gain this part of that beside the ones before.
+        runner_up_keeps: f64 = 0.5,
         /// Most effects that are sought as if every row said something of its own, beside the others,
         by_independent_rows: usize = 5,
         /// where so many neighbouring rows or more say the same: less is what filters and friction leave.

@@ -43,7 +43,7 @@ criteria! {
         /// An effect is refused if it makes parameters implausible and their prior penalty so many
         /// times larger,
         most_prior_penalty_growth: f64 = 1.2,
-        /// unless they were implausible without it, it becomes less than so many times larger,
+        /// unless it becomes less than so many times what is plausible, or what it was where that was more,
         most_growth_of_implausible: f64 = 2.0,
         /// and the log-likelihood that parameters lose is less than this part of what the effect gains.
         most_penalty_of_gain: f64 = 0.05,

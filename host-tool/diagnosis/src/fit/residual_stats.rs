@@ -67,8 +67,13 @@ impl ResidualStats {
 
     /// Whether the parameters are too far from what is known of them to be those of the robot.
     pub fn is_implausible(&self, criteria: &FitCriteria) -> bool {
+        self.robot_penalty > self.most_robot_penalty(criteria)
+    }
+
+    /// The largest [`Self::robot_penalty`] of a plausible model, by how many parameters the logs tell.
+    pub fn most_robot_penalty(&self, criteria: &FitCriteria) -> f64 {
         let times_told = (self.expected_penalty / criteria.told_parameters).max(1.0);
-        self.robot_penalty > criteria.implausible_prior_penalty * times_told
+        criteria.implausible_prior_penalty * times_told
     }
 
     /// The largest ratio to the noise.

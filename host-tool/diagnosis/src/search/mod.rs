@@ -15,6 +15,7 @@ pub mod promise;
 pub mod refit;
 pub mod restart;
 pub mod rivals;
+mod runner_up;
 pub mod selection;
 mod starts;
 mod wave_rows;

@@ -106,17 +106,31 @@ fn is_exchange(before: &FittedModel, after: &FittedModel) -> bool {
 /// An effect that takes away every command, a wide dead zone say, "explains" any motion once the
 /// refit takes away all masses.
 ///
-/// A model whose parameters are further off than is thought is implausible without the effect; then its
-/// parameters may go a little further for what the effect explains.
+/// Parameters may go a little further than is plausible, or than they were where that was implausible already, for
+/// an effect that gains many times what they lose: friction of another law bends them, the more the less else is
+/// left to.
 fn makes_implausible(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
-    let policy = &criteria.selection;
-    let (from, to) = (before.stats.robot_penalty, after.stats.robot_penalty);
-    let grows = to > policy.most_prior_penalty_growth * from;
     let loss = 0.5 * (after.linear.prior_penalty() - before.linear.prior_penalty());
-    let is_cheap = before.stats.is_implausible(&criteria.fit)
-        && to < policy.most_growth_of_implausible * from
-        && loss < policy.most_penalty_of_gain * gain(before, after);
-    after.stats.is_implausible(&criteria.fit) && grows && !is_cheap
+    parameters_go_too_far((&before.stats, &after.stats), loss, || gain(before, after), criteria)
+}
+
+/// Whether parameters leave what is plausible, by more than a little or for an effect that does not gain many times what
+/// they lose.
+fn parameters_go_too_far(
+    (before, after): (&ResidualStats, &ResidualStats),
+    loss: f64,
+    gain: impl FnOnce() -> f64,
+    criteria: &Criteria,
+) -> bool {
+    let policy = &criteria.selection;
+    let (from, to) = (before.robot_penalty, after.robot_penalty);
+    let grows = to > policy.most_prior_penalty_growth * from;
+    if !after.is_implausible(&criteria.fit) || !grows {
+        return false;
+    }
+    let may_go_to = from.max(after.most_robot_penalty(&criteria.fit));
+    to >= policy.most_growth_of_implausible * may_go_to
+        || loss >= policy.most_penalty_of_gain * gain()
 }
 
 /// A soft spring smooths what encoder steps add.
@@ -157,4 +171,43 @@ fn restores_prior(before: &ResidualStats, after: &ResidualStats, criteria: &Crit
     let least =
         (policy.least_of_prior_penalty * before.prior_penalty).max(policy.least_log_likelihood);
     before.prior_penalty - after.prior_penalty > least
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What parameters leave whose penalty, in units of tolerance, is this.
+    fn stats(robot_penalty: f64) -> ResidualStats {
+        ResidualStats {
+            ratios: Vec::new(),
+            excess: 0.0,
+            over_encoder_noise: 1.0,
+            prior_penalty: robot_penalty,
+            robot_penalty,
+            expected_penalty: 30.0,
+        }
+    }
+
+    /// An effect that gains so much, by parameters whose penalty grows so.
+    fn is_refused(from: f64, to: f64, gain: f64) -> bool {
+        let (before, after) = (stats(from), stats(to));
+        parameters_go_too_far((&before, &after), 0.5 * (to - from), || gain, &Criteria::default())
+    }
+
+    #[test]
+    fn parameters_go_a_little_beyond_what_is_plausible_for_what_gains_many_times_their_loss() {
+        assert!(!is_refused(90.0, 230.0, 1.0), "what is plausible is no matter of gain");
+        assert!(
+            !is_refused(90.0, 330.0, 7500.0),
+            "a load that is plain, beside friction of another law"
+        );
+        assert!(
+            is_refused(90.0, 330.0, 80.0),
+            "a force that gains hardly more than parameters lose"
+        );
+        assert!(is_refused(90.0, 600.0, 50_000.0), "masses that are taken away");
+        assert!(!is_refused(400.0, 700.0, 7500.0), "further off before it already");
+        assert!(is_refused(400.0, 900.0, 50_000.0), "twice as far as before it");
+    }
 }

@@ -15,8 +15,14 @@ use crate::trial::hypothesis::EffectInstance;
 use rig::effects::{Definition, Kind, Parameter};
 
 /// Factors of gap, stiffness, damping and the motor's inertia to restart with.
-const RESTARTS: [[f64; 4]; 4] =
-    [[1.15, 1.5, 1.0, 1.0], [0.87, 0.67, 1.0, 1.0], [1.0, 1.0, 0.7, 1.05], [1.1, 1.2, 0.7, 0.95]];
+const RESTARTS: [[f64; 4]; 6] = [
+    [1.15, 1.5, 1.0, 1.0],
+    [0.87, 0.67, 1.0, 1.0],
+    [1.0, 1.0, 0.7, 1.05],
+    [1.1, 1.2, 0.7, 0.95],
+    [1.05, 1.0, 1.0, 1.0],
+    [0.95, 1.0, 1.0, 1.0],
+];
 
 /// Gaps [rad] and factors of stiffness of the play that a soft spring may stand for.
 const PLAY: [[f64; 2]; 6] =

@@ -1,6 +1,8 @@
 //! The search: to a model and the effects that are known already others are added one after the other, each the
 //! best of all, as long as the policy accepts one; then each is tried without, and against its rivals.
 
+use std::collections::VecDeque;
+
 use rayon::prelude::*;
 
 use super::finalists::{Contest, each_once};
@@ -9,6 +11,7 @@ use super::from_given::{better_from_given, is_chain, refitted_from_given, with_g
 use super::objection::objection_to;
 use super::policy::{gain, is_done};
 use super::refit::Finalist;
+use super::runner_up::RunnerUp;
 use super::winner::Winner;
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::residual_stats::ResidualStats;
@@ -26,7 +29,7 @@ pub fn select(
 ) -> Selection {
     let refitted = refitted_from_given(subject, refitted);
     let gap = refitted.stats.clone();
-    let mut search = Search { subject, gap, last: refitted.clone(), rivals: Vec::new() };
+    let mut search = Search::of(subject, gap, refitted.clone(), Vec::new());
     search.begin_with(known);
     let mut refused = search.searched(0, &|last| explains_all(&refitted, last), progress);
     if refused.is_some()
@@ -69,9 +72,20 @@ pub(super) struct Search<'a> {
     pub(super) last: FittedModel,
     /// What lost against each of the effects added.
     pub(super) rivals: Vec<Vec<EffectInstance>>,
+    /// What the last round found on other joints than that of the effect that it added, the best first.
+    runners_up: VecDeque<RunnerUp>,
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    fn of(
+        subject: &'a Subject,
+        gap: ResidualStats,
+        last: FittedModel,
+        rivals: Vec<Vec<EffectInstance>>,
+    ) -> Self {
+        Self { subject, gap, last, rivals, runners_up: VecDeque::new() }
+    }
+
     /// Adds effects as long as what is left asks for one, one is accepted, and nothing else explains it, and takes out
     /// those, from the place `first` on, that later ones make needless; what was refused in the end, where one was asked
     /// for.
@@ -98,7 +112,12 @@ impl Search<'_> {
     ) -> Option<Vec<Finalist>> {
         let criteria = &self.subject.criteria;
         for round in self.rivals.len()..criteria.selection.most_effects {
-            progress(&format!("trying every effect on every joint, round {}", round + 1));
+            let tried = if self.runners_up.is_empty() {
+                "every effect on every joint"
+            } else {
+                "what came second"
+            };
+            progress(&format!("trying {tried}, round {}", round + 1));
             // Without effects it has been done already.
             if round > 0
                 && is_chain(self.subject)
@@ -133,7 +152,7 @@ impl Search<'_> {
         let start = self.last.clone().taken_as_systematic(true);
         let last = start.on_own_rows()?.settled(self.subject);
         let (gap, rivals) = (self.gap.clone(), self.rivals.clone());
-        let mut further = Self { subject: self.subject, gap, last, rivals };
+        let mut further = Self::of(self.subject, gap, last, rivals);
         // What paid by rows that all count is not taken out by rows of which few do.
         let refused = further.searched(self.rivals.len(), &|_| false, progress);
         (further.rivals.len() > self.rivals.len()).then_some((further, refused))
@@ -141,6 +160,12 @@ impl Search<'_> {
 
     /// Adds the best effect that is accepted. Where there is none, what was refused.
     fn round(&mut self) -> Round {
+        while let Some(runner_up) = self.runners_up.pop_front() {
+            if let Some(winner) = runner_up.wins(self.subject, &self.last) {
+                self.add(&winner.effect, winner.model, runner_up.rivals);
+                return Round::Added;
+            }
+        }
         let Some(start) = with_given_parameters(self.subject, &self.last) else {
             return Round::Refused(Vec::new());
         };
@@ -150,10 +175,11 @@ impl Search<'_> {
             if let Some(winner) =
                 Winner::of(self.subject, &self.gap, &self.last, &mut contest, &lost)
             {
-                let rivals = each_once(contest.finalists).into_iter();
-                let others = rivals
-                    .map(|finalist| finalist.effect)
-                    .filter(|effect| !effect.is_same_cause(&winner.effect));
+                let finalists = each_once(contest.finalists);
+                let effect = &winner.effect;
+                self.runners_up = RunnerUp::of(self.subject, &self.last, &finalists, effect).into();
+                let others = finalists.into_iter().map(|finalist| finalist.effect);
+                let others = others.filter(|other| !other.is_same_cause(effect));
                 self.add(&winner.effect, winner.model, others.collect());
                 return Round::Added;
             }
@@ -213,7 +239,7 @@ impl Search<'_> {
 pub fn update_gains(subject: &Subject, last: &FittedModel, added: &mut [Added]) {
     let known = subject.known_effects.len();
     let (gap, rivals) = (last.stats.clone(), Vec::new());
-    let search = Search { subject, gap, last: last.clone(), rivals };
+    let search = Search::of(subject, gap, last.clone(), rivals);
     let update = |(index, added): (usize, &mut Added)| {
         if let Some(without) = search.without(known + index) {
             added.gain = gain(&without, last);

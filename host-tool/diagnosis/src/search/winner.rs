@@ -66,7 +66,7 @@ impl Winner {
 
 /// A finalist whose fit is carried on to its end, if it is accepted before and after that, and
 /// is still physical: the further fit may yet leave that.
-fn finished_and_accepted(
+pub(super) fn finished_and_accepted(
     subject: &Subject,
     before: &FittedModel,
     finalist: &Finalist,

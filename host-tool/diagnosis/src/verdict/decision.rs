@@ -92,12 +92,6 @@ pub fn is_sound(effect: &EffectInstance, worth: &Worth, criteria: &VerdictCriter
     !effect.is_spring() || worth.part_interval[0] >= criteria.most_of_left
 }
 
-/// Whether a lag or delay is known as well as one that is the same in every part of the logs, by half its 95 %
-/// interval; both in one unit.
-pub fn is_steady(time: f64, half_interval: f64, criteria: &VerdictCriteria) -> bool {
-    half_interval <= criteria.most_of_time * time.abs()
-}
-
 /// Whether there is no gap: train logs leave noise alone and confirming ones not much more, or the
 /// confirming ones leave noise alone and no train log much more. One log may leave more than its
 /// noise where it is sampled too coarsely for what it holds: commands between samples, say.
@@ -170,14 +164,6 @@ mod tests {
             assert!(!is_sound(&effect(spring), &worth([0.45, 0.8]), &criteria), "{spring}");
         }
         assert!(is_sound(&effect("cogging"), &worth([0.1, 0.8]), &criteria));
-    }
-
-    /// Play of 7 mrad on an axis, told as a delay, and a delay on another.
-    #[test]
-    fn what_is_late_by_other_times_elsewhere_is_not_steady() {
-        let criteria = Criteria::default().verdict;
-        assert!(!is_steady(11.3e-3, 4.4e-3, &criteria));
-        assert!(is_steady(2.53e-3, 0.33e-3, &criteria));
     }
 
     #[test]

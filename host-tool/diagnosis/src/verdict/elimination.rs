@@ -3,17 +3,16 @@
 use rayon::prelude::*;
 
 use super::confirmed::Confirmation;
-use super::decision::{is_no_gap, is_sound, is_steady, probability, why_not_named, why_unlikely};
+use super::decision::{is_no_gap, is_sound, probability, why_not_named, why_unlikely};
 use super::held::Held;
 use super::judged::{Judged, Reason, Withheld};
 use super::misfit::joints_of_another;
+use super::told_values::{is_loose, is_unsteady};
 use super::worth::Worth;
 use crate::fit::fitted_model::FittedModel;
-use crate::fit::unknowns::Unknown;
 use crate::logs::subject::Subject;
 use crate::model_faults::is_by_lengths;
 use crate::search::found::{Added, Rival, Selection};
-use crate::search::policy::is_late;
 use crate::search::selection::update_gains;
 use crate::tables::ceiling::reaches_ceiling;
 use crate::trial::hypothesis::EffectInstance;
@@ -201,25 +200,14 @@ impl<'a> Elimination<'a> {
             Some(Reason::SpringNearNoise)
         } else if !confirmation.acts(&self.last, index) {
             Some(Reason::Idle)
-        } else if self.is_unsteady(index) {
+        } else if is_unsteady(&self.last, self.place(index)) {
             Some(Reason::Unsteady)
+        } else if is_loose(&self.last, self.place(index)) {
+            Some(Reason::LooseSpring)
         } else {
             is_by_lengths(self.subject, &self.added[index].without, effect)
                 .then_some(Reason::Lengths)
         }
-    }
-
-    /// Whether an effect makes commands late by a time of which half the interval is a good part (`most_of_time`): a
-    /// drive is late by the same time in every log, what play loses at reversals differs from motion to motion.
-    fn is_unsteady(&self, index: usize) -> bool {
-        let FittedModel { linear, evidence, .. } = &self.last;
-        let index = self.place(index);
-        let effect = &linear.hypothesis.effects[index];
-        let time = Unknown::Effect { index, value: 0 };
-        let place = linear.place_of(time);
-        let Some(place) = place.filter(|_| is_late(effect)) else { return false };
-        let half_interval = linear.half_intervals(evidence)[place];
-        !is_steady(effect.values[0], half_interval, &self.subject.criteria.verdict)
     }
 
     /// Whether an effect acts on joints whose logs are as of another robot, and causes do not explain

@@ -44,6 +44,8 @@ pub enum Reason {
     Idle,
     /// A lag or delay that is not the same in every part of the logs, as that of a drive is.
     Unsteady,
+    /// A spring between motor and link whose stiffness the logs do not tell, where none of another motion is held out.
+    LooseSpring,
     /// Lengths within their doubt would do the same.
     Lengths,
     /// It takes too small a part of the gap, or of what is left without it.
@@ -60,7 +62,7 @@ pub enum Reason {
 
 impl Reason {
     /// All reasons.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Unlikely,
         Self::Rival,
         Self::ImplausibleModel,
@@ -69,6 +71,7 @@ impl Reason {
         Self::SpringNearNoise,
         Self::Idle,
         Self::Unsteady,
+        Self::LooseSpring,
         Self::Lengths,
         Self::Small,
         Self::NoShare,
@@ -93,6 +96,9 @@ impl Reason {
             Self::Idle => "it hardly acts on the logs held out",
             Self::Unsteady => {
                 "its time is uncertain by more than a fifth, as play makes it and no drive is"
+            }
+            Self::LooseSpring => {
+                "a spring whose stiffness is uncertain by more than three fifths, and no log of another motion is held out"
             }
             Self::Lengths => "lengths off within their doubt, a tenth, would do the same",
             Self::Small => "too small a part of the gap or of what is left",

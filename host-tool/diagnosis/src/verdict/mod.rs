@@ -11,4 +11,5 @@ pub mod judged;
 pub mod judgement;
 pub mod misfit;
 pub mod told;
+mod told_values;
 pub mod worth;

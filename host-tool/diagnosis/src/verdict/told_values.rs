@@ -1,0 +1,73 @@
+//! How well the logs tell what an effect is by: one that is there is the same in every part of them.
+
+use crate::fit::fitted_model::FittedModel;
+use crate::fit::unknowns::Unknown;
+use crate::logs::stretch::Stretch;
+use crate::search::policy::is_late;
+use crate::trial::hypothesis::EffectInstance;
+use files::Role;
+use rig::effects::Kind;
+
+/// Whether an effect (the one at `index` of a model) makes commands late by a time that the logs do not tell: a drive is
+/// late by the same time in every log, what play loses at reversals differs from motion to motion.
+pub fn is_unsteady(model: &FittedModel, index: usize) -> bool {
+    let most = model.evidence.criteria.verdict.most_of_time;
+    let effect = &model.linear.hypothesis.effects[index];
+    is_late(effect) && !is_told(model, index, 0, most)
+}
+
+/// Whether an effect is a spring between motor and link whose stiffness the logs do not tell, and no log of another motion
+/// confirms it: a link that flies freely stands for whatever pushes at it from outside, by any stiffness.
+pub fn is_loose(model: &FittedModel, index: usize) -> bool {
+    let most = model.evidence.criteria.verdict.most_of_stiffness;
+    let effect = &model.linear.hypothesis.effects[index];
+    let value = stiffness(effect).filter(|_| effect.is_spring());
+    value.is_some_and(|value| {
+        !is_told(model, index, value, most) && !is_confirmed_elsewhere(&model.evidence.stretches)
+    })
+}
+
+/// Whether a log is held out of which no part is for training.
+fn is_confirmed_elsewhere(stretches: &[Stretch]) -> bool {
+    let (train, held_out): (Vec<&Stretch>, Vec<&Stretch>) =
+        stretches.iter().partition(|stretch| stretch.role == Role::Train);
+    held_out.iter().any(|held_out| train.iter().all(|train| train.log != held_out.log))
+}
+
+/// Where among an effect's values its stiffness stands.
+fn stiffness(effect: &EffectInstance) -> Option<usize> {
+    effect.definition.parameters.iter().position(|parameter| parameter.kind == Kind::Stiffness)
+}
+
+/// Whether half the 95 % interval of an effect's value is at most this part of it, or the value is not open.
+fn is_told(model: &FittedModel, index: usize, value: usize, most_of_value: f64) -> bool {
+    let FittedModel { linear, evidence, .. } = model;
+    let Some(place) = linear.place_of(Unknown::Effect { index, value }) else { return true };
+    let half_interval = linear.half_intervals(evidence)[place];
+    is_within(linear.hypothesis.effects[index].values[value], half_interval, most_of_value)
+}
+
+fn is_within(value: f64, half_interval: f64, most_of_value: f64) -> bool {
+    half_interval <= most_of_value * value.abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Criteria;
+
+    /// Play of 7 mrad on an axis, told as a delay, and a delay on another.
+    #[test]
+    fn what_is_late_by_other_times_elsewhere_is_not_told() {
+        let most = Criteria::default().verdict.most_of_time;
+        assert!(!is_within(11.3e-3, 4.4e-3, most));
+        assert!(is_within(2.53e-3, 0.33e-3, most));
+    }
+
+    #[test]
+    fn a_spring_is_told_by_its_stiffness() {
+        let most = Criteria::default().verdict.most_of_stiffness;
+        assert!(!is_within(31.7, 29.2, most), "play that stands for pushes by hand");
+        assert!(is_within(78.2, 34.4, most), "the least told of those that were there");
+    }
+}
