@@ -34,7 +34,7 @@ pub enum Unknown {
     },
     /// The lag of a joint's command.
     Lag(usize),
-    /// By how much a joint's dry friction runs ahead of its velocity.
+    /// By how much a joint's friction runs ahead of its velocity.
     FrictionLead(usize),
     /// The part of every motor's torque by which friction grows.
     GearLoss,

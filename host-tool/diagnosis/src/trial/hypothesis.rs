@@ -119,7 +119,7 @@ pub struct Hypothesis {
     pub plant: Plant,
     /// By how much each command comes later than the log says [s].
     pub lag_s: Vec<f64>,
-    /// By how much each joint's dry friction runs ahead of its velocity: memory where it is negative;
+    /// By how much each joint's friction runs ahead of its velocity: memory where it is negative;
     /// soft constraints of simulators lead [s].
     pub friction_lead_s: Vec<f64>,
     /// Part of every motor's torque by which the friction of its joint grows: what gears take.
@@ -136,6 +136,24 @@ impl Hypothesis {
         let none = vec![0.0; plant.joints()];
         let (effects, tables) = (Vec::new(), Vec::new());
         Self { plant, lag_s: none.clone(), friction_lead_s: none, gear_loss: 0.0, effects, tables }
+    }
+
+    /// Rotors that stand for friction running ahead, where none does, in simulators and on the board: of
+    /// viscous friction alpha2 (qd + T qdd) the second term is inertia [kg m^2; kg].
+    pub fn rotors_for_lead(&self) -> Vec<f64> {
+        let Plant { torque_constant_nm_per_v: constants, friction, .. } = &self.plant;
+        let lead_s = self.friction_lead_s.iter();
+        let joints = lead_s.zip(constants).zip(friction);
+        joints.map(|((lead_s, k), friction)| lead_s * k * friction.alpha2_v_s_per_rad).collect()
+    }
+
+    /// The plant as simulators play it, without friction that runs ahead.
+    pub fn played_plant(&self) -> Plant {
+        let mut plant = self.plant.clone();
+        for (joint, rotor) in self.rotors_for_lead().into_iter().enumerate() {
+            plant.body.remove_motor(joint, -rotor);
+        }
+        plant
     }
 
     /// Effects that stand for what gears take, in simulators and in model files; none where they take next to nothing.
