@@ -96,19 +96,11 @@ impl ModelFile {
         }
     }
 
-    /// The same with a refitted plant in it, as simulators play it.
+    /// The same with a refitted plant in it.
     pub fn refitted(&self, subject: &Subject, found: &Hypothesis) -> Self {
         match self {
-            Self::Robot(file) => {
-                Self::Robot(Box::new(refitted_robot(subject, file, &found.played_plant())))
-            }
-            Self::Arm(file) => {
-                let mut arm = refitted_arm(subject, file, &found.plant);
-                for (joint, rotor) in arm.joints.iter_mut().zip(found.rotors_for_lead()) {
-                    add_to_rotor(joint, rotor);
-                }
-                Self::Arm(Box::new(arm))
-            }
+            Self::Robot(file) => Self::Robot(Box::new(refitted_robot(subject, file, &found.plant))),
+            Self::Arm(file) => Self::Arm(Box::new(refitted_arm(subject, file, &found.plant))),
         }
     }
 }

@@ -39,7 +39,10 @@ criteria! {
         unknown_damping: f64 = 0.02,
         /// Deviation of the instants of commands, in sample periods.
         lag_periods: f64 = 0.05,
-        /// Deviation of friction's lead over velocity: soft constraints lead by some 10 ms, frictional
+        /// The same in parts of that, about the other joints' lag, where an effect makes a joint's command late: the two
+        /// are one thing to the logs.
+        lag_beside_lateness: f64 = 0.1,
+        /// Deviation of dry friction's lead over velocity: soft constraints lead by some 10 ms, frictional
         /// memory lags by a few [s].
         friction_lead_s: f64 = 0.01,
         /// Deviation of the part of a motor's torque that gears take, the same on all joints of an arm of three and more:

@@ -130,6 +130,18 @@ impl FittedModel {
         self.log_likelihood(&misfit) - other.log_likelihood(&misfit)
     }
 
+    /// The same by one joint's rows (from 0) and without what is known of the friction of others: an effect that acts on
+    /// that joint alone does not gain by where the fits of others have come to rest.
+    pub fn gain_on(&self, other: &Self, joint: usize) -> f64 {
+        let misfit = self.misfit().clone().at_least_as_independent(other.misfit());
+        let on_joint = |model: &Self| {
+            let Self { evidence, left_out_v, command_gain, linear, .. } = model;
+            misfit.log_likelihood_of(joint, evidence, left_out_v, command_gain)
+                - 0.5 * linear.prior_penalty_on(joint)
+        };
+        on_joint(self) - on_joint(other)
+    }
+
     /// The one of two models that is likelier, the first where they are alike.
     pub fn better_of(self, other: Self) -> Self {
         if other.gain_over(&self) > 0.0 { other } else { self }

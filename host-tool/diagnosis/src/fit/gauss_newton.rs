@@ -132,6 +132,8 @@ fn improved(
 /// already are not.
 pub fn open_in(evidence: &Evidence, subject: &Subject, hypothesis: &Hypothesis) -> Vec<Expected> {
     let mut open = expected(subject, evidence.stretches[0].sampled_s);
+    let part = subject.criteria.prior.lag_beside_lateness;
+    open.iter_mut().for_each(|lag| *lag = as_on_others(*lag, hypothesis, subject, part));
     let effects = hypothesis.effects.iter().enumerate().skip(subject.known_effects.len());
     for (index, effect) in effects {
         for (value, parameter) in effect.definition.parameters.iter().enumerate() {
@@ -151,4 +153,20 @@ pub fn open_in(evidence: &Evidence, subject: &Subject, hypothesis: &Hypothesis) 
         open.extend((0..table.knots.len()).map(of_knot));
     }
     open
+}
+
+/// The lag of a joint whose command an effect makes late: the instants that the log tells are those of the other joints, or
+/// a lag would be told as another one and a delay.
+fn as_on_others(
+    lag: Expected,
+    hypothesis: &Hypothesis,
+    subject: &Subject,
+    part: f64,
+) -> Expected {
+    let Unknown::Lag(joint) = lag.unknown else { return lag };
+    let mut effects = hypothesis.effects.iter().skip(subject.known_effects.len());
+    match effects.any(|effect| effect.is_late() && usize::from(effect.joint) == joint + 1) {
+        true => Expected { mean: hypothesis.lag_of_others_s(joint), deviation: part * lag.deviation, ..lag },
+        false => lag,
+    }
 }

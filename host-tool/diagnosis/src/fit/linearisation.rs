@@ -146,9 +146,17 @@ impl Linearisation {
 
     /// Squares of the prior penalty: deviations of what is open from what is known of it.
     pub fn prior_penalty(&self) -> f64 {
-        let squared =
-            |e: &Expected| ((e.unknown.get(&self.hypothesis) - e.mean) / e.deviation).powi(2);
-        self.expected.iter().map(squared).sum()
+        self.expected.iter().map(|e| self.squared_deviation(e)).sum()
+    }
+
+    /// Those of parameters that are not another joint's own than this one's (from 0).
+    pub fn prior_penalty_on(&self, joint: usize) -> f64 {
+        let is_here = |e: &&Expected| e.unknown.own_joint().is_none_or(|own| own == joint);
+        self.expected.iter().filter(is_here).map(|e| self.squared_deviation(e)).sum()
+    }
+
+    fn squared_deviation(&self, e: &Expected) -> f64 {
+        ((e.unknown.get(&self.hypothesis) - e.mean) / e.deviation).powi(2)
     }
 
     /// The matrix whose Cholesky factors solve for a step.

@@ -34,7 +34,7 @@ pub enum Unknown {
     },
     /// The lag of a joint's command.
     Lag(usize),
-    /// By how much a joint's friction runs ahead of its velocity.
+    /// By how much a joint's dry friction runs ahead of its velocity.
     FrictionLead(usize),
     /// The part of every motor's torque by which friction grows.
     GearLoss,
@@ -151,6 +151,16 @@ impl Unknown {
             Self::Friction { parameter, .. } => parameter != COULOMB && parameter != VISCOUS,
             Self::FrictionLead(_) | Self::GearLoss => true,
             _ => false,
+        }
+    }
+
+    /// The joint (from 0) whose friction or command it is of; none where it is the arm's, or an effect's.
+    pub fn own_joint(self) -> Option<usize> {
+        match self {
+            Self::Friction { joint, .. } | Self::Lag(joint) | Self::FrictionLead(joint) => {
+                Some(joint)
+            }
+            _ => None,
         }
     }
 

@@ -90,14 +90,18 @@ impl Best {
             return None;
         }
         let part = first_part(evidence, criteria.part_s);
-        let whole = left_by(refitted, &part, subject)?;
+        let mut whole = left_by(refitted, &part, subject)?;
         let bare = |fault: ModelFault| Trial::of(&part, subject, fault);
         let mut tried: Vec<Trial> = Vec::new();
         if implausible || leaves_much(subject, refitted) {
             tried.extend(ModelFault::without_size(subject).into_iter().filter_map(bare));
         }
         let sized = ModelFault::with_size(subject);
-        tried.extend(sized.into_iter().filter_map(|fault| Some(bare(fault)?.with_size_found())));
+        for start in sized.into_iter().filter_map(bare) {
+            // From the model as given a fit may come nearer without any fault.
+            whole = whole.min(left(&part, subject, &start.linear));
+            tried.push(start.with_size_found());
+        }
         let best =
             tried.into_iter().min_by(|a, b| a.linear.objective.total_cmp(&b.linear.objective))?;
         let (by_fault, fault) = (left(&part, subject, &best.linear), best.fault.clone());

@@ -64,7 +64,7 @@ fn drift(
         Settings { sample_period_s: stretch.period_s, noise_v: 0.0, ..Settings::default() };
     let effects = hypothesis.built_effects();
     let [q, qd, qdd] = trial.motor().state(start);
-    let (plant, joints) = (hypothesis.played_plant(), hypothesis.plant.joints());
+    let (plant, joints) = (hypothesis.plant.clone(), hypothesis.plant.joints());
     let mut robot = SimulatedPlant::with_effects(plant, effects, &q[..joints], &settings);
     let time_s = stretch.start_s + start as f64 * stretch.period_s;
     let command = |k: usize| {

@@ -81,19 +81,27 @@ impl Misfit {
     /// counted as independent as in this misfit; `gain` tells, by train stretch and joint, in
     /// which unit they count.
     pub fn log_likelihood(&self, evidence: &Evidence, residual_v: &Rows, gain: &[Vec<f64>]) -> f64 {
-        let of_joint = |&joint: &usize| -> f64 {
-            let ranges = evidence.ranges(joint).into_iter();
-            let pieces = self.pieces[joint].iter().zip(ranges).enumerate();
-            pieces
-                .map(|(s, (piece, range))| {
-                    let noise = NoiseOfRows {
-                        square_v2: evidence.floor_v(joint, s).powi(2),
-                        own_part: evidence.criteria.fit.own_ratio.powi(2),
-                    };
-                    piece.log_likelihood(noise, &residual_v[joint][range], gain[s][joint])
-                })
-                .sum()
-        };
+        let of_joint = |&joint: &usize| self.log_likelihood_of(joint, evidence, residual_v, gain);
         evidence.joints.iter().map(of_joint).sum()
+    }
+
+    /// The same of one joint's (from 0).
+    pub fn log_likelihood_of(
+        &self,
+        joint: usize,
+        evidence: &Evidence,
+        residual_v: &Rows,
+        gain: &[Vec<f64>],
+    ) -> f64 {
+        let ranges = evidence.ranges(joint).into_iter();
+        let pieces = self.pieces[joint].iter().zip(ranges).enumerate();
+        let of_piece = |(s, (piece, range)): (usize, (&Piece, std::ops::Range<usize>))| {
+            let noise = NoiseOfRows {
+                square_v2: evidence.floor_v(joint, s).powi(2),
+                own_part: evidence.criteria.fit.own_ratio.powi(2),
+            };
+            piece.log_likelihood(noise, &residual_v[joint][range], gain[s][joint])
+        };
+        pieces.map(of_piece).sum()
     }
 }

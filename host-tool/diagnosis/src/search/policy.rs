@@ -118,21 +118,13 @@ fn warms_at_once(effect: &EffectInstance, policy: &SelectionCriteria) -> bool {
             .any(|(p, value)| p.kind == Kind::TimeConstant && *value < policy.least_warming_s)
 }
 
-/// Effects that make a command late, by one time each.
-pub const LATE: [&str; 2] = ["actuator_lag", "delay"];
-
-/// Whether an effect makes its joint's command late.
-pub fn is_late(effect: &EffectInstance) -> bool {
-    LATE.contains(&effect.definition.name)
-}
-
 /// A row is made of the two intervals about its sample.
 const ROW_SAMPLES: f64 = 2.0;
 
 /// Whether a command comes later by less than a row of logs so slow that a joint turns round within one: when its
 /// command and its friction change their sign is not told by a row, and passes for a lag.
 fn is_within_a_sample(effect: &EffectInstance, evidence: &Evidence) -> bool {
-    if !is_late(effect) {
+    if !effect.is_late() {
         return false;
     }
     let train = &evidence.stretches[..evidence.train_stretches()];

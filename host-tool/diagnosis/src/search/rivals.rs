@@ -5,10 +5,10 @@ use rayon::prelude::*;
 
 use super::found::{Added, Rival};
 use super::harmonics;
-use super::policy::{LATE, explains_as, gain, is_late, is_more_than, is_physical};
+use super::policy::{explains_as, gain, is_more_than, is_physical};
 use super::selection::Search;
 use crate::fit::fitted_model::FittedModel;
-use crate::trial::hypothesis::EffectInstance;
+use crate::trial::hypothesis::{EffectInstance, LATE};
 use rig::effects::{Carrier, Definition, Kind, Search as From, Touches};
 
 impl Search<'_> {
@@ -47,7 +47,18 @@ impl Search<'_> {
                 false => 0.0,
             }
         };
-        gain(&self.last, model) + beforehand(model) - beforehand(&self.last)
+        self.gain_in_place(model, place) + beforehand(model) - beforehand(&self.last)
+    }
+
+    /// By how much it is so by the logs. A lag and a delay differ by little, on their joint alone.
+    fn gain_in_place(&self, model: &FittedModel, place: usize) -> f64 {
+        let [now, other] = [&self.last, model].map(|model| &model.linear.hypothesis.effects[place]);
+        match usize::from(now.joint).checked_sub(1) {
+            Some(joint) if now.is_late() && other.is_late() && now.joint == other.joint => {
+                model.gain_on(&self.last, joint)
+            }
+            _ => gain(&self.last, model),
+        }
     }
 
     /// Finalists of a round in the place of the effect that was added, and the same effect on other joints,
@@ -71,15 +82,20 @@ impl Search<'_> {
 
     /// An effect in the place of the one that was added.
     fn in_place(&self, place: usize, effect: EffectInstance) -> Option<Rival> {
-        let mut hypothesis = self.last.linear.hypothesis.clone();
-        let is_far = scales_command(&effect) || is_late(&effect);
-        hypothesis.effects[place] = effect;
-        let mut model = self.fitted(hypothesis)?;
-        if is_far {
-            let (start, steps) =
-                (model.linear.hypothesis.clone(), self.subject.criteria.selection.accepted_steps);
-            let further = FittedModel::fitted(&model.evidence, self.subject, start, steps);
-            model = further.filter(|further| further.gain_over(&model) > 0.0).unwrap_or(model);
+        let (is_far, is_late) = (scales_command(&effect), effect.is_late());
+        let start = self.last.linear.hypothesis.with_instead(place, effect);
+        let mut model = self.fitted(start.clone())?;
+        if is_far || is_late {
+            let steps = self.subject.criteria.selection.accepted_steps;
+            // By its own slopes: on from where the last one's led, and where they may have led astray from the start.
+            for start in [model.linear.hypothesis.clone(), start] {
+                let anew = FittedModel::fitted(&model.evidence, self.subject, start, steps);
+                model = anew.into_iter().fold(model, FittedModel::better_of);
+            }
+        }
+        if is_late {
+            // A lag and a delay differ by little: by less than a fit that has not come to its end leaves on other joints.
+            model = model.settled(self.subject);
         }
         let effect = model.linear.hypothesis.effects[place].clone();
         let gain = self.advantage(&model, place);
@@ -116,7 +132,7 @@ impl Search<'_> {
             LATE.contains(&definition.name) && definition.name != effect.definition.name
         };
         let definition =
-            is_late(effect).then(|| self.subject.catalogue.iter().find(is_other))??;
+            effect.is_late().then(|| self.subject.catalogue.iter().find(is_other))??;
         let others = &self.last.linear.hypothesis.effects;
         let rival = EffectInstance { definition, ..effect.clone() };
         let is_new = !others.iter().any(|other| other.has_place_of(&rival));

@@ -95,8 +95,9 @@ impl<'a> ActiveEffects<'a> {
         self.friction_with(joint, &friction, (lead_s, gear_loss), |friction_v| friction_v.slope)
     }
 
-    /// A part of a joint's friction in the interval after each sample, were it `friction`, ahead of the velocity by
-    /// `lead_s`, and its level grew by the part `gear_loss` of the command.
+    /// A part of a joint's friction in the interval after each sample, were it `friction`, its dry part ahead of the
+    /// velocity by `lead_s`, and its level grew by the part `gear_loss` of the command. Viscous friction is not ahead:
+    /// that would be inertia by another name.
     fn friction_with<T: Real, P>(
         &self,
         joint: usize,
@@ -106,7 +107,7 @@ impl<'a> ActiveEffects<'a> {
     ) -> Vec<P> {
         let (half, quarter) = (T::constant(0.5), T::constant(0.25));
         let half_s = half * T::constant(self.stretch.period_s);
-        let v = self.velocity_ahead(joint, lead_s);
+        let (v, ahead) = self.velocity_ahead(joint, lead_s);
         let last = v.len() - 1;
         let scaling = at_rest(self.hypothesis.effects_on_friction_of(joint), self.stretch.period_s);
         let felt = TorquesFelt::by(&scaling);
@@ -126,17 +127,22 @@ impl<'a> ActiveEffects<'a> {
             let quarter_on = (next - here) * quarter;
             let early = bristles.step_scaled(friction, scale, here + quarter_on, half_s);
             let late = bristles.step_scaled(friction, scale, next - quarter_on, half_s);
-            part(half * (early + late))
+            let viscous = friction.alpha2_v_s_per_rad * scale.viscous;
+            let both_ahead = ahead[k] + ahead[(k + 1).min(last)];
+            part(half * (early + late - viscous * both_ahead))
         };
         (0..v.len()).map(&mut interval).collect()
     }
 
-    /// Velocity that friction feels: to first order the one `lead_s` later [rad/s].
-    fn velocity_ahead<T: Real>(&self, joint: usize, lead_s: T) -> Vec<T> {
+    /// Velocity that dry friction feels, to first order the one `lead_s` later, and by how much it is ahead [rad/s].
+    fn velocity_ahead<T: Real>(&self, joint: usize, lead_s: T) -> (Vec<T>, Vec<T>) {
         let v = self.sliding_velocity(joint);
         let slope = derivative::first(&v, self.stretch.period_s);
-        let ahead = |(v, slope): (&f64, f64)| T::constant(*v) + lead_s * T::constant(slope);
-        v.iter().zip(slope).map(ahead).collect()
+        let both = |(v, slope): (&f64, f64)| {
+            let ahead = lead_s * T::constant(slope);
+            (T::constant(*v) + ahead, ahead)
+        };
+        v.iter().zip(slope).map(both).unzip()
     }
 
     /// Velocity of a joint that its friction follows [rad/s].

@@ -12,6 +12,9 @@ const LEAST_GEAR_LOSS: f64 = 1e-3;
 /// The choice of an effect `load_friction` that grows by the motor's torque.
 const BY_MOTOR_TORQUE: f64 = 1.0;
 
+/// Effects that make a command late, by one time each.
+pub const LATE: [&str; 2] = ["actuator_lag", "delay"];
+
 /// Orders closer than this are of one wave: its order need not be whole.
 const SAME_ORDER: f64 = 0.5;
 
@@ -62,6 +65,11 @@ impl EffectInstance {
         let mut parameters = self.definition.parameters.iter().zip(&self.values);
         self.definition.name == "load_friction"
             && parameters.any(|(p, value)| p.kind == Kind::Choice && *value == BY_MOTOR_TORQUE)
+    }
+
+    /// Whether it makes the command of its joint late.
+    pub fn is_late(&self) -> bool {
+        LATE.contains(&self.definition.name)
     }
 
     /// Whether it is a wave of one order of many.
@@ -119,7 +127,7 @@ pub struct Hypothesis {
     pub plant: Plant,
     /// By how much each command comes later than the log says [s].
     pub lag_s: Vec<f64>,
-    /// By how much each joint's friction runs ahead of its velocity: memory where it is negative;
+    /// By how much each joint's dry friction runs ahead of its velocity: memory where it is negative;
     /// soft constraints of simulators lead [s].
     pub friction_lead_s: Vec<f64>,
     /// Part of every motor's torque by which the friction of its joint grows: what gears take.
@@ -136,24 +144,6 @@ impl Hypothesis {
         let none = vec![0.0; plant.joints()];
         let (effects, tables) = (Vec::new(), Vec::new());
         Self { plant, lag_s: none.clone(), friction_lead_s: none, gear_loss: 0.0, effects, tables }
-    }
-
-    /// Rotors that stand for friction running ahead, where none does, in simulators and on the board: of
-    /// viscous friction alpha2 (qd + T qdd) the second term is inertia [kg m^2; kg].
-    pub fn rotors_for_lead(&self) -> Vec<f64> {
-        let Plant { torque_constant_nm_per_v: constants, friction, .. } = &self.plant;
-        let lead_s = self.friction_lead_s.iter();
-        let joints = lead_s.zip(constants).zip(friction);
-        joints.map(|((lead_s, k), friction)| lead_s * k * friction.alpha2_v_s_per_rad).collect()
-    }
-
-    /// The plant as simulators play it, without friction that runs ahead.
-    pub fn played_plant(&self) -> Plant {
-        let mut plant = self.plant.clone();
-        for (joint, rotor) in self.rotors_for_lead().into_iter().enumerate() {
-            plant.body.remove_motor(joint, -rotor);
-        }
-        plant
     }
 
     /// Effects that stand for what gears take, in simulators and in model files; none where they take next to nothing.
@@ -233,8 +223,38 @@ impl Hypothesis {
     /// The same with one more effect.
     pub fn with(&self, effect: EffectInstance) -> Self {
         let mut hypothesis = self.clone();
+        hypothesis.make_room_for(&effect);
         hypothesis.effects.push(effect);
         hypothesis
+    }
+
+    /// The same with another effect in the place of one.
+    pub fn with_instead(&self, place: usize, effect: EffectInstance) -> Self {
+        let mut hypothesis = self.clone();
+        hypothesis.make_room_for(&effect);
+        hypothesis.effects[place] = effect;
+        hypothesis
+    }
+
+    /// Gives back what stood in for an effect that is about to come: of a command that an effect makes late the log
+    /// tells the instants as it does of the other joints'.
+    fn make_room_for(&mut self, effect: &EffectInstance) {
+        if let Some(joint) = usize::from(effect.joint).checked_sub(1)
+            && effect.is_late()
+        {
+            self.lag_s[joint] = self.lag_of_others_s(joint);
+        }
+    }
+
+    /// The middle of the lags of the other joints; of one joint alone its own where that is early, which is the log's [s].
+    pub fn lag_of_others_s(&self, joint: usize) -> f64 {
+        let others = self.lag_s.iter().enumerate().filter(|(other, _)| *other != joint);
+        let mut others: Vec<f64> = others.map(|(_, lag_s)| *lag_s).collect();
+        others.sort_by(f64::total_cmp);
+        match others.len() {
+            0 => self.lag_s[joint].min(0.0),
+            count => 0.5 * (others[(count - 1) / 2] + others[count / 2]),
+        }
     }
 
     /// Place of the spring, of those from `first` on, that one more effect takes the place of: a

@@ -169,3 +169,37 @@ fn friction_changes_by_what_gears_take_as_its_slope_says() {
         assert!((slope[FRICTION_SLOPES - 1] - wanted).abs() < 1e-3, "{wanted} V");
     }
 }
+
+#[test]
+fn dry_friction_leads_and_viscous_friction_does_not() {
+    let (stretch, criteria) = (swinging(), FitCriteria::default());
+    let change_v = |set: fn(&mut model::Friction<f64>)| {
+        let mut plant = Plant::of_robot(&reference_robot());
+        set(&mut plant.friction[1]);
+        let bare = Hypothesis::bare(plant);
+        let leading = Hypothesis { friction_lead_s: vec![0.01; 3], ..bare.clone() };
+        let left = |hypothesis| Trial::of(&stretch, hypothesis, &criteria).residual(1);
+        let both = left(&leading).into_iter().zip(left(&bare));
+        both.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    };
+    let viscous = change_v(|friction| {
+        (friction.alpha0_v, friction.alpha1_v) = (1e-9, 0.0);
+        (friction.sigma1_v_s_per_rad, friction.alpha2_v_s_per_rad) = (0.0, 5.0);
+    });
+    assert!(viscous < 1e-6, "{viscous} V");
+    let dry = change_v(|friction| friction.alpha2_v_s_per_rad = 0.0);
+    assert!(dry > 0.01, "{dry} V");
+}
+
+#[test]
+fn what_makes_a_command_late_takes_the_place_of_its_lag() {
+    let late = |lag_s: &[f64]| {
+        let bare = Hypothesis::bare(Plant::of_robot(&reference_robot()));
+        let definition = Catalogue::standard().by_name("delay").unwrap();
+        let delay = EffectInstance { definition, joint: 1, values: vec![0.002] };
+        Hypothesis { lag_s: lag_s.to_vec(), ..bare }.with(delay).lag_s
+    };
+    assert_eq!(late(&[4e-4, 1e-5, 3e-5]), [2e-5, 1e-5, 3e-5]);
+    // Of one joint alone what is early is the log's.
+    assert_eq!((late(&[4e-4]), late(&[-4e-4])), (vec![0.0], vec![-4e-4]));
+}

@@ -3,7 +3,6 @@
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::unknowns::Unknown;
 use crate::logs::stretch::Stretch;
-use crate::search::policy::is_late;
 use crate::trial::hypothesis::EffectInstance;
 use files::Role;
 use rig::effects::Kind;
@@ -13,7 +12,7 @@ use rig::effects::Kind;
 pub fn is_unsteady(model: &FittedModel, index: usize) -> bool {
     let most = model.evidence.criteria.verdict.most_of_time;
     let effect = &model.linear.hypothesis.effects[index];
-    is_late(effect) && !is_told(model, index, 0, most)
+    effect.is_late() && !is_told(model, index, 0, most)
 }
 
 /// Whether an effect is a spring between motor and link whose stiffness the logs do not tell, and no log of another motion
