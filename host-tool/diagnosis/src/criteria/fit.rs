@@ -21,6 +21,10 @@ criteria! {
         /// or one of masses and another of friction where these are likelier by so much log-likelihood, a factor of
         /// twenty;
         least_gain_apart: f64 = 3.0,
+        /// that about masses is no wider than this times what a typical one is off by, of those that the logs tell,
+        told_deviations: f64 = 1.5,
+        /// where they tell so many;
+        fewest_told: usize = 5,
         /// where a log is left with more than so many times the noise, effects are searched for with
         /// parameters all but free first: held far from the truth, they hide a cause.
         much_left: f64 = 6.0,

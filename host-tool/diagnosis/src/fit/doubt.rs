@@ -43,7 +43,22 @@ fn likeliest(subject: &Subject, free: &FittedModel) -> Option<Doubt> {
     let alike = likeliest_of(subject, free, of_both)?;
     let apart = apart(subject, free, alike)?;
     let (best, _) = if apart.1 - alike.1 > prior.least_gain_apart { apart } else { alike };
+    let best = no_wider_than_told(subject, free, best);
     without_needless(subject, free, best).filter(|best| *best != given)
+}
+
+/// A doubt about masses no wider than those show that the logs tell, where they tell several: the others follow friction of
+/// another law as far as a doubt lets them, a load with them.
+fn no_wider_than_told(subject: &Subject, free: &FittedModel, doubt: Doubt) -> Doubt {
+    let prior = &subject.criteria.prior;
+    let told = deviations(subject, free, |unknown| matches!(unknown, Unknown::Base(_)));
+    match typical(&told).filter(|_| told.len() >= prior.fewest_told) {
+        Some(off) => {
+            let shown = prior.told_deviations * off * prior.relative;
+            Doubt { masses: doubt.masses.min(shown).max(prior.relative), ..doubt }
+        }
+        None => doubt,
+    }
 }
 
 /// The likeliest doubts about masses and about friction, either sought where the other was found, from those
@@ -109,17 +124,31 @@ fn likelihood(subject: &Subject, free: &FittedModel, doubt: Doubt) -> Option<f64
 /// How far a typical parameter of a model fitted with little prior is from the model as given, in
 /// standard deviations of its prior, of those that logs tell better than that.
 fn typical_deviation(subject: &Subject, free: &FittedModel) -> Option<f64> {
+    typical(&deviations(subject, free, is_of_model))
+}
+
+/// The standard deviation of normal variables of these absolute values, by their median.
+fn typical(sorted: &[f64]) -> Option<f64> {
+    sorted.get(sorted.len() / 2).map(|median| median / MEDIAN_OF_NORMAL)
+}
+
+/// How far each of some parameters is so, the nearest first.
+fn deviations(
+    subject: &Subject,
+    free: &FittedModel,
+    is_wanted: impl Fn(Unknown) -> bool,
+) -> Vec<f64> {
     let prior = &subject.criteria.prior;
     let narrow = expected(subject, free.evidence.stretches[0].sampled_s);
     let deviation = |(place, expected): (usize, &Expected)| {
         let is_told = free.linear.deviation(place) < expected.deviation;
         let value = expected.unknown.get(&free.linear.hypothesis);
-        (is_of_model(expected.unknown) && is_told && is_in_proportion(expected, prior))
+        (is_wanted(expected.unknown) && is_told && is_in_proportion(expected, prior))
             .then(|| ((value - expected.mean) / expected.deviation).abs())
     };
     let mut deviations: Vec<f64> = narrow.iter().enumerate().filter_map(deviation).collect();
     deviations.sort_by(f64::total_cmp);
-    deviations.get(deviations.len() / 2).map(|median| median / MEDIAN_OF_NORMAL)
+    deviations
 }
 
 /// Whether the doubt about a parameter is mostly one in parts of itself: one near zero, whose doubt is in parts of
@@ -159,6 +188,14 @@ mod tests {
         assert_eq!(all[0], prior.relative);
         assert!((all[all.len() - 1] - prior.widest).abs() < 1e-12);
         assert!(all.windows(2).all(|pair| pair[1] > pair[0]));
+    }
+
+    #[test]
+    fn what_is_typical_is_the_deviation_of_normal_variables_with_this_median() {
+        // Masses that logs tell of an arm with a load and friction of another law.
+        let told = [0.27, 0.69, 2.09, 2.66, 3.07, 3.49];
+        assert!((typical(&told).unwrap() - 3.94).abs() < 0.01);
+        assert_eq!(typical(&[]), None);
     }
 
     #[test]

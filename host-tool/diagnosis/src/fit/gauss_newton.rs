@@ -157,16 +157,15 @@ pub fn open_in(evidence: &Evidence, subject: &Subject, hypothesis: &Hypothesis) 
 
 /// The lag of a joint whose command an effect makes late: the instants that the log tells are those of the other joints, or
 /// a lag would be told as another one and a delay.
-fn as_on_others(
-    lag: Expected,
-    hypothesis: &Hypothesis,
-    subject: &Subject,
-    part: f64,
-) -> Expected {
+fn as_on_others(lag: Expected, hypothesis: &Hypothesis, subject: &Subject, part: f64) -> Expected {
     let Unknown::Lag(joint) = lag.unknown else { return lag };
     let mut effects = hypothesis.effects.iter().skip(subject.known_effects.len());
     match effects.any(|effect| effect.is_late() && usize::from(effect.joint) == joint + 1) {
-        true => Expected { mean: hypothesis.lag_of_others_s(joint), deviation: part * lag.deviation, ..lag },
+        true => Expected {
+            mean: hypothesis.lag_of_others_s(joint),
+            deviation: part * lag.deviation,
+            ..lag
+        },
         false => lag,
     }
 }
