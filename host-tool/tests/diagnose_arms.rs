@@ -290,6 +290,23 @@ fn an_offset_of_a_geared_arm_is_named_with_joint_and_size() {
     names(&report, "dac_offset", 3, ("offset_V", 0.1), 0.1);
 }
 
+/// Both make a command late; to second order a lag with commands that are later than logged is a delay.
+#[test]
+#[ignore = "minutes; `cargo xtask test --long`"]
+fn lags_and_delays_of_a_geared_arm_are_told_apart() {
+    let cases: &[Case] = &[
+        (
+            "actuator_lag:5:time_constant_s=0.003",
+            "actuator_lag",
+            5,
+            ("time_constant_s", 0.003),
+            0.1,
+        ),
+        ("delay:5:delay_s=0.003", "delay", 5, ("delay_s", 0.003), 0.1),
+    ];
+    all_are_named(of_six_joints, cases);
+}
+
 /// Links whose base parameters make a robot about the size of the reference robot.
 fn links() -> [Link<f64>; 3] {
     let link = |mass_kg: f64, centre_m: [f64; 3], own: [f64; 3]| Link {

@@ -85,6 +85,9 @@ criteria! {
         far_rest_rad: f64 = 3.2,
         /// No joint warms faster than with this time constant [s].
         least_warming_s: f64 = 0.5,
+        /// A dead zone is told from Coulomb friction by samples of a moving joint whose command brakes it: by this part of
+        /// them at least. Where friction is nearly all of the command there are a few thousandths, else more than 0.06.
+        least_braked: f64 = 0.01,
         /// A joint turns round within so many seconds, its friction and what makes up for that in its command with it: logs
         /// whose samples lie further apart do not tell of a lag shorter than one [s].
         turns_round_s: f64 = 0.004,

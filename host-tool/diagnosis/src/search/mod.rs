@@ -1,6 +1,7 @@
 //! Every effect on every joint, one after the other.
 
 mod begin;
+mod braking;
 pub mod candidate;
 pub mod candidates;
 pub mod finalists;

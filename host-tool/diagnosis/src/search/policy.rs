@@ -3,6 +3,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use super::braking::braked_part;
 use crate::criteria::{Criteria, SelectionCriteria};
 use crate::fit::excess::excess_v2;
 use crate::fit::fitted_model::FittedModel;
@@ -92,6 +93,9 @@ pub fn is_physical(effect: &EffectInstance, subject: &Subject, evidence: &Eviden
     if is_hardly_a_wave(effect, subject, evidence) || is_within_a_sample(effect, evidence) {
         return false;
     }
+    if is_coulomb_friction(effect, evidence) {
+        return false;
+    }
     let Some((joint, spring)) = effect.build().and_then(|effect| effect.transmission()) else {
         return true;
     };
@@ -148,6 +152,14 @@ fn is_hardly_a_wave(effect: &EffectInstance, subject: &Subject, evidence: &Evide
     let [lowest, highest] = angles(evidence, joint);
     let passed_rad = subject.plant.gears[joint].motor.abs() * (highest - lowest);
     effect.order().is_some_and(|order| order * passed_rad < FRAC_PI_2)
+}
+
+/// Whether an effect takes a constant from the command by its sign, where that is the sign of the velocity almost always
+/// that the joint moves: Coulomb friction by another name.
+fn is_coulomb_friction(effect: &EffectInstance, evidence: &Evidence) -> bool {
+    let Some(joint) = usize::from(effect.joint).checked_sub(1) else { return false };
+    effect.definition.name == "dead_zone"
+        && braked_part(evidence, joint) < evidence.criteria.selection.least_braked
 }
 
 /// Whether an angle of an effect lies so far from the motion that it is none: cables that rest ten turns
