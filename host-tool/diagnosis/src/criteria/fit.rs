@@ -43,8 +43,8 @@ criteria! {
         unknown_damping: f64 = 0.02,
         /// Deviation of the instants of commands, in sample periods.
         lag_periods: f64 = 0.05,
-        /// The same in parts of that, about the other joints' lag, where an effect makes a joint's command late: the two
-        /// are one thing to the logs.
+        /// Deviation of a joint's lag about the other joints', in parts of the usual one, where an effect makes its command
+        /// late: the two are one thing to the logs.
         lag_beside_lateness: f64 = 0.1,
         /// Deviation of dry friction's lead over velocity: soft constraints lead by some 10 ms, frictional
         /// memory lags by a few [s].

@@ -54,11 +54,20 @@ fn no_wider_than_told(subject: &Subject, free: &FittedModel, doubt: Doubt) -> Do
     let told = deviations(subject, free, |unknown| matches!(unknown, Unknown::Base(_)));
     match typical(&told).filter(|_| told.len() >= prior.fewest_told) {
         Some(off) => {
-            let shown = prior.told_deviations * off * prior.relative;
-            Doubt { masses: doubt.masses.min(shown).max(prior.relative), ..doubt }
+            let shown = (prior.told_deviations * off * prior.relative).max(prior.relative);
+            if doubt.masses > shown { with_masses(subject, free, shown) } else { doubt }
         }
         None => doubt,
     }
+}
+
+/// The likeliest doubt with this one about masses: friction takes what they do not.
+fn with_masses(subject: &Subject, free: &FittedModel, masses: f64) -> Doubt {
+    let prior = &subject.criteria.prior;
+    let of_friction = steps(prior.relative_friction, prior.widest_doubt().friction);
+    let all = of_friction.into_iter().map(|friction| Doubt { masses, friction }).collect();
+    likeliest_of(subject, free, all)
+        .map_or(Doubt { masses, friction: prior.relative_friction }, |(best, _)| best)
 }
 
 /// The likeliest doubts about masses and about friction, either sought where the other was found, from those

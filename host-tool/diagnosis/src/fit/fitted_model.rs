@@ -130,8 +130,8 @@ impl FittedModel {
         self.log_likelihood(&misfit) - other.log_likelihood(&misfit)
     }
 
-    /// The same by one joint's rows (from 0) and without what is known of the friction of others: an effect that acts on
-    /// that joint alone does not gain by where the fits of others have come to rest.
+    /// The same by one joint's rows (from 0), and by what is known of all parameters but other joints' friction and lags:
+    /// an effect that acts on that joint alone does not gain by where the fits of others have come to rest.
     pub fn gain_on(&self, other: &Self, joint: usize) -> f64 {
         let misfit = self.misfit().clone().at_least_as_independent(other.misfit());
         let on_joint = |model: &Self| {

@@ -15,11 +15,12 @@ pub fn fit(
     start: Hypothesis,
     most_steps: usize,
 ) -> Option<Linearisation> {
-    let open = open_in(evidence, subject, &start);
+    let mut open = open_in(evidence, subject, &start);
     let mut best = Linearisation::of(evidence, start, open.clone())?;
     for _ in 0..most_steps {
         let Some((next, _, objective)) = improved(evidence, subject, &best, &open) else { break };
         let gain = best.objective - objective;
+        lags_about_others(&mut open, &next, subject);
         best = Linearisation::of(evidence, next, open.clone())?;
         if gain < subject.criteria.fit.converged_part * best.objective {
             break;
@@ -132,8 +133,10 @@ fn improved(
 /// already are not.
 pub fn open_in(evidence: &Evidence, subject: &Subject, hypothesis: &Hypothesis) -> Vec<Expected> {
     let mut open = expected(subject, evidence.stretches[0].sampled_s);
+    let late: Vec<usize> = hypothesis.late_joints(subject.known_effects.len()).collect();
     let part = subject.criteria.prior.lag_beside_lateness;
-    open.iter_mut().for_each(|lag| *lag = as_on_others(*lag, hypothesis, subject, part));
+    open.iter_mut().filter(|e| is_lag_of(&late, e)).for_each(|lag| lag.deviation *= part);
+    lags_about_others(&mut open, hypothesis, subject);
     let effects = hypothesis.effects.iter().enumerate().skip(subject.known_effects.len());
     for (index, effect) in effects {
         for (value, parameter) in effect.definition.parameters.iter().enumerate() {
@@ -155,17 +158,16 @@ pub fn open_in(evidence: &Evidence, subject: &Subject, hypothesis: &Hypothesis) 
     open
 }
 
-/// The lag of a joint whose command an effect makes late: the instants that the log tells are those of the other joints, or
-/// a lag would be told as another one and a delay.
-fn as_on_others(lag: Expected, hypothesis: &Hypothesis, subject: &Subject, part: f64) -> Expected {
-    let Unknown::Lag(joint) = lag.unknown else { return lag };
-    let mut effects = hypothesis.effects.iter().skip(subject.known_effects.len());
-    match effects.any(|effect| effect.is_late() && usize::from(effect.joint) == joint + 1) {
-        true => Expected {
-            mean: hypothesis.lag_of_others_s(joint),
-            deviation: part * lag.deviation,
-            ..lag
-        },
-        false => lag,
+/// Puts the means of lags beside effects that make commands late to the lag of the other joints: the log tells instants of
+/// all joints alike, or a lag would be told as another one and a delay.
+fn lags_about_others(open: &mut [Expected], hypothesis: &Hypothesis, subject: &Subject) {
+    let late: Vec<usize> = hypothesis.late_joints(subject.known_effects.len()).collect();
+    for lag in open.iter_mut().filter(|e| is_lag_of(&late, e)) {
+        let Unknown::Lag(joint) = lag.unknown else { continue };
+        lag.mean = hypothesis.lag_of_others_s(joint);
     }
+}
+
+fn is_lag_of(joints: &[usize], expected: &Expected) -> bool {
+    matches!(expected.unknown, Unknown::Lag(joint) if joints.contains(&joint))
 }

@@ -15,7 +15,7 @@ impl Linearisation {
     ) -> RowChange {
         let joints = changed_joints(evidence, effect, which);
         let others = &self.hypothesis.effects;
-        let hypothesis = self.hypothesis.with(effect.clone());
+        let hypothesis = self.hypothesis.beside(effect.clone());
         let before = (&self.parts[..], &self.hypothesis);
         changed(evidence, before, &hypothesis, (effect, others), &joints)
     }
@@ -36,7 +36,7 @@ impl Linearisation {
             return self.change_by(evidence, effect, which);
         }
         let joints = changed_joints(evidence, effect, which);
-        let hypothesis = self.hypothesis.with(effect.clone());
+        let hypothesis = self.hypothesis.beside(effect.clone());
         changed_by_spring(evidence, &self.parts, &hypothesis, effect, &joints)
     }
 }

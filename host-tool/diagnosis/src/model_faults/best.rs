@@ -32,7 +32,7 @@ pub struct Faults<'a> {
 struct Best {
     part: Evidence,
     fault: ModelFault,
-    /// Squares above the noise that the refitted model leaves.
+    /// Squares above the noise that the refitted model leaves, or one refitted from the model as given, if that is less.
     whole: f64,
     /// Those that are left once the fault is put right.
     left: f64,

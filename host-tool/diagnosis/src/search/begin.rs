@@ -71,7 +71,7 @@ impl Search<'_> {
             let found = model.effects.split_off(own);
             let known = causes.iter().map(|known| &known.effect);
             model.effects.extend(known.map(|known| known.as_in(&found).clone()));
-            model
+            model.with_room(own)
         };
         let near = self.fitted(with_effects(&self.last.linear.hypothesis));
         let steps = self.subject.criteria.selection.accepted_steps;

@@ -100,8 +100,8 @@ fn finished(subject: &Subject, model: FittedModel) -> FittedModel {
     best
 }
 
-/// Whether all effects of a model are physical.
+/// Whether all effects of a model are physical; those that the model as given holds are taken as they are.
 pub(super) fn is_all_physical(subject: &Subject, model: &FittedModel) -> bool {
-    let mut effects = model.linear.hypothesis.effects.iter();
+    let mut effects = model.linear.hypothesis.effects.iter().skip(subject.known_effects.len());
     effects.all(|effect| is_physical(effect, subject, &model.evidence))
 }

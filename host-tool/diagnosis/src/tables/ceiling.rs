@@ -45,6 +45,7 @@ pub fn reaches_ceiling(
     }
     let mut both = best.model.linear.hypothesis.clone();
     both.effects.insert(index, effect.clone());
+    let both = both.with_room(index);
     let steps = policy.table_steps;
     let FittedModel { linear, evidence, .. } = &best.model;
     let both = FittedModel::fitted_near(linear, evidence, subject, both, steps);

@@ -72,6 +72,11 @@ impl EffectInstance {
         LATE.contains(&self.definition.name)
     }
 
+    /// The joint (from 0) whose command it makes late.
+    pub fn late_joint(&self) -> Option<usize> {
+        usize::from(self.joint).checked_sub(1).filter(|_| self.is_late())
+    }
+
     /// Whether it is a wave of one order of many.
     pub fn is_wave(&self) -> bool {
         self.definition.parameters.iter().any(|parameter| parameter.kind == Kind::Harmonic)
@@ -220,36 +225,54 @@ impl Hypothesis {
         self.effects.is_empty() && self.tables.is_empty()
     }
 
-    /// The same with one more effect.
-    pub fn with(&self, effect: EffectInstance) -> Self {
+    /// The same with one more effect, all else as it is.
+    pub fn beside(&self, effect: EffectInstance) -> Self {
         let mut hypothesis = self.clone();
-        hypothesis.make_room_for(&effect);
         hypothesis.effects.push(effect);
         hypothesis
     }
 
-    /// The same with another effect in the place of one.
+    /// The same with one more effect, what stood in for it given back.
+    pub fn with(&self, effect: EffectInstance) -> Self {
+        let late = effect.late_joint();
+        self.beside(effect).with_lag_of_others(late)
+    }
+
+    /// The same with another effect in the place of one, what stood in for it given back.
     pub fn with_instead(&self, place: usize, effect: EffectInstance) -> Self {
         let mut hypothesis = self.clone();
-        hypothesis.make_room_for(&effect);
+        let late = effect.late_joint();
         hypothesis.effects[place] = effect;
-        hypothesis
+        hypothesis.with_lag_of_others(late)
     }
 
-    /// Gives back what stood in for an effect that is about to come: of a command that an effect makes late the log
-    /// tells the instants as it does of the other joints'.
-    fn make_room_for(&mut self, effect: &EffectInstance) {
-        if let Some(joint) = usize::from(effect.joint).checked_sub(1)
-            && effect.is_late()
-        {
+    /// The same with what stands in for its effects from the place `first` on given back.
+    pub fn with_room(self, first: usize) -> Self {
+        let late: Vec<usize> = self.late_joints(first).collect();
+        late.into_iter().fold(self, |hypothesis, joint| hypothesis.with_lag_of_others(Some(joint)))
+    }
+
+    /// The same with instants of a joint's commands as the log has them on other joints.
+    fn with_lag_of_others(mut self, joint: Option<usize>) -> Self {
+        if let Some(joint) = joint {
             self.lag_s[joint] = self.lag_of_others_s(joint);
         }
+        self
     }
 
-    /// The middle of the lags of the other joints; of one joint alone its own where that is early, which is the log's [s].
+    /// Joints (from 0) whose commands an effect from the place `first` on makes late.
+    pub fn late_joints(&self, first: usize) -> impl Iterator<Item = usize> + '_ {
+        self.effects.iter().skip(first).filter_map(EffectInstance::late_joint)
+    }
+
+    /// The middle of the lags of the other joints that have one and that no effect makes late; where there are none, the
+    /// joint's own if that is early, which is the log's [s].
     pub fn lag_of_others_s(&self, joint: usize) -> f64 {
-        let others = self.lag_s.iter().enumerate().filter(|(other, _)| *other != joint);
-        let mut others: Vec<f64> = others.map(|(_, lag_s)| *lag_s).collect();
+        let tells = |&other: &usize| {
+            other != joint && self.lag_s[other] != 0.0 && self.late_joints(0).all(|j| j != other)
+        };
+        let others = (0..self.lag_s.len()).filter(tells);
+        let mut others: Vec<f64> = others.map(|other| self.lag_s[other]).collect();
         others.sort_by(f64::total_cmp);
         match others.len() {
             0 => self.lag_s[joint].min(0.0),
