@@ -258,14 +258,8 @@ fn a_load_and_friction_of_a_geared_arm_are_named_with_joint_and_size() {
 #[test]
 #[ignore = "minutes; `cargo xtask test --long`"]
 fn a_table_under_a_geared_arm_is_named() {
-    let cases: &[Case] = &[(
-        "contact:stiffness_N_per_m=45,height_m=0.04",
-        "contact",
-        0,
-        ("stiffness_N_per_m", 45.0),
-        0.2,
-    )];
-    all_are_named(of_six_joints, cases);
+    let report = of_six_joints(&["contact:stiffness_N_per_m=45,height_m=0.04"]);
+    names(&report, "contact", 0, ("stiffness_N_per_m", 45.0), 0.2);
 }
 
 #[test]

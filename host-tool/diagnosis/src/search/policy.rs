@@ -79,8 +79,8 @@ pub fn gain(over: &FittedModel, model: &FittedModel) -> f64 {
     model.gain_over(over)
 }
 
-/// Whether an effect is not at its bound, rests near the motion and is not another one's by name, whether a spring rings and leaves
-/// its motor some inertia, without which it would only smooth what the encoder reads, and whether its
+/// Whether an effect is not at its bound, rests near the motion and is no other one by another name, whether a spring
+/// rings and leaves its motor some inertia, without which it would only smooth what the encoder reads, and whether its
 /// backlash, if it has some, is more than the spring's deflection.
 pub fn is_physical(effect: &EffectInstance, subject: &Subject, evidence: &Evidence) -> bool {
     let policy = &evidence.criteria.selection;

@@ -53,10 +53,8 @@ impl Search<'_> {
     /// By how much it is so by the logs. A lag and a delay differ by little, on their joint alone.
     fn gain_in_place(&self, model: &FittedModel, place: usize) -> f64 {
         let [now, other] = [&self.last, model].map(|model| &model.linear.hypothesis.effects[place]);
-        match usize::from(now.joint).checked_sub(1) {
-            Some(joint) if now.is_late() && other.is_late() && now.joint == other.joint => {
-                model.gain_on(&self.last, joint)
-            }
+        match now.late_joint() {
+            Some(joint) if other.late_joint() == Some(joint) => model.gain_on(&self.last, joint),
             _ => gain(&self.last, model),
         }
     }
