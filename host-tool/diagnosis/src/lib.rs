@@ -47,7 +47,9 @@ pub use result::*;
 
 use fit::command_instants::by_instants;
 use fit::gears::ask_for_loss;
-use fit::preparation;
+use fit::preparation::{self, prepared};
+use fit::warmth::ask_for_warmth;
+use logs::stretch::Stretch;
 use logs::subject::Subject;
 use logs::usable::Usable;
 use recordings::{ArmCampaign, Campaign, StepError, Trace};
@@ -139,7 +141,7 @@ fn diagnosed(
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnosisError> {
     let Usable { mut stretches, mut remarks } = Usable::of(traces, &subject)?;
-    subject.gears_lose = ask_for_loss(&subject, &stretches)?;
+    open_what_logs_ask_for(&mut subject, &stretches)?;
     let mut searched =
         Searched::of(&subject, stretches.clone(), None, KnownCauses::default(), true, progress)?;
     let early_part = searched.early_part;
@@ -179,6 +181,14 @@ fn diagnosed(
         fault,
     };
     Ok(assembly.diagnosis(file, remarks))
+}
+
+/// Opens what a model may lack without a cause of the catalogue, where a refit asks for it.
+fn open_what_logs_ask_for(subject: &mut Subject, stretches: &[Stretch]) -> Result<(), StepError> {
+    let (evidence, refitted) = prepared(subject, stretches.to_vec(), None)?;
+    subject.gears_lose = ask_for_loss(subject, &evidence, &refitted);
+    subject.warms = ask_for_warmth(subject, &refitted);
+    Ok(())
 }
 
 fn early_words(part: f64) -> String {

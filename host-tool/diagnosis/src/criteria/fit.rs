@@ -54,6 +54,12 @@ criteria! {
         gear_loss: f64 = 0.04,
         /// The most that they take of it.
         most_gear_loss: f64 = 0.5,
+        /// Deviation of what friction has more of in a log, in parts of itself, where logs ask for it: grease that warms
+        /// takes a tenth to a third of it.
+        warmth: f64 = 0.15,
+        /// They do where more than half of the joints are likelier by so much so, in logarithms: half of what an effect must
+        /// gain.
+        least_warmth_likelihood: f64 = 7.5,
         /// Added for what shapes friction near standstill, the Stribeck velocity and the bristles, in
         /// parts of themselves: no machine's friction is of anybody's formula there.
         friction_shape: f64 = 3.0,

@@ -7,6 +7,7 @@ use crate::logs::subject::Subject;
 use crate::rows::evidence::{Evidence, Rows};
 use crate::trial::hypothesis::Hypothesis;
 use crate::trial::residual_rows::train_residual_rows;
+use crate::trial::warmth::WARMTH_VALUES;
 
 /// Fits a model with everything open in it; `None` where the numbers do not work out.
 pub fn fit(
@@ -137,6 +138,7 @@ pub fn open_in(evidence: &Evidence, subject: &Subject, hypothesis: &Hypothesis) 
     let part = subject.criteria.prior.lag_beside_lateness;
     open.iter_mut().filter(|e| is_lag_of(&late, e)).for_each(|lag| lag.deviation *= part);
     lags_about_others(&mut open, hypothesis, subject);
+    open.extend(warmths(evidence, subject));
     let effects = hypothesis.effects.iter().enumerate().skip(subject.known_effects.len());
     for (index, effect) in effects {
         for (value, parameter) in effect.definition.parameters.iter().enumerate() {
@@ -156,6 +158,23 @@ pub fn open_in(evidence: &Evidence, subject: &Subject, hypothesis: &Hypothesis) 
         open.extend((0..table.knots.len()).map(of_knot));
     }
     open
+}
+
+/// What friction may have more of in train logs, where they asked for it.
+fn warmths(evidence: &Evidence, subject: &Subject) -> Vec<Expected> {
+    if !subject.warms {
+        return Vec::new();
+    }
+    let mut logs: Vec<usize> =
+        evidence.stretches[..evidence.train_stretches()].iter().map(|s| s.log).collect();
+    logs.dedup();
+    let deviation = subject.criteria.prior.warmth;
+    let of = |(joint, log): (usize, usize)| {
+        let unknown = move |value| Unknown::Warmth { joint, log, value };
+        (0..WARMTH_VALUES).map(move |value| Expected::new(unknown(value), 0.0, deviation))
+    };
+    let joints = subject.joints.iter();
+    joints.flat_map(|&joint| logs.iter().map(move |&log| (joint, log))).flat_map(of).collect()
 }
 
 /// Puts the means of lags beside effects that make commands late to the lag of the other joints: the log tells instants of

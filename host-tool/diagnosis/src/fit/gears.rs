@@ -6,24 +6,18 @@
 //! is open.
 
 use super::fitted_model::FittedModel;
-use super::preparation::prepared;
-use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
-use recordings::StepError;
+use crate::rows::evidence::Evidence;
 
 /// Whether an arm's logs ask for a loss that is the same in all of its gears: a refit gains as much by it as an effect
 /// must. A load that is missing may ask for it, too, and little is left of the loss once that is found.
-///
-/// # Errors
-/// Logs that leave no rows.
-pub fn ask_for_loss(subject: &Subject, stretches: &[Stretch]) -> Result<bool, StepError> {
+pub fn ask_for_loss(subject: &Subject, evidence: &Evidence, without: &FittedModel) -> bool {
     if !subject.may_share_gear_loss() {
-        return Ok(false);
+        return false;
     }
-    let (evidence, without) = prepared(subject, stretches.to_vec(), None)?;
     let open = Subject { gears_lose: true, ..subject.clone() };
     let (start, steps) = (without.linear.hypothesis.clone(), subject.criteria.fit.refit_steps);
-    let with = FittedModel::fitted(&evidence, &open, start, steps).map(|with| with.settled(&open));
-    let gain = with.map_or(0.0, |with| with.gain_over(&without));
-    Ok(gain > subject.criteria.selection.least_log_likelihood)
+    let with = FittedModel::fitted(evidence, &open, start, steps).map(|with| with.settled(&open));
+    let gain = with.map_or(0.0, |with| with.gain_over(without));
+    gain > subject.criteria.selection.least_log_likelihood
 }

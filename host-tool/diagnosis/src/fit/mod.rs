@@ -26,3 +26,4 @@ pub mod row_changes;
 pub mod slopes;
 mod stretch_changes;
 pub mod unknowns;
+pub mod warmth;

@@ -169,6 +169,9 @@ impl Known {
                 Some(self.friction_slope(FRICTION_COUNT, joint, trial))
             }
             Unknown::GearLoss => Some(self.friction_slope(FRICTION_COUNT + 1, joint, trial)),
+            Unknown::Warmth { joint: of, log, value } if of == joint => {
+                Some(self.warmth_slope((log, value), joint, trial))
+            }
             Unknown::Lag(of) if of == joint => {
                 Some(trial.command_slope(joint).iter().map(|u| -u).collect())
             }
@@ -181,8 +184,27 @@ impl Known {
     }
 
     fn friction_slope(&mut self, place: usize, joint: usize, trial: &Trial) -> Vec<f64> {
-        let slopes = self.friction.get_or_insert_with(|| trial.friction_slopes(joint));
+        let slopes = self.friction_slopes(joint, trial);
         at_samples(&slopes.iter().map(|slope| -slope[place]).collect::<Vec<f64>>())
+    }
+
+    /// Slope along a part of the joint's warmth in a log: none on the other logs.
+    fn warmth_slope(
+        &mut self,
+        (log, value): (usize, usize),
+        joint: usize,
+        trial: &Trial,
+    ) -> Vec<f64> {
+        let slopes = self.friction_slopes(joint, trial);
+        if log != trial.log() {
+            return at_samples(&vec![0.0; slopes.len()]);
+        }
+        let along = &trial.warmth_slopes(joint, slopes)[value];
+        at_samples(&along.iter().map(|slope| -slope).collect::<Vec<f64>>())
+    }
+
+    fn friction_slopes(&mut self, joint: usize, trial: &Trial) -> &[[f64; FRICTION_SLOPES]] {
+        self.friction.get_or_insert_with(|| trial.friction_slopes(joint))
     }
 }
 

@@ -38,6 +38,15 @@ pub enum Unknown {
     FrictionLead(usize),
     /// The part of every motor's torque by which friction grows.
     GearLoss,
+    /// What a joint's friction has more of in a log.
+    Warmth {
+        /// Joint, from 0.
+        joint: usize,
+        /// Index of the log.
+        log: usize,
+        /// Which of its two parts.
+        value: usize,
+    },
     /// The value of a table at one of its knots.
     Table {
         /// Which table.
@@ -149,7 +158,7 @@ impl Unknown {
     pub fn shapes_friction(self) -> bool {
         match self {
             Self::Friction { parameter, .. } => parameter != COULOMB && parameter != VISCOUS,
-            Self::FrictionLead(_) | Self::GearLoss => true,
+            Self::FrictionLead(_) | Self::GearLoss | Self::Warmth { .. } => true,
             _ => false,
         }
     }
@@ -157,9 +166,10 @@ impl Unknown {
     /// The joint (from 0) whose friction or command it is of; none where it is the arm's, or an effect's.
     pub fn own_joint(self) -> Option<usize> {
         match self {
-            Self::Friction { joint, .. } | Self::Lag(joint) | Self::FrictionLead(joint) => {
-                Some(joint)
-            }
+            Self::Friction { joint, .. }
+            | Self::Lag(joint)
+            | Self::FrictionLead(joint)
+            | Self::Warmth { joint, .. } => Some(joint),
             _ => None,
         }
     }
@@ -186,6 +196,9 @@ impl Unknown {
             Self::Lag(joint) => hypothesis.lag_s[joint],
             Self::FrictionLead(joint) => hypothesis.friction_lead_s[joint],
             Self::GearLoss => hypothesis.gear_loss,
+            Self::Warmth { joint, log, value } => {
+                hypothesis.warmth(joint, log).unwrap_or_default().parts[value]
+            }
             Self::Table { index, knot } => hypothesis.tables[index].values_v[knot],
             Self::Effect { index, value } => hypothesis.effects[index].values[value],
         }
@@ -204,6 +217,9 @@ impl Unknown {
             Self::Lag(joint) => hypothesis.lag_s[joint] = to,
             Self::FrictionLead(joint) => hypothesis.friction_lead_s[joint] = to,
             Self::GearLoss => hypothesis.gear_loss = to,
+            Self::Warmth { joint, log, value } => {
+                hypothesis.warmths.entry((joint, log)).or_default().parts[value] = to;
+            }
             Self::Table { index, knot } => hypothesis.tables[index].values_v[knot] = to,
             Self::Effect { index, value } => hypothesis.effects[index].values[value] = to,
         }

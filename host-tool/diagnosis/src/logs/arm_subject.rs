@@ -47,6 +47,7 @@ impl Subject {
             joints: (0..arm.joints.len()).collect(),
             one_joint: false,
             gears_lose: false,
+            warms: false,
             known: known(arm, &plant, &numbers),
             encoder_step_rad: encoder_steps(arm, traces, criteria),
             command_limits_v: joints.command_limits_v,

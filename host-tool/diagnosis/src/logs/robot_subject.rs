@@ -51,6 +51,7 @@ impl Subject {
             joints: if one_joint { vec![ONLY] } else { vec![0, 1, 2] },
             one_joint,
             gears_lose: false,
+            warms: false,
             encoder_step_rad: vec![known.encoder_step_rad; 3],
             command_limits_v: vec![known.command_limit_v; 3],
             known,

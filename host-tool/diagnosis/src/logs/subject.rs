@@ -31,6 +31,8 @@ pub struct Subject {
     pub one_joint: bool,
     /// Whether its gears take a part of their motors' torque that the model does not tell.
     pub gears_lose: bool,
+    /// Whether friction differs from log to log, as joints warm.
+    pub warms: bool,
     /// What the manufacturer tells of all joints alike.
     pub known: Known,
     /// Encoder step of every joint of the plant [rad; m].

@@ -7,6 +7,7 @@ use super::motion_gap::drift_rms_rad;
 use super::parameters_changed::parameters_changed;
 use super::remainder::remainder;
 use super::sentence::{effect_words, joint_words};
+use super::warmth;
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::preparation::as_given;
 use crate::gap_by_axis::gap_by_axis;
@@ -58,6 +59,8 @@ impl Assembly<'_> {
         let (causes, alternatives) = causes(subject, judgement);
         let verdict = self.verdict(causes.len());
         remarks.extend(self.remark(verdict));
+        let last = &judgement.last.linear.hypothesis;
+        remarks.extend(warmth::words(subject, &self.evidence.stretches, last));
         remarks.extend(self.remarks_of_lengths());
         let report = Report {
             format: 2,

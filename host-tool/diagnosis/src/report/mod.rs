@@ -11,4 +11,5 @@ pub mod remainder;
 pub mod remaining_words;
 pub mod samples;
 pub mod sentence;
+pub mod warmth;
 pub mod words;

@@ -13,17 +13,23 @@ use crate::logs::kinematics::Joints;
 use crate::logs::stretch::Stretch;
 use crate::rows::evidence::Evidence;
 use crate::trial::equation::Trial;
+use crate::trial::held_warmth::with_held_warmth;
 use crate::trial::hypothesis::Hypothesis;
 use files::Role;
 use simulation::{Settings, SimulatedPlant};
 
 /// Root mean square of each joint's drift on the logs held out [rad].
 pub fn drift_rms_rad(evidence: &Evidence, hypothesis: &Hypothesis) -> Vec<f64> {
+    let hypothesis = with_held_warmth(evidence, hypothesis);
     let held: Vec<&Stretch> =
         evidence.stretches.iter().filter(|stretch| stretch.role == Role::Holdout).collect();
     let sums: Vec<(Joints, usize)> = held
         .par_iter()
-        .flat_map_iter(|stretch| windows(stretch, hypothesis, &evidence.criteria))
+        .flat_map_iter(|stretch| {
+            let middle_s = stretch.start_s + 0.5 * stretch.duration_s();
+            let hypothesis = hypothesis.as_warm_as_in(stretch.log, middle_s);
+            windows(stretch, &hypothesis, &evidence.criteria)
+        })
         .collect();
     let count: usize = sums.iter().map(|sum| sum.1).sum();
     let squares = |joint: usize| sums.iter().map(|sum| sum.0[joint]).sum::<f64>();

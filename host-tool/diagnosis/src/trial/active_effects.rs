@@ -14,6 +14,7 @@ use model::{Dual, Friction, FrictionState, Real};
 
 use super::hypothesis::Hypothesis;
 use super::reading;
+use super::warmth;
 use crate::logs::kinematics::{Joints, Kinematics, Middles};
 use crate::logs::loads::loads;
 use crate::logs::stretch::Stretch;
@@ -23,6 +24,9 @@ use signal::derivative;
 
 /// Slopes of friction: along its parameters, along its lead, and along the gears' loss.
 pub const FRICTION_SLOPES: usize = FRICTION_COUNT + 2;
+
+/// Places of the parameters of friction that warmth scales: alpha0, alpha1 and alpha2.
+const SCALED: [usize; 3] = [0, 1, 3];
 
 /// The effects of a hypothesis on a stretch.
 pub struct ActiveEffects<'a> {
@@ -111,6 +115,7 @@ impl<'a> ActiveEffects<'a> {
         let last = v.len() - 1;
         let scaling = at_rest(self.hypothesis.effects_on_friction_of(joint), self.stretch.period_s);
         let felt = TorquesFelt::by(&scaling);
+        let warmth = self.hypothesis.warmth(joint, self.stretch.log);
         let command_v = &self.stretch.command_v[joint];
         let mut bristles = FrictionState { deflection_rad: T::zero() };
         let mut scales = [FrictionScale::unchanged(); MAX_JOINTS];
@@ -122,6 +127,10 @@ impl<'a> ActiveEffects<'a> {
                 scaling.iter().for_each(|e| e.change_friction(&joint_state, scales));
             }
             let mut scale: FrictionScale<T> = scales[joint].cast();
+            if let Some(warmth) = warmth {
+                let factor = T::constant(warmth.factor(self.middle_s(k)));
+                (scale.level, scale.viscous) = (scale.level * factor, scale.viscous * factor);
+            }
             scale.added_v = scale.added_v + gear_loss * T::constant(command_v[k].abs());
             let (here, next) = (v[k], v[(k + 1).min(last)]);
             let quarter_on = (next - here) * quarter;
@@ -132,6 +141,24 @@ impl<'a> ActiveEffects<'a> {
             part(half * (early + late - viscous * both_ahead))
         };
         (0..v.len()).map(&mut interval).collect()
+    }
+
+    /// Slopes of a joint's friction along the parts of its warmth in the log, by those along its parameters: warmth
+    /// changes slowly, so it acts as the parameters would that it scales [V].
+    pub fn warmth_slopes(&self, joint: usize, slopes: &[[f64; FRICTION_SLOPES]]) -> [Vec<f64>; 2] {
+        let of = self.plant.friction[joint].to_array();
+        let scaled = |(k, slope): (usize, &[f64; FRICTION_SLOPES])| {
+            let level_v: f64 = SCALED.iter().map(|&at| of[at] * slope[at]).sum();
+            warmth::shape(self.middle_s(k)).map(|shape| shape * level_v)
+        };
+        let both = slopes.iter().enumerate().map(scaled).map(|[begin, later]| (begin, later));
+        let (begin, later) = both.unzip();
+        [begin, later]
+    }
+
+    /// Time of the middle of the interval after a sample since its log began [s].
+    fn middle_s(&self, k: usize) -> f64 {
+        self.stretch.start_s + (k as f64 + 0.5) * self.stretch.period_s
     }
 
     /// Velocity that dry friction feels, to first order the one `lead_s` later, and by how much it is ahead [rad/s].
@@ -192,7 +219,7 @@ impl<'a> ActiveEffects<'a> {
         let load_nm = if felt.load { &self.loads()[k] } else { &NONE_NM };
         let motor_nm = if felt.motor_torque { &self.motor_torques()[k] } else { &NONE_NM };
         JointState {
-            time_s: self.stretch.start_s + (k as f64 + 0.5) * self.stretch.period_s,
+            time_s: self.middle_s(k),
             q_rad,
             qd_rad_per_s,
             load_nm: &load_nm[..q_rad.len()],

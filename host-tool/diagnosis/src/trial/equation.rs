@@ -152,6 +152,16 @@ impl<'a> Trial<'a> {
         self.effects.friction_slopes(joint)
     }
 
+    /// Slopes of a joint's friction along the parts of its warmth, by those along its parameters [V].
+    pub fn warmth_slopes(&self, joint: usize, slopes: &[[f64; FRICTION_SLOPES]]) -> [Vec<f64>; 2] {
+        self.effects.warmth_slopes(joint, slopes)
+    }
+
+    /// The log that it is on.
+    pub fn log(&self) -> usize {
+        self.stretch.log
+    }
+
     /// Voltage that the rigid body needs at the samples, eq. (5).
     pub fn needed(&self, joint: usize) -> &[f64] {
         &self.needed_v.get_or_init(|| self.needed_by_all())[joint]

@@ -3,6 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use model::chain::MAX_JOINTS;
+
+use super::warmth::Warmths;
 use rig::Plant;
 use rig::effects::{Catalogue, Definition, Effect, Kind, Table, Touches};
 
@@ -137,6 +139,8 @@ pub struct Hypothesis {
     pub friction_lead_s: Vec<f64>,
     /// Part of every motor's torque by which the friction of its joint grows: what gears take.
     pub gear_loss: f64,
+    /// What friction has more of in single logs; empty where it is the same in all.
+    pub warmths: Warmths,
     /// Effects, in order.
     pub effects: Vec<EffectInstance>,
     /// Curves that act after the effects; no causes.
@@ -147,8 +151,9 @@ impl Hypothesis {
     /// A model alone.
     pub fn bare(plant: Plant) -> Self {
         let none = vec![0.0; plant.joints()];
-        let (effects, tables) = (Vec::new(), Vec::new());
-        Self { plant, lag_s: none.clone(), friction_lead_s: none, gear_loss: 0.0, effects, tables }
+        let (effects, tables, warmths) = Default::default();
+        let (lag_s, friction_lead_s) = (none.clone(), none);
+        Self { plant, lag_s, friction_lead_s, gear_loss: 0.0, warmths, effects, tables }
     }
 
     /// Effects that stand for what gears take, in simulators and in model files; none where they take next to nothing.

@@ -4,6 +4,7 @@ pub mod active_effects;
 pub mod coupling;
 mod drive;
 pub mod equation;
+pub mod held_warmth;
 pub mod hypothesis;
 pub mod link_covariance;
 pub mod link_motion;
@@ -19,3 +20,4 @@ pub mod spring_change;
 pub(crate) mod test_stretch;
 #[cfg(test)]
 mod tests;
+pub mod warmth;

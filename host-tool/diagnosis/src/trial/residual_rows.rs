@@ -3,13 +3,15 @@
 use rayon::prelude::*;
 
 use super::equation::Trial;
+use super::held_warmth::with_held_warmth;
 use super::hypothesis::Hypothesis;
 use super::rigid_rows::needed_rows;
 use crate::rows::evidence::{Evidence, Rows};
 
 /// Rows of a hypothesis on the joints of the rig, of all logs.
 pub fn residual_rows(evidence: &Evidence, hypothesis: &Hypothesis) -> Rows {
-    of_first(evidence.stretches.len(), evidence, hypothesis)
+    let hypothesis = with_held_warmth(evidence, hypothesis);
+    of_first(evidence.stretches.len(), evidence, &hypothesis)
 }
 
 /// The same of train logs.

@@ -10,7 +10,9 @@ use super::active_effects::FRICTION_SLOPES;
 use super::equation::Trial;
 use super::hypothesis::{EffectInstance, Hypothesis};
 use super::test_stretch::{PERIOD_S, sines, stretch_of};
+use super::warmth::Warmth;
 use crate::criteria::FitCriteria;
+use crate::fit::unknowns::Unknown;
 use crate::logs::kinematics::Kinematics;
 use crate::logs::stretch::Stretch;
 use rig::Plant;
@@ -205,4 +207,49 @@ fn what_makes_a_command_late_takes_the_place_of_its_lag() {
         (late(&[4e-4, 0.0, 0.0]), late(&[-4e-4, 0.0, 0.0])),
         (vec![0.0; 3], vec![-4e-4, 0.0, 0.0])
     );
+}
+
+#[test]
+fn warmth_scales_the_friction_of_its_joint_in_its_log_alone() {
+    let (stretch, criteria) = (swinging(), FitCriteria::default());
+    let bare = Hypothesis::bare(Plant::of_robot(&reference_robot()));
+    let with = |joint: usize, log: usize, parts: [f64; 2]| {
+        let warmths = [((joint, log), Warmth { parts })].into();
+        Hypothesis { warmths, ..bare.clone() }
+    };
+    let friction_v = |hypothesis: &Hypothesis| {
+        Trial::of(&stretch, hypothesis, &criteria).friction(1, &hypothesis.plant)
+    };
+    assert_eq!(friction_v(&with(0, 0, [0.2, 0.1])), friction_v(&bare));
+    assert_eq!(friction_v(&with(1, 7, [0.2, 0.1])), friction_v(&bare));
+    let mut scaled = bare.clone();
+    for value in [0, 1, 3] {
+        let unknown = Unknown::Friction { joint: 1, parameter: value };
+        unknown.set(&mut scaled, 1.2 * unknown.get(&bare));
+    }
+    let both = friction_v(&with(1, 0, [0.2, 0.0])).into_iter().zip(friction_v(&scaled));
+    let worst = both.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(worst < 1e-12, "{worst} V");
+}
+
+/// Warmth changes slowly, so its slopes are those along the parameters that it scales, but for what bristles remember.
+#[test]
+fn friction_changes_by_warmth_as_its_slopes_say() {
+    const STEP: f64 = 1e-6;
+    let (stretch, criteria) = (swinging(), FitCriteria::default());
+    let bare = Hypothesis::bare(Plant::of_robot(&reference_robot()));
+    let trial = Trial::of(&stretch, &bare, &criteria);
+    let slopes = trial.warmth_slopes(1, &trial.friction_slopes(1));
+    let before = trial.friction(1, &bare.plant);
+    for (value, slope) in slopes.iter().enumerate() {
+        let mut parts = [0.0; 2];
+        parts[value] = STEP;
+        let warmths = [((1, 0), Warmth { parts })].into();
+        let with = Hypothesis { warmths, ..bare.clone() };
+        let after = Trial::of(&stretch, &with, &criteria).friction(1, &with.plant);
+        let wanted = after.iter().zip(&before).map(|(after, before)| (after - before) / STEP);
+        let largest = slope.iter().fold(0.0, |largest, s| f64::max(largest, s.abs()));
+        let worst = wanted.zip(slope).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(worst < 0.03 * largest, "part {value}: {worst} of {largest} V");
+    }
 }

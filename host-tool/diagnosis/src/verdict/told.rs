@@ -4,7 +4,8 @@ use super::confirmed::Confirmation;
 use super::held::Held;
 use crate::fit::command_instants::prepared_by_instants;
 use crate::fit::fitted_model::FittedModel;
-use crate::fit::preparation;
+use crate::fit::preparation::{self, prepared};
+use crate::fit::warmth::ask_for_warmth;
 use crate::logs::subject::Subject;
 use crate::logs::usable::Usable;
 use crate::rows::evidence::Evidence;
@@ -20,6 +21,8 @@ use recordings::{StepError, Trace};
 /// Logs that cannot be used.
 pub fn shares(told: &Subject, traces: &[Trace]) -> Result<Vec<Option<f64>>, StepError> {
     let Usable { stretches, .. } = Usable::of(traces, told)?;
+    let (_, refitted_as_told) = prepared(told, stretches.clone(), None)?;
+    let told = &Subject { warms: ask_for_warmth(told, &refitted_as_told), ..told.clone() };
     let (evidence, full, _) = prepared_by_instants(told, stretches, None)?;
     let Some(none) = refitted(&with_effects(told, |_| false), &evidence, &full) else {
         return Ok(vec![None; told.known_effects.len()]);

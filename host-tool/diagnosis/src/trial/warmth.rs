@@ -1,0 +1,67 @@
+//! What friction has more of in one log than in another: grease thins as joints warm, and logs are recorded cold and warm.
+
+use std::collections::BTreeMap;
+
+use super::hypothesis::Hypothesis;
+
+/// How many values the warmth of a joint in a log has.
+pub const WARMTH_VALUES: usize = 2;
+
+/// Time in which a joint warms: what a log of a minute shows of it is not much else [s].
+const TIME_CONSTANT_S: f64 = 30.0;
+
+/// Warmth of joints (from 0) in logs, by both.
+pub type Warmths = BTreeMap<(usize, usize), Warmth>;
+
+/// By which part Coulomb and viscous friction of a joint in a log are larger than the model has them: where the log
+/// begins, and by how much more after a long time.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Warmth {
+    /// The two parts.
+    pub parts: [f64; WARMTH_VALUES],
+}
+
+impl Warmth {
+    /// The factor on Coulomb and viscous friction so long after the log began [s].
+    pub fn factor(self, time_s: f64) -> f64 {
+        let both = self.parts.iter().zip(shape(time_s));
+        1.0 + both.map(|(part, shape)| part * shape).sum::<f64>()
+    }
+}
+
+/// What the factor has of each of the two parts: 1, and 1 - exp(-t/T).
+pub fn shape(time_s: f64) -> [f64; WARMTH_VALUES] {
+    [1.0, -(-time_s / TIME_CONSTANT_S).exp_m1()]
+}
+
+impl Hypothesis {
+    /// The warmth of a joint (from 0) in a log; none where friction is the model's there.
+    pub fn warmth(&self, joint: usize, log: usize) -> Option<Warmth> {
+        self.warmths.get(&(joint, log)).copied()
+    }
+
+    /// The same with friction as it is so long after a log began [s], in all logs.
+    pub fn as_warm_as_in(&self, log: usize, time_s: f64) -> Self {
+        let mut same = Self { warmths: Warmths::new(), ..self.clone() };
+        for (joint, friction) in same.plant.friction.iter_mut().enumerate() {
+            let factor = self.warmth(joint, log).unwrap_or_default().factor(time_s);
+            friction.alpha0_v *= factor;
+            friction.alpha1_v *= factor;
+            friction.alpha2_v_s_per_rad *= factor;
+        }
+        same
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn friction_goes_from_one_part_to_the_sum_of_both() {
+        let warmth = Warmth { parts: [0.1, -0.3] };
+        assert!((warmth.factor(0.0) - 1.1).abs() < 1e-12);
+        assert!((warmth.factor(100.0 * TIME_CONSTANT_S) - 0.8).abs() < 1e-12);
+        assert_eq!(Warmth::default().factor(7.0), 1.0);
+    }
+}
