@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use model::chain::MAX_JOINTS;
 
-use super::warmth::Warmths;
+use super::warmth::{Warmth, Warmths};
 use rig::Plant;
 use rig::effects::{Catalogue, Definition, Effect, Kind, Table, Touches};
 
@@ -154,6 +154,23 @@ impl Hypothesis {
         let (effects, tables, warmths) = Default::default();
         let (lag_s, friction_lead_s) = (none.clone(), none);
         Self { plant, lag_s, friction_lead_s, gear_loss: 0.0, warmths, effects, tables }
+    }
+
+    /// The warmth of a joint (from 0) in a log; none where friction is the model's there.
+    pub fn warmth(&self, joint: usize, log: usize) -> Option<Warmth> {
+        self.warmths.get(&(joint, log)).copied()
+    }
+
+    /// The same with friction as it is so long after a log began [s], in all logs.
+    pub fn as_warm_as_in(&self, log: usize, time_s: f64) -> Self {
+        let mut same = Self { warmths: Warmths::new(), ..self.clone() };
+        for (joint, friction) in same.plant.friction.iter_mut().enumerate() {
+            let factor = self.warmth(joint, log).unwrap_or_default().factor(time_s);
+            friction.alpha0_v *= factor;
+            friction.alpha1_v *= factor;
+            friction.alpha2_v_s_per_rad *= factor;
+        }
+        same
     }
 
     /// Effects that stand for what gears take, in simulators and in model files; none where they take next to nothing.

@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use super::hypothesis::Hypothesis;
-
 /// How many values the warmth of a joint in a log has.
 pub const WARMTH_VALUES: usize = 2;
 
@@ -32,25 +30,6 @@ impl Warmth {
 /// What the factor has of each of the two parts: 1, and 1 - exp(-t/T).
 pub fn shape(time_s: f64) -> [f64; WARMTH_VALUES] {
     [1.0, -(-time_s / TIME_CONSTANT_S).exp_m1()]
-}
-
-impl Hypothesis {
-    /// The warmth of a joint (from 0) in a log; none where friction is the model's there.
-    pub fn warmth(&self, joint: usize, log: usize) -> Option<Warmth> {
-        self.warmths.get(&(joint, log)).copied()
-    }
-
-    /// The same with friction as it is so long after a log began [s], in all logs.
-    pub fn as_warm_as_in(&self, log: usize, time_s: f64) -> Self {
-        let mut same = Self { warmths: Warmths::new(), ..self.clone() };
-        for (joint, friction) in same.plant.friction.iter_mut().enumerate() {
-            let factor = self.warmth(joint, log).unwrap_or_default().factor(time_s);
-            friction.alpha0_v *= factor;
-            friction.alpha1_v *= factor;
-            friction.alpha2_v_s_per_rad *= factor;
-        }
-        same
-    }
 }
 
 #[cfg(test)]
