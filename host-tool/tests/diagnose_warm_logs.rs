@@ -42,10 +42,10 @@ fn trace(rig: &Rig, plan: &Plan, seed: u64, factor: f64) -> Trace {
     Trace::of_log(recording.log, plan.entry("csv"), COUNTS_PER_TURN)
 }
 
-/// What logs tell whose friction has these factors.
-fn diagnosed(factors: [f64; 4]) -> Diagnosis {
+/// What logs tell whose friction has these factors, the last of which has this role.
+fn diagnosed(factors: [f64; 4], last: Role) -> Diagnosis {
     let rig = Rig::new(reference_robot());
-    let held_out = excitation(5, 10.0).with_role(Role::Holdout);
+    let held_out = excitation(5, 10.0).with_role(last);
     let plans = [excitation(3, 12.0), slow(12.0), driven_noise(6.0, 4), held_out];
     let numbered = plans.iter().zip(1..).zip(factors);
     let traces = numbered.map(|((plan, seed), factor)| trace(&rig, plan, seed, factor)).collect();
@@ -66,7 +66,7 @@ fn remark_of_warmth(found: &Diagnosis) -> Option<&String> {
 
 #[test]
 fn a_small_cause_is_named_in_logs_that_are_cold_and_warm() {
-    let found = diagnosed(WARM);
+    let found = diagnosed(WARM, Role::Holdout);
     let report = &found.report;
     let named: Vec<(&str, u8)> =
         report.causes.iter().map(|cause| (cause.effect.as_str(), cause.joint)).collect();
@@ -78,9 +78,24 @@ fn a_small_cause_is_named_in_logs_that_are_cold_and_warm() {
     assert!(both.clone().all(|(left_v, noise_v)| left_v < &(1.6 * noise_v)), "{:?}", report.gap);
 }
 
+/// Parts of the logs are held out then, and each is as warm as the part that trains.
+#[test]
+fn a_small_cause_is_named_where_no_log_is_held_out() {
+    let found = diagnosed(WARM, Role::Train);
+    let report = &found.report;
+    assert!(remark_of_warmth(&found).is_some(), "{:?}", report.remarks);
+    assert!(
+        report.causes.iter().any(|cause| (cause.effect.as_str(), cause.joint) == ("cogging", 3))
+    );
+    let both = report.gap.with_effects_v.iter().zip(&report.gap.noise_floor_v);
+    assert!(both.clone().all(|(left_v, noise_v)| left_v < &(2.0 * noise_v)), "{:?}", report.gap);
+}
+
+/// Friction that is off by the same in all logs is the model's.
 #[test]
 fn of_logs_that_are_alike_no_warmth_is_said() {
-    let found = diagnosed([1.0; 4]);
+    assert_eq!(remark_of_warmth(&diagnosed([0.85; 4], Role::Holdout)), None);
+    let found = diagnosed([1.0; 4], Role::Holdout);
     assert_eq!(remark_of_warmth(&found), None);
     assert_eq!(found.report.causes.len(), 1);
 }

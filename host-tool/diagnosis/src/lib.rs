@@ -48,7 +48,7 @@ pub use result::*;
 use fit::command_instants::by_instants;
 use fit::gears::ask_for_loss;
 use fit::preparation::{self, prepared};
-use fit::warmth::ask_for_warmth;
+use fit::warmth::{ask_for_warmth, may_warm};
 use logs::stretch::Stretch;
 use logs::subject::Subject;
 use logs::usable::Usable;
@@ -185,6 +185,9 @@ fn diagnosed(
 
 /// Opens what a model may lack without a cause of the catalogue, where a refit asks for it.
 fn open_what_logs_ask_for(subject: &mut Subject, stretches: &[Stretch]) -> Result<(), StepError> {
+    if !subject.may_share_gear_loss() && !may_warm(subject, stretches) {
+        return Ok(());
+    }
     let (evidence, refitted) = prepared(subject, stretches.to_vec(), None)?;
     subject.gears_lose = ask_for_loss(subject, &evidence, &refitted);
     subject.warms = ask_for_warmth(subject, &refitted);

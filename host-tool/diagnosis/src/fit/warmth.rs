@@ -6,35 +6,58 @@
 use super::fitted_model::FittedModel;
 use super::gauss_newton::open_in;
 use super::linearisation::Linearisation;
-use super::unknowns::{Expected, Unknown};
+use super::unknowns::Unknown;
+use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
+use crate::trial::active_effects::is_scaled;
+use files::Role;
 
 /// Part of its friction within which a joint's stays the same from log to log where that is not open.
 const CLOSED: f64 = 1e-4;
 
+/// Whether logs could tell: there are several of several joints.
+pub fn may_warm(subject: &Subject, stretches: &[Stretch]) -> bool {
+    let mut train = stretches.iter().filter(|stretch| stretch.role == Role::Train);
+    let first = train.next().map(|stretch| stretch.log);
+    subject.joints.len() > 1 && train.any(|stretch| Some(stretch.log) != first)
+}
+
 /// Whether logs ask for friction that differs from log to log: on more than half of several joints it makes them likelier,
 /// by the slopes of the model without it, whatever it is in each log. A machine warms as a whole; what one joint alone
-/// shows is a cause there.
+/// shows is a cause there. On one joint at least it must be likelier than friction that is off by the same in all logs, which
+/// is the model's.
 pub fn ask_for_warmth(subject: &Subject, without: &FittedModel) -> bool {
     let FittedModel { evidence, linear, .. } = without;
-    if evidence.train_logs() < 2 || subject.joints.len() < 2 {
+    if !may_warm(subject, &evidence.stretches) {
         return false;
     }
-    let open = open_in(evidence, &Subject { warms: true, ..subject.clone() }, &linear.hypothesis);
+    let asking = Subject { warms: true, ..subject.clone() };
+    let open = open_in(evidence, &asking, &linear.hypothesis);
     let Some(linear) = Linearisation::of(evidence, linear.hypothesis.clone(), open) else {
         return false;
     };
-    let least = subject.criteria.prior.least_warmth_likelihood;
-    let asks = |joint: &&usize| gain(&linear, **joint).is_some_and(|gain| gain > least);
-    2 * subject.joints.iter().filter(asks).count() > subject.joints.len()
+    let prior = &subject.criteria.prior;
+    let gains = |off: f64| -> Vec<f64> {
+        subject.joints.iter().filter_map(|&joint| gain(&linear, joint, off)).collect()
+    };
+    let asks = |gain: &&f64| **gain > prior.least_warmth_likelihood;
+    let most = 2 * gains(0.0).iter().filter(asks).count() > subject.joints.len();
+    most && gains(prior.warmth).iter().any(|gain| asks(&gain))
 }
 
-/// Logarithm of how much likelier logs are where a joint's friction differs from log to log than where it does not.
-fn gain(linear: &Linearisation, joint: usize) -> Option<f64> {
-    let mut closed = linear.expected.clone();
-    let is_of_joint =
-        |e: &&mut Expected| matches!(e.unknown, Unknown::Warmth { joint: of, .. } if of == joint);
-    closed.iter_mut().filter(is_of_joint).for_each(|expected| expected.deviation = CLOSED);
-    let without = linear.log_marginal_likelihood(closed)?;
+/// Logarithm of how much likelier logs are where a joint's friction differs from log to log than where it is the same in
+/// all of them, and off from the model's by so many parts of itself more than is thought.
+fn gain(linear: &Linearisation, joint: usize, off: f64) -> Option<f64> {
+    let mut alike = linear.expected.clone();
+    for expected in &mut alike {
+        match expected.unknown {
+            Unknown::Warmth { joint: of, .. } if of == joint => expected.deviation = CLOSED,
+            Unknown::Friction { joint: of, parameter } if of == joint && is_scaled(parameter) => {
+                expected.deviation = expected.deviation.hypot(off * expected.mean);
+            }
+            _ => {}
+        }
+    }
+    let without = linear.log_marginal_likelihood(alike)?;
     Some(linear.log_marginal_likelihood(linear.expected.clone())? - without)
 }

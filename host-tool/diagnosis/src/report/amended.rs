@@ -9,7 +9,8 @@ use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use files::EffectTable;
 use rig::effects::Table;
 
-/// The model file with refitted parameters, the effects and the tables.
+/// The model file with refitted parameters, the effects and the tables; where friction differs from log to log, with its
+/// mean over train logs.
 pub fn amended(subject: &Subject, file: &ModelFile, hypothesis: &Hypothesis) -> ModelFile {
     let effect = |effect: &EffectInstance| EffectTable {
         effect: effect.definition.name.into(),
@@ -20,7 +21,7 @@ pub fn amended(subject: &Subject, file: &ModelFile, hypothesis: &Hypothesis) -> 
     let table = |table: &Table| {
         Table { joint: subject.outer_joint(table.joint), ..table.clone() }.to_effect_table()
     };
-    let mut amended = file.refitted(subject, hypothesis);
+    let mut amended = file.refitted(subject, &hypothesis.as_warm_as_usual());
     let of_gears = hypothesis.effects_of_gears();
     let effects = hypothesis.effects.iter().chain(&of_gears).map(effect);
     amended.set_effects(effects.chain(hypothesis.tables.iter().map(table)).collect());

@@ -28,6 +28,11 @@ pub const FRICTION_SLOPES: usize = FRICTION_COUNT + 2;
 /// Places of the parameters of friction that warmth scales: alpha0, alpha1 and alpha2.
 const SCALED: [usize; 3] = [0, 1, 3];
 
+/// Whether warmth scales this parameter of friction.
+pub fn is_scaled(parameter: usize) -> bool {
+    SCALED.contains(&parameter)
+}
+
 /// The effects of a hypothesis on a stretch.
 pub struct ActiveEffects<'a> {
     pub(super) stretch: &'a Stretch,
@@ -147,8 +152,10 @@ impl<'a> ActiveEffects<'a> {
     /// changes slowly, so it acts as the parameters would that it scales [V].
     pub fn warmth_slopes(&self, joint: usize, slopes: &[[f64; FRICTION_SLOPES]]) -> [Vec<f64>; 2] {
         let of = self.plant.friction[joint].to_array();
+        let warmth = self.hypothesis.warmth(joint, self.stretch.log).unwrap_or_default();
         let scaled = |(k, slope): (usize, &[f64; FRICTION_SLOPES])| {
-            let level_v: f64 = SCALED.iter().map(|&at| of[at] * slope[at]).sum();
+            let scaled_v: f64 = SCALED.iter().map(|&at| of[at] * slope[at]).sum();
+            let level_v = scaled_v / warmth.factor(self.middle_s(k));
             warmth::shape(self.middle_s(k)).map(|shape| shape * level_v)
         };
         let both = slopes.iter().enumerate().map(scaled).map(|[begin, later]| (begin, later));

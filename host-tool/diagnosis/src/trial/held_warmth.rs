@@ -4,15 +4,19 @@
 use std::borrow::Cow;
 
 use nalgebra::{Matrix2, Vector2};
+use rayon::prelude::*;
 
 use super::equation::Trial;
 use super::hypothesis::Hypothesis;
-use super::warmth::Warmth;
+use super::warmth::{Warmth, Warmths};
 use crate::logs::intervals::at_samples;
 use crate::rows::evidence::Evidence;
 
+/// The most that the warmth of a log which is held out may be off, in deviations of what is known of it.
+const MOST_DEVIATIONS: f64 = 3.0;
+
 /// A hypothesis with the warmth that held-out logs tell, where it has one in train logs: least squares of each joint's
-/// rows in each log, by what is known of warmth beforehand.
+/// rows in each log, by what is known of warmth beforehand. A log of which a part trains has its warmth already.
 pub fn with_held_warmth<'a>(
     evidence: &Evidence,
     hypothesis: &'a Hypothesis,
@@ -20,43 +24,53 @@ pub fn with_held_warmth<'a>(
     if hypothesis.warmths.is_empty() {
         return Cow::Borrowed(hypothesis);
     }
-    let held: Vec<usize> = (evidence.train_stretches()..evidence.stretches.len()).collect();
+    let (train, held) = evidence.stretches.split_at(evidence.train_stretches());
+    let mut logs: Vec<usize> = held.iter().map(|stretch| stretch.log).collect();
+    logs.sort_unstable();
+    logs.dedup();
+    logs.retain(|log| train.iter().all(|stretch| stretch.log != *log));
+    let of_logs = logs.into_par_iter().map(|log| warmths_in(evidence, hypothesis, log));
     let mut with = hypothesis.clone();
-    for of_log in held.chunk_by(|&a, &b| evidence.stretches[a].log == evidence.stretches[b].log) {
-        let log = evidence.stretches[of_log[0]].log;
-        for &joint in &evidence.joints {
-            if let Some(warmth) = warmth_of(evidence, hypothesis, joint, of_log) {
-                with.warmths.insert((joint, log), warmth);
-            }
-        }
-    }
+    with.warmths.extend(of_logs.collect::<Vec<Warmths>>().into_iter().flatten());
     Cow::Owned(with)
 }
 
-/// The warmth of a joint by its rows in these stretches of a log.
-fn warmth_of(
-    evidence: &Evidence,
-    hypothesis: &Hypothesis,
-    joint: usize,
-    stretches: &[usize],
-) -> Option<Warmth> {
+/// The warmth of all joints in a log that is held out.
+fn warmths_in(evidence: &Evidence, hypothesis: &Hypothesis, log: usize) -> Warmths {
     let known = evidence.criteria.prior.warmth.powi(-2);
-    let (mut normal, mut against) = (Matrix2::identity() * known, Vector2::zeros());
-    for &s in stretches {
-        let trial = Trial::of(&evidence.stretches[s], hypothesis, &evidence.criteria.fit);
-        let rows = evidence.weighted(s, joint, &trial.residual(joint));
-        let slopes = trial.warmth_slopes(joint, &trial.friction_slopes(joint));
-        let gain = trial.motor_gain(joint);
-        let slopes = slopes.map(|slope| {
-            let slope: Vec<f64> = slope.iter().map(|slope| -slope / gain).collect();
-            evidence.weighted(s, joint, &at_samples(&slope))
-        });
-        for (k, row) in rows.iter().enumerate() {
-            let slope = Vector2::new(slopes[0][k], slopes[1][k]);
-            normal += slope * slope.transpose();
-            against -= slope * *row;
+    let mut sums = vec![(Matrix2::identity() * known, Vector2::zeros()); evidence.joints.len()];
+    let stretches = evidence.stretches.iter().enumerate();
+    for (s, stretch) in stretches.filter(|(_, stretch)| stretch.log == log) {
+        let trial = Trial::of(stretch, hypothesis, &evidence.criteria.fit);
+        for (&joint, sums) in evidence.joints.iter().zip(&mut sums) {
+            add_rows(sums, evidence, s, joint, &trial);
         }
     }
-    let parts = normal.cholesky()?.solve(&against);
-    Some(Warmth { parts: parts.into() })
+    let most = MOST_DEVIATIONS * evidence.criteria.prior.warmth;
+    let warmth = |(&joint, (normal, against)): (&usize, &(Matrix2<f64>, Vector2<f64>))| {
+        let parts = normal.cholesky()?.solve(against).map(|part| part.clamp(-most, most));
+        Some(((joint, log), Warmth { parts: parts.into() }))
+    };
+    evidence.joints.iter().zip(&sums).filter_map(warmth).collect()
+}
+
+/// Adds the rows of a joint in a stretch to the normal equations of its warmth.
+fn add_rows(
+    (normal, against): &mut (Matrix2<f64>, Vector2<f64>),
+    evidence: &Evidence,
+    s: usize,
+    joint: usize,
+    trial: &Trial,
+) {
+    let gain = trial.motor_gain(joint);
+    let slopes = trial.warmth_slopes(joint, &trial.friction_slopes(joint)).map(|slope| {
+        let slope: Vec<f64> = slope.iter().map(|slope| -slope / gain).collect();
+        evidence.weighted(s, joint, &at_samples(&slope))
+    });
+    let rows = evidence.weighted(s, joint, &trial.residual(joint));
+    for (row, (begin, later)) in rows.iter().zip(slopes[0].iter().zip(&slopes[1])) {
+        let slope = Vector2::new(*begin, *later);
+        *normal += slope * slope.transpose();
+        *against -= slope * *row;
+    }
 }

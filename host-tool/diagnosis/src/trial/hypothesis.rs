@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use model::chain::MAX_JOINTS;
 
-use super::warmth::{Warmth, Warmths};
+use super::warmth::{USUAL_S, Warmth, Warmths};
 use rig::Plant;
 use rig::effects::{Catalogue, Definition, Effect, Kind, Table, Touches};
 
@@ -163,9 +163,24 @@ impl Hypothesis {
 
     /// The same with friction as it is so long after a log began [s], in all logs.
     pub fn as_warm_as_in(&self, log: usize, time_s: f64) -> Self {
+        self.with_friction_times(|joint| self.warmth(joint, log).unwrap_or_default().factor(time_s))
+    }
+
+    /// The same with the mean friction of its logs, ten seconds after each began, in all.
+    pub fn as_warm_as_usual(&self) -> Self {
+        self.with_friction_times(|joint| {
+            let of_joint = self.warmths.iter().filter(|((of, _), _)| *of == joint);
+            let factors: Vec<f64> = of_joint.map(|(_, warmth)| warmth.factor(USUAL_S)).collect();
+            let sum: f64 = factors.iter().sum();
+            if factors.is_empty() { 1.0 } else { sum / factors.len() as f64 }
+        })
+    }
+
+    /// The same with Coulomb and viscous friction of each joint (from 0) times a factor, in all logs.
+    fn with_friction_times(&self, factor: impl Fn(usize) -> f64) -> Self {
         let mut same = Self { warmths: Warmths::new(), ..self.clone() };
         for (joint, friction) in same.plant.friction.iter_mut().enumerate() {
-            let factor = self.warmth(joint, log).unwrap_or_default().factor(time_s);
+            let factor = factor(joint);
             friction.alpha0_v *= factor;
             friction.alpha1_v *= factor;
             friction.alpha2_v_s_per_rad *= factor;

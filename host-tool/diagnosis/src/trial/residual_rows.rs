@@ -14,7 +14,18 @@ pub fn residual_rows(evidence: &Evidence, hypothesis: &Hypothesis) -> Rows {
     of_first(evidence.stretches.len(), evidence, &hypothesis)
 }
 
-/// The same of train logs.
+/// The same of a hypothesis in logs as warm as another tells that those held out are.
+pub fn residual_rows_as_warm_as(
+    evidence: &Evidence,
+    hypothesis: &Hypothesis,
+    other: &Hypothesis,
+) -> Rows {
+    let warmths = with_held_warmth(evidence, other).warmths.clone();
+    let hypothesis = Hypothesis { warmths, ..hypothesis.clone() };
+    of_first(evidence.stretches.len(), evidence, &hypothesis)
+}
+
+/// Rows of a hypothesis in train logs.
 pub fn train_residual_rows(evidence: &Evidence, hypothesis: &Hypothesis) -> Rows {
     of_first(evidence.train_stretches(), evidence, hypothesis)
 }

@@ -237,13 +237,15 @@ fn warmth_scales_the_friction_of_its_joint_in_its_log_alone() {
 fn friction_changes_by_warmth_as_its_slopes_say() {
     const STEP: f64 = 1e-6;
     let (stretch, criteria) = (swinging(), FitCriteria::default());
-    let bare = Hypothesis::bare(Plant::of_robot(&reference_robot()));
+    const WARM: [f64; 2] = [-0.3, 0.1];
+    let mut bare = Hypothesis::bare(Plant::of_robot(&reference_robot()));
+    bare.warmths = [((1, 0), Warmth { parts: WARM })].into();
     let trial = Trial::of(&stretch, &bare, &criteria);
     let slopes = trial.warmth_slopes(1, &trial.friction_slopes(1));
     let before = trial.friction(1, &bare.plant);
     for (value, slope) in slopes.iter().enumerate() {
-        let mut parts = [0.0; 2];
-        parts[value] = STEP;
+        let mut parts = WARM;
+        parts[value] += STEP;
         let warmths = [((1, 0), Warmth { parts })].into();
         let with = Hypothesis { warmths, ..bare.clone() };
         let after = Trial::of(&stretch, &with, &criteria).friction(1, &with.plant);

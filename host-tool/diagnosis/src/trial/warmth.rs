@@ -8,8 +8,14 @@ pub const WARMTH_VALUES: usize = 2;
 /// Time in which a joint warms: what a log of a minute shows of it is not much else [s].
 const TIME_CONSTANT_S: f64 = 30.0;
 
+/// No joint loses more of its friction.
+const LEAST_FACTOR: f64 = 0.1;
+
 /// Warmth of joints (from 0) in logs, by both.
 pub type Warmths = BTreeMap<(usize, usize), Warmth>;
+
+/// Time after which the friction of a log counts where one has to do for all [s].
+pub const USUAL_S: f64 = TIME_CONSTANT_S / 3.0;
 
 /// By which part Coulomb and viscous friction of a joint in a log are larger than the model has them: where the log
 /// begins, and by how much more after a long time.
@@ -23,7 +29,7 @@ impl Warmth {
     /// The factor on Coulomb and viscous friction so long after the log began [s].
     pub fn factor(self, time_s: f64) -> f64 {
         let both = self.parts.iter().zip(shape(time_s));
-        1.0 + both.map(|(part, shape)| part * shape).sum::<f64>()
+        (1.0 + both.map(|(part, shape)| part * shape).sum::<f64>()).max(LEAST_FACTOR)
     }
 }
 

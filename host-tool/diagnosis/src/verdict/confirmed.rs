@@ -8,7 +8,7 @@ use crate::logs::subject::Subject;
 use crate::rows::evidence::Rows;
 use crate::search::found::Added;
 use crate::trial::hypothesis::EffectInstance;
-use crate::trial::residual_rows::residual_rows;
+use crate::trial::residual_rows::residual_rows_as_warm_as;
 
 /// Models that are compared on the confirming logs, their parameters no further from the model as
 /// given than the doubt about it allows.
@@ -149,10 +149,12 @@ impl<'a> Confirmation<'a> {
     /// Else parameters do that, which train logs had bent where something acts: a limit, say, that no confirming log
     /// comes near to.
     pub fn acts(&self, last: &FittedModel, index: usize) -> bool {
-        let mut hypothesis = self.full.linear.hypothesis.clone();
+        let full = &self.full.linear.hypothesis;
+        let mut hypothesis = full.clone();
         let effect = hypothesis.effects.remove(self.subject.known_effects.len() + index);
         let (without_v, with_v) = (&self.without[index].residual_v, &self.full.residual_v);
-        let idle_v = last.evidence.volts(&residual_rows(&last.evidence, &hypothesis));
+        let idle = residual_rows_as_warm_as(&last.evidence, &hypothesis, full);
+        let idle_v = last.evidence.volts(&idle);
         let action_v = difference(&idle_v, with_v);
         let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
         let joints = self.joints_judged(last, &effect, [without_v, with_v]);
