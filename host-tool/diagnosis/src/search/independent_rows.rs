@@ -17,34 +17,33 @@ use crate::fit::fitted_model::FittedModel;
 use crate::fit::linearisation::Linearisation;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
-use crate::rows::misfit::Misfit;
 
-/// Rows of the size that a model leaves, each for itself, and a model linearised on them.
+/// The weights from which a search or a fit may begin: rows of the size that the model leaves of each log, then of the
+/// size that a joint's rows have together, each for itself; none where hardly any rows say the same (`lasting_rows`).
+fn starting_weights(subject: &Subject, model: &FittedModel) -> Vec<Evidence> {
+    let misfit = model.misfit();
+    if misfit.longest_correlation() < subject.criteria.search.lasting_rows {
+        return Vec::new();
+    }
+    let own = misfit.clone().independent();
+    let pooled = own.clone().pooled();
+    [own, pooled].iter().map(|misfit| misfit.weigh(&model.evidence)).collect()
+}
+
+/// Rows each for itself, and a model linearised on them.
 struct IndependentRows {
     evidence: Evidence,
     linear: Linearisation,
 }
 
 impl IndependentRows {
-    /// Those of what the model `before` leaves, for the same model as it is in `now`: of the size that is left of each
-    /// log, then of the size that a joint's rows have together; none where hardly any rows say the same
-    /// (`lasting_rows`).
+    /// Those of what the model `before` leaves, for the same model as it is in `now`, by the slopes that it has there.
     fn starts(subject: &Subject, before: &FittedModel, now: &Linearisation) -> Vec<Self> {
-        let misfit = before.misfit();
-        if misfit.longest_correlation() < subject.criteria.search.lasting_rows {
-            return Vec::new();
-        }
-        let own = misfit.clone().independent();
-        let pooled = own.clone().pooled();
-        [own, pooled].par_iter().filter_map(|misfit| Self::of(misfit, before, now)).collect()
-    }
-
-    /// Those of the size of a misfit.
-    fn of(misfit: &Misfit, before: &FittedModel, now: &Linearisation) -> Option<Self> {
-        let evidence = misfit.weigh(&before.evidence);
-        let (model, open) = (now.hypothesis.clone(), now.expected.clone());
-        let linear = Linearisation::of(&evidence, model, open)?;
-        Some(Self { evidence, linear })
+        let on = |evidence: Evidence| {
+            let linear = now.reweighted(&before.evidence, &evidence)?;
+            Some(Self { evidence, linear })
+        };
+        starting_weights(subject, before).into_par_iter().filter_map(on).collect()
     }
 
     /// The best candidates. Springs between motor and link are not among them: they smooth, and take some of
@@ -93,12 +92,12 @@ pub fn fitted_by_independent_rows(
     model: &FittedModel,
     steps: usize,
 ) -> Option<FittedModel> {
-    let fitted = |rows: IndependentRows| {
+    let fitted = |evidence: Evidence| {
         let start = model.linear.hypothesis.clone();
-        FittedModel::fitted(&rows.evidence, subject, start, steps)
+        FittedModel::fitted(&evidence, subject, start, steps)
     };
-    let starts = IndependentRows::starts(subject, model, &model.linear);
-    let all: Vec<FittedModel> = starts.into_par_iter().filter_map(fitted).collect();
+    let weights = starting_weights(subject, model);
+    let all: Vec<FittedModel> = weights.into_par_iter().filter_map(fitted).collect();
     let best = all.into_iter().reduce(FittedModel::better_of);
     best.map(|best| best.settled(subject))
 }

@@ -12,6 +12,7 @@ use model::{FrictionState, Posture};
 use super::active_effects::{ActiveEffects, FRICTION_SLOPES};
 use super::hypothesis::Hypothesis;
 use super::motor_side::MotorSide;
+use super::payload::Payload;
 use super::rigid_body::{Path, regressor_columns, torques};
 use crate::criteria::FitCriteria;
 use crate::logs::intervals::at_samples;
@@ -46,6 +47,8 @@ pub struct Trial<'a> {
     drive_v: Vec<OnceLock<Vec<f64>>>,
     /// What the rigid body needs at the samples [V].
     needed_v: OnceLock<Vec<Vec<f64>>>,
+    /// What effects add to the last link of a chain.
+    pub(super) payload: OnceLock<Option<Payload>>,
 }
 
 impl<'a> Trial<'a> {
@@ -84,6 +87,7 @@ impl<'a> Trial<'a> {
             sines: OnceLock::new(),
             drive_v: vec![OnceLock::new(); joints],
             needed_v: OnceLock::new(),
+            payload: OnceLock::new(),
         }
     }
 
@@ -168,7 +172,7 @@ impl<'a> Trial<'a> {
     }
 
     fn needed_by_all(&self) -> Vec<Vec<f64>> {
-        let mut needed_v = torques(self.links(), self.path());
+        let mut needed_v = self.torques_nm();
         for (joint, spring) in &self.springs {
             let own = &self.motor().qdd_rad_per_s2[*joint];
             let both = needed_v[*joint].iter_mut().zip(own);
@@ -177,7 +181,33 @@ impl<'a> Trial<'a> {
         for (needed, k_t) in needed_v.iter_mut().zip(&self.plant().torque_constant_nm_per_v) {
             needed.iter_mut().for_each(|torque_nm| *torque_nm /= k_t);
         }
+        if let Some(payload) = self.payload() {
+            for (joint, needed) in needed_v.iter_mut().enumerate() {
+                let more = self.needed_by(&payload, joint);
+                needed.iter_mut().zip(more).for_each(|(needed, more)| *needed += more);
+            }
+        }
         needed_v
+    }
+
+    /// Torques that the links' motion needs, a payload on a chain apart [Nm].
+    fn torques_nm(&self) -> Vec<Vec<f64>> {
+        if self.payload().is_none() {
+            return torques(self.links(), self.path());
+        }
+        let given = self.given_body();
+        let make = || torques(given, self.path());
+        self.stretch.derived.torques.of(given, make).to_vec()
+    }
+
+    /// The rigid body of the model without what effects change of it.
+    pub(super) fn given_body(&self) -> &Body {
+        &self.hypothesis.plant.body
+    }
+
+    /// Whether any effect touches the rigid body or how it moves.
+    pub(super) fn effects_touch_body(&self) -> bool {
+        self.hypothesis.effects.iter().any(|effect| effect.definition.touches.body)
     }
 
     /// Columns of a joint's row of the regressor at the samples, in volts per unit of the base
@@ -246,10 +276,9 @@ impl<'a> Trial<'a> {
         matches!(self.effects.motor, Cow::Borrowed(_))
     }
 
-    /// Whether they do, and the rigid body is the model's own, changed by no effect.
+    /// Whether they do, and the rigid body is the model's own but for a payload.
     pub fn has_measured_body(&self) -> bool {
-        let effects = &self.hypothesis.effects;
-        self.moves_as_measured() && effects.iter().all(|effect| !effect.definition.touches.body)
+        self.moves_as_measured() && (!self.effects_touch_body() || self.payload().is_some())
     }
 
     /// Base parameters or coordinates of the rigid body.

@@ -11,6 +11,7 @@ pub mod link_motion;
 mod links;
 pub mod motor_side;
 pub mod parts;
+pub mod payload;
 pub mod reading;
 pub mod residual_rows;
 pub mod rigid_body;

@@ -41,8 +41,12 @@ pub fn train_rows_of(
     if !trial.has_measured_body() {
         return evidence.weighted(s, joint, &trial.residual_of_net(joint, net_v));
     }
-    let mut rows = evidence.filter(joint, s).rows(&trial.given(joint, net_v));
-    let gain = trial.motor_gain(joint);
+    let (mut given, gain) = (trial.given(joint, net_v), trial.motor_gain(joint));
+    if let Some(payload) = trial.payload() {
+        let needed = trial.needed_by(&payload, joint);
+        given.iter_mut().zip(needed).for_each(|(given, needed)| *given -= needed / gain);
+    }
+    let mut rows = evidence.filter(joint, s).rows(&given);
     let needed = needed_rows(evidence, s, joint, trial);
     rows.iter_mut().zip(needed).for_each(|(row, needed)| *row += needed / gain);
     evidence.weigh(s, joint, &mut rows);

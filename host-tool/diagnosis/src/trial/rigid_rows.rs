@@ -27,11 +27,15 @@ pub fn base_columns(evidence: &Evidence, s: usize, joint: usize, trial: &Trial) 
 }
 
 /// Rows of what the rigid body of a trial needs, counted as negative, without weights: of one whose links move as
-/// measured, and whose body no effect changes [V].
+/// measured, a payload on a chain apart [V].
 pub fn needed_rows(evidence: &Evidence, s: usize, joint: usize, trial: &Trial) -> Vec<f64> {
     let base = trial.bases();
     let make = || {
-        let negative: Vec<f64> = trial.needed(joint).iter().map(|needed| -needed).collect();
+        let mut negative: Vec<f64> = trial.needed(joint).iter().map(|needed| -needed).collect();
+        if let Some(payload) = trial.payload() {
+            let more = trial.needed_by(&payload, joint);
+            negative.iter_mut().zip(more).for_each(|(negative, more)| *negative += more);
+        }
         RigidRows { base: base.clone(), rows: evidence.filter(joint, s).rows(&negative) }
     };
     let known = evidence.rigid_rows(s, joint, make);

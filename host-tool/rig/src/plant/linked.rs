@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use model::chain::{LINK_PARAMETERS, MAX_JOINTS, SerialChain};
+use model::chain::{BODY_PARAMETERS, LINK_PARAMETERS, MAX_JOINTS, SerialChain};
 use model::mechanism::Mechanism;
 
 /// Directions in which the links' parameters may change, one per coordinate: what a chain's torques
@@ -53,6 +53,17 @@ impl LinkedBody {
         for (parameter, slope) in &self.directions.terms[index] {
             add(&mut self.chain, *parameter, change * slope);
         }
+    }
+
+    /// What the last link carries more than another chain's, as the ten numbers of a body; `None` where the chains
+    /// differ in anything else.
+    pub fn payload_beyond(&self, other: &Self) -> Option<[f64; BODY_PARAMETERS]> {
+        let (mut own, mut others) = (self.chain, other.chain);
+        let last = self.joints().checked_sub(1)?;
+        let without_others = others.joints().nth(last)?.body;
+        let body = std::mem::replace(own.link_mut(last).0, without_others);
+        let (with, without) = (body.to_array(), others.link_mut(last).0.to_array());
+        (own == others).then(|| std::array::from_fn(|k| with[k] - without[k]))
     }
 
     /// A joint's row of the regressor by the coordinates; `None` where the joint's torque does not
