@@ -45,7 +45,9 @@ impl<'a> Contest<'a> {
         let mut promising = candidates(starts, now, &before.evidence, subject);
         let without = now.refitted_objective();
         promising.retain(|candidate| candidate.train < without);
-        let batches = subject.criteria.selection.batches + 1;
+        // What is systematic is one log's: an effect that takes nearly all of that promises most.
+        let is_brief = before.evidence.systematic;
+        let batches = if is_brief { 1 } else { subject.criteria.selection.batches + 1 };
         Self {
             subject,
             before,
@@ -54,7 +56,7 @@ impl<'a> Contest<'a> {
             promising,
             first_starts,
             batches,
-            widened: false,
+            widened: is_brief,
             finalists: Vec::new(),
         }
     }
@@ -64,10 +66,12 @@ impl<'a> Contest<'a> {
         if self.batches == 0 {
             return false;
         }
-        self.batches = if self.promising.is_empty() { 0 } else { self.batches - 1 };
-        let batch = match self.batches {
-            0 => self.overlooked(),
-            _ => next_batch(&mut self.promising, self.now.refitted_objective(), self.subject),
+        let is_brief = self.before.evidence.systematic;
+        let is_last = self.promising.is_empty() || (self.batches == 1 && !is_brief);
+        self.batches = if is_last { 0 } else { self.batches - 1 };
+        let batch = match is_last {
+            true => self.overlooked(),
+            false => next_batch(&mut self.promising, self.now.refitted_objective(), self.subject),
         };
         let more = refitted(self.subject, self.before, self.now, batch);
         self.take(more);

@@ -126,16 +126,30 @@ impl<'a> Search<'a> {
                 self.last = better;
             }
             // Before any is known all are tried: one may gain much where no log is left far above its noise.
-            let is_done = || is_done(&self.gap, &self.last.stats, criteria);
-            if round > 0 && (is_done() || is_explained(&self.last)) {
+            let is_done = round > 0 && is_done(&self.gap, &self.last.stats, criteria);
+            let is_at_noise = self.last.stats.excess == 0.0;
+            if round > 0 && is_explained(&self.last) || is_done && !is_at_noise {
                 return None;
             }
-            match self.round() {
-                Round::Added => {}
-                Round::Refused(finalists) => return Some(finalists),
+            // Beside causes that are known, one may still be plain where all logs are left near their noise.
+            let before = is_done.then(|| (self.last.clone(), self.rivals.clone()));
+            match (self.round(), before) {
+                (Round::Added, None) => {}
+                (Round::Added, Some((last, _))) if self.is_sure_beside(&last) => {}
+                (Round::Refused(finalists), None) => return Some(finalists),
+                (_, Some((last, rivals))) => {
+                    (self.last, self.rivals) = (last, rivals);
+                    return None;
+                }
             }
         }
         None
+    }
+
+    /// Whether the effect that was added last gains far more than any must.
+    fn is_sure_beside(&self, before: &FittedModel) -> bool {
+        let policy = &self.subject.criteria.selection;
+        gain(before, &self.last) > policy.sure_gain * policy.least_log_likelihood
     }
 
     /// The search carried on with what is left taken to be systematic; none where that adds nothing.
