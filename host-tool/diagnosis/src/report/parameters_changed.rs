@@ -23,6 +23,10 @@ pub fn parameters_changed(
     let criteria = &subject.criteria.verdict;
     let taken = refitted.squares_by_parameter();
     let whole: f64 = taken.iter().sum();
+    // By slopes of where it ended a refit may seem to gain nothing, of which there is no part.
+    if whole <= 0.0 {
+        return Vec::new();
+    }
     let change = |place: usize| {
         let expected = &refitted.expected[place];
         let (told_by, at) = match expected.unknown {
@@ -31,7 +35,7 @@ pub fn parameters_changed(
         };
         let found = expected.unknown.get(&told_by.hypothesis);
         let half = 1.96 * told_by.deviation(at);
-        let share = taken[place] / whole.max(f64::MIN_POSITIVE);
+        let share = taken[place] / whole;
         let is_sure = (found - expected.mean).abs() > criteria.sure_half_widths * half;
         let parameter = name(subject, expected.unknown)?;
         (is_sure && share >= criteria.least_parameter_share).then_some(ParameterChange {

@@ -45,7 +45,7 @@ impl<'a> Contest<'a> {
         let mut promising = candidates(starts, now, &before.evidence, subject);
         let without = now.refitted_objective();
         promising.retain(|candidate| candidate.train < without);
-        // What is systematic is one log's: an effect that takes nearly all of that promises most.
+        // What is systematic is one log's: what takes nearly all of that is among the best, or sought by independent rows.
         let is_brief = before.evidence.systematic;
         let batches = if is_brief { 1 } else { subject.criteria.selection.batches + 1 };
         Self {
@@ -56,7 +56,7 @@ impl<'a> Contest<'a> {
             promising,
             first_starts,
             batches,
-            widened: is_brief,
+            widened: false,
             finalists: Vec::new(),
         }
     }
