@@ -10,6 +10,9 @@ criteria! {
         /// Squares, twice the log-likelihood, that a wave between two whole orders takes more than the best whole one:
         /// its order is a choice more, and most waves are of magnets and teeth, which are whole.
         least_between_orders: f64 = 60.0,
+        /// An order that is not whole is told if so many of its periods were passed: of fewer, any smooth curve over the
+        /// angle, such as a cable's that hardens, has the shape.
+        least_periods_of_fractional_order: f64 = 2.0,
         /// Harmonics that are followed up, of those that gain most.
         harmonics: usize = 3,
         /// Starts of one effect on one joint that are searched from.

@@ -27,15 +27,15 @@ criteria! {
         /// some 800 candidates, harmonics among them, gain half the logarithm of their number by
         /// chance, and what is left is not Gaussian.
         least_log_likelihood: f64 = 15.0,
+        /// Once causes leave all logs near their noise, one more must gain so many times that: what lasts below the noise
+        /// is told by thousands of rows.
+        sure_gain: f64 = 4.0,
         /// Orders at which waves are likely: each is so many times less likely beforehand than an effect
         /// that is tried once.
         likely_orders: f64 = 24.0,
         /// Part of what is left above the noise of the joints it acts on that an effect must take
         /// away: less may be the method's own,
         least_of_excess: f64 = 0.08,
-        /// or half of that part where it gains so many times what any effect must: the method's own misfit is told
-        /// by nothing that gains so much,
-        sure_gain: f64 = 4.0,
         /// or this part of what is left of one log, where other causes leave more of others,
         least_of_log_excess: f64 = 0.3,
         /// unless it takes away this part of the prior penalty.
@@ -86,9 +86,6 @@ criteria! {
         /// An angle at which an effect rests lies no further from the motion [rad]: half a turn, beyond
         /// which a spring is an offset by another name.
         far_rest_rad: f64 = 3.2,
-        /// A wave between two whole orders is one if so many of its periods were passed: of fewer, any smooth curve over the
-        /// angle, such as a cable's that hardens, has the shape.
-        periods_between_orders: f64 = 2.0,
         /// No joint warms faster than with this time constant [s].
         least_warming_s: f64 = 0.5,
         /// A dead zone is told from Coulomb friction by samples of a moving joint whose command brakes it: by this part of

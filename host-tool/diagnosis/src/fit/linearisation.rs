@@ -121,10 +121,12 @@ impl Linearisation {
         let (products, of_folds) = products(to, &joints, self.expected.len());
         let gradient = gradient(&joints, &residual, &self.train, &self.hypothesis, &self.expected);
         let normal = Cholesky::new(normal(&products, &self.expected))?;
+        let refitted_squares = refitted_squares(&joints, &residual, &-normal.solve(&gradient));
         let joints = joints.into();
         Some(Self {
             residual,
             objective,
+            refitted_squares,
             products,
             of_folds,
             normal,
@@ -197,4 +199,35 @@ fn products(
     let of_folds = gram::by_groups(joints, &runs, evidence.criteria.selection.folds, open);
     let all = of_folds.iter().fold(DMatrix::zeros(open, open), |sum, fold| sum + fold);
     (all.into(), of_folds.into())
+}
+
+#[cfg(test)]
+mod tests {
+    use model::reference_robot::reference_robot;
+    use rig::Plant;
+
+    use super::*;
+    use crate::criteria::Criteria;
+    use crate::trial::test_stretch::rows_of_sines;
+
+    #[test]
+    fn a_model_on_rows_of_other_weights_is_as_if_linearised_there() {
+        let from = rows_of_sines(&Criteria::default());
+        let hypothesis = Hypothesis::bare(Plant::of_robot(&reference_robot()));
+        let open: Vec<Expected> = (0..6)
+            .map(|k| Expected::new(Unknown::Base(k), hypothesis.plant.base(k), 0.1))
+            .collect();
+        let weight = |joint: usize, k: usize| 3.0 + joint as f64 + (0.01 * k as f64).sin();
+        let to = from.with_train_weights(|joint, s| {
+            (0..from.row_count(joint, s)).map(|k| weight(joint, k)).collect()
+        });
+        let of = |evidence: &Evidence| {
+            Linearisation::of(evidence, hypothesis.clone(), open.clone()).unwrap()
+        };
+        let (there, moved) = (of(&to), of(&from).reweighted(&from, &to).unwrap());
+        let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-9, "{a} rather than {b}");
+        near(moved.objective, there.objective);
+        near(moved.squares(), there.squares());
+        near(moved.refitted_objective(), there.refitted_objective());
+    }
 }

@@ -1,13 +1,15 @@
 //! What follows from the motion of a stretch, once it is asked for.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
-use model::chain::MAX_JOINTS;
+use model::chain::{BODY_PARAMETERS, MAX_JOINTS};
 
 use super::joint_dynamics::JointDynamics;
 use super::kinematics::{Joints, Middles, Sines};
 use super::last::Last;
-use crate::trial::payload::PayloadColumns;
+
+/// Torques of each joint at the samples per unit of each of the ten numbers of a body on the last link [Nm].
+pub type PayloadColumns = Vec<Vec<[f64; BODY_PARAMETERS]>>;
 
 /// What follows from a motion; whoever changes that begins anew.
 #[derive(Clone, Debug, Default)]
@@ -18,10 +20,10 @@ pub struct Derived {
     pub middles: OnceLock<Middles>,
     /// Loads of the bodies that were tried last.
     pub loads: Last<Vec<Joints>>,
-    /// Torques of the bodies that were tried last, joint by joint [Nm].
-    pub torques: Last<Vec<Vec<f64>>>,
-    /// Those of what a chain's last link may carry, by each of its ten numbers.
-    pub payload: OnceLock<PayloadColumns>,
     /// Each joint's equation of motion with them.
     pub dynamics: [Last<Vec<JointDynamics>>; MAX_JOINTS],
+    /// Torques of the bodies that were tried last, joint by joint [Nm].
+    pub torques: Last<Vec<Vec<f64>>>,
+    /// Those of what a chain's last link may carry: its geometry and gravity are the same in all that is tried.
+    pub payload: OnceLock<Arc<PayloadColumns>>,
 }

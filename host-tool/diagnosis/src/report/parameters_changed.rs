@@ -7,6 +7,9 @@ use crate::fit::unknowns::Unknown;
 use crate::logs::subject::Subject;
 use crate::result::ParameterChange;
 
+/// The least part of what single parameters gain that all must gain together, or shares of it mean nothing.
+const LEAST_WHOLE: f64 = 0.1;
+
 /// Parameters that the refit moved by more than chance and that take a part of the squares between
 /// the model as given and refitted, largest share first.
 ///
@@ -23,8 +26,9 @@ pub fn parameters_changed(
     let criteria = &subject.criteria.verdict;
     let taken = refitted.squares_by_parameter();
     let whole: f64 = taken.iter().sum();
-    // By slopes of where it ended a refit may seem to gain nothing, of which there is no part.
-    if whole <= 0.0 {
+    // By slopes of where it ended a refit may seem to gain next to nothing, of which there is no part.
+    let gained: f64 = taken.iter().filter(|part| **part > 0.0).sum();
+    if whole <= LEAST_WHOLE * gained {
         return Vec::new();
     }
     let change = |place: usize| {

@@ -15,7 +15,8 @@ use crate::logs::subject::Subject;
 use crate::trial::hypothesis::EffectInstance;
 
 /// Candidates for a place in a model, refitted batch by batch: those that promise most, then those that
-/// promise less, then those that were never searched because others promised more.
+/// promise less, then those that were never searched because others promised more; of what is taken to be systematic
+/// the first alone.
 pub struct Contest<'a> {
     subject: &'a Subject,
     before: &'a FittedModel,
@@ -45,9 +46,10 @@ impl<'a> Contest<'a> {
         let mut promising = candidates(starts, now, &before.evidence, subject);
         let without = now.refitted_objective();
         promising.retain(|candidate| candidate.train < without);
-        // What is systematic is one log's: what takes nearly all of that is among the best, or sought by independent rows.
-        let is_brief = before.evidence.systematic;
-        let batches = if is_brief { 1 } else { subject.criteria.selection.batches + 1 };
+        // Of what is systematic only an effect pays that takes nearly all of one log: it promises most, or is sought by
+        // independent rows.
+        let first_batch_only = before.evidence.systematic;
+        let batches = if first_batch_only { 1 } else { subject.criteria.selection.batches + 1 };
         Self {
             subject,
             before,
@@ -66,8 +68,8 @@ impl<'a> Contest<'a> {
         if self.batches == 0 {
             return false;
         }
-        let is_brief = self.before.evidence.systematic;
-        let is_last = self.promising.is_empty() || (self.batches == 1 && !is_brief);
+        let first_batch_only = self.before.evidence.systematic;
+        let is_last = self.promising.is_empty() || (self.batches == 1 && !first_batch_only);
         self.batches = if is_last { 0 } else { self.batches - 1 };
         let batch = match is_last {
             true => self.overlooked(),

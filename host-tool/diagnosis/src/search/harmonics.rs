@@ -80,14 +80,16 @@ impl Harmonic {
 }
 
 /// The wave between two whole orders, next to the best of these, that gains enough more than that
-/// (`least_between_orders`); none where none does. What gains most is sought in tenths of an order, then in hundredths.
+/// (`least_between_orders`), of those of which enough periods were passed (`least_periods_of_fractional_order`); none where
+/// none does. What gains most is sought in tenths of an order, then in hundredths.
 fn between_orders(
     linear: &Linearisation,
     rows: &WaveRows,
     whole: &Harmonic,
     effort: &SearchCriteria,
 ) -> Option<Harmonic> {
-    let orders = 1.0..=effort.highest_harmonic as f64;
+    let least = rows.order_passed(effort.least_periods_of_fractional_order).max(1.0);
+    let orders = least..=effort.highest_harmonic as f64;
     let is_between = |found: &Harmonic| {
         orders.contains(&found.order) && (found.order - found.order.round()).abs() > NEARLY_WHOLE
     };

@@ -143,9 +143,7 @@ fn takes_noise(before: &ResidualStats, after: &ResidualStats, criteria: &Criteri
 /// Whether a good part of what is left goes, on some joint: of all its logs, or of one, for what another cause
 /// leaves of one kind of motion may be most of all that is left.
 fn reduces_excess(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
-    let policy = &criteria.selection;
-    let is_sure = gain(before, after) > policy.sure_gain * policy.least_log_likelihood;
-    let least = if is_sure { 0.5 * policy.least_of_excess } else { policy.least_of_excess };
+    let least = criteria.selection.least_of_excess;
     let of_joints =
         |model: &FittedModel| excess_v2(&model.evidence, &model.left_out_v, Role::Train);
     let (from, to) = (of_joints(before), of_joints(after));

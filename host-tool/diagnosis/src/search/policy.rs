@@ -1,7 +1,7 @@
 //! When the search ends, which effects are physical, and which say more than others: conditions on what
 //! models leave, and nothing that is computed.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::FRAC_PI_2;
 
 use super::braking::braked_part;
 use crate::criteria::{Criteria, SelectionCriteria};
@@ -143,29 +143,15 @@ fn angles(evidence: &Evidence, joint: usize) -> [f64; 2] {
     angles.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| [low.min(*q), high.max(*q)])
 }
 
-/// Whether the motor passes too little of a wave in the logs to tell it from another curve: less than a quarter of one of
-/// voltage, which is a cable by another name, or fewer than `periods_between_orders` of one between two whole orders, which
-/// nothing makes that turns with the motor.
+/// Whether the motor passes less than a quarter of a wave of voltage in the logs, which is a cable by another name.
 fn is_hardly_a_wave(effect: &EffectInstance, subject: &Subject, evidence: &Evidence) -> bool {
-    let (Some(joint), Some(order)) = (usize::from(effect.joint).checked_sub(1), effect.order())
-    else {
+    let Some(joint) = usize::from(effect.joint).checked_sub(1) else { return false };
+    if !matches!(effect.definition.search, Search::Harmonics(Carrier::Unity)) {
         return false;
-    };
-    let [lowest, highest] = angles(evidence, joint);
-    let passed_rad = order * subject.plant.gears[joint].motor.abs() * (highest - lowest);
-    let is_of_voltage = matches!(effect.definition.search, Search::Harmonics(Carrier::Unity));
-    passed_rad < least_of_wave_rad(order, is_of_voltage, &evidence.criteria.selection)
-}
-
-/// How much of a wave of this order the logs pass at least if it is told as one [rad of its own].
-fn least_of_wave_rad(order: f64, is_of_voltage: bool, policy: &SelectionCriteria) -> f64 {
-    if order.fract() != 0.0 {
-        TAU * policy.periods_between_orders
-    } else if is_of_voltage {
-        FRAC_PI_2
-    } else {
-        0.0
     }
+    let [lowest, highest] = angles(evidence, joint);
+    let passed_rad = subject.plant.gears[joint].motor.abs() * (highest - lowest);
+    effect.order().is_some_and(|order| order * passed_rad < FRAC_PI_2)
 }
 
 /// Whether an effect takes a constant from the command by its sign, where that is the sign of the velocity almost always
@@ -185,21 +171,4 @@ fn rests_far(effect: &EffectInstance, evidence: &Evidence) -> bool {
     let near = lowest - far_rad..=highest + far_rad;
     let parameters = effect.definition.parameters.iter().zip(&effect.values);
     parameters.filter(|(p, _)| p.kind == Kind::Angle).any(|(_, value)| !near.contains(value))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Whether a joint that moves by 2.5 rad tells a wave of this order.
-    fn is_told(order: f64, is_of_voltage: bool) -> bool {
-        2.5 * order >= least_of_wave_rad(order, is_of_voltage, &SelectionCriteria::default())
-    }
-
-    #[test]
-    fn a_wave_between_two_orders_is_one_if_two_of_its_periods_were_passed() {
-        assert!(is_told(6.14, true) && is_told(6.14, false));
-        assert!(!is_told(1.35, true) && !is_told(1.75, false), "a cable that hardens");
-        assert!(is_told(1.0, true) && is_told(1.0, false), "an order that turns with the motor");
-    }
 }

@@ -132,7 +132,10 @@ impl<'a> Search<'a> {
                 return None;
             }
             // Beside causes that are known, one may still be plain where all logs are left near their noise.
-            let before = is_done.then(|| (self.last.clone(), self.rivals.clone()));
+            let before = is_done.then(|| {
+                self.runners_up.clear();
+                (self.last.clone(), self.rivals.clone())
+            });
             match (self.round(), before) {
                 (Round::Added, None) => {}
                 (Round::Added, Some((last, _))) if self.is_sure_beside(&last) => {}

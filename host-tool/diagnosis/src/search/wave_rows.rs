@@ -3,6 +3,7 @@
 //! To be quick, the filter, and what second differences feel of a wave, are taken as their gains at the momentary
 //! frequency of the wave, row by row.
 
+use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 
 use model::FrictionState;
@@ -67,6 +68,13 @@ pub(super) struct WaveRows {
 }
 
 impl WaveRows {
+    /// The order of which a shaft passes so many periods in the logs.
+    pub fn order_passed(&self, periods: f64) -> f64 {
+        let lowest = self.q_rad.iter().copied().fold(f64::INFINITY, f64::min);
+        let highest = self.q_rad.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        periods * TAU / (highest - lowest)
+    }
+
     /// Those of a carrier's waves on a joint (from 0).
     pub fn of(evidence: &Evidence, linear: &Linearisation, joint: usize, carrier: Carrier) -> Self {
         // Magnets and windings are in the motor, what rubs is at the joint.
@@ -149,10 +157,10 @@ fn friction_level(plant: &Plant, joint: usize, stretch: &Stretch) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    #[test]
-    fn waves_turned_on_from_order_to_order_are_those_of_their_order() {
+    /// Half a thousand samples of a shaft that swings by six radians.
+    fn swinging() -> WaveRows {
         let q_rad: Vec<f64> = (0..500).map(|k| 3.0 * (0.05 * f64::from(k)).sin()).collect();
-        let rows = WaveRows {
+        WaveRows {
             joint: 0,
             speed_rad_per_s: vec![0.0; q_rad.len()],
             carrier: (0..500).map(|k| 1.0 + 0.01 * f64::from(k)).collect(),
@@ -160,7 +168,18 @@ mod tests {
             ranges: std::iter::once(0..q_rad.len()).collect(),
             train: 450,
             q_rad,
-        };
+        }
+    }
+
+    #[test]
+    fn an_order_is_passed_by_the_swing_of_its_shaft() {
+        let order = swinging().order_passed(2.0);
+        assert!((order * 6.0 / TAU - 2.0).abs() < 1e-3, "{order}");
+    }
+
+    #[test]
+    fn waves_turned_on_from_order_to_order_are_those_of_their_order() {
+        let rows = swinging();
         let last = Orders::whole_up_to(97).pop().unwrap();
         for orders in [last, Orders::around(39.8, 0.01, 9), Orders::just(7.0)] {
             let columns = rows.columns(&orders);

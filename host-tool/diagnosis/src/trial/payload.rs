@@ -3,18 +3,18 @@
 //! Torques are linear in the ten numbers of a body on the last link, so ten columns tell those of every payload
 //! that is tried, and no torque is computed again for it.
 
+use std::sync::Arc;
+
 use model::chain::{BODY_PARAMETERS, LINK_PARAMETERS, MAX_JOINTS};
 use model::mechanism::Mechanism;
 use rig::plant::{Body, LinkedBody};
 
 use super::equation::Trial;
+use crate::logs::derived::PayloadColumns;
 use crate::logs::kinematics::Kinematics;
 
 /// The ten numbers of what the last link carries beyond the model's own: m, m c (3), inertia about its origin (6).
 pub type Payload = [f64; BODY_PARAMETERS];
-
-/// Torques of each joint at the samples per unit of each of the ten numbers [Nm].
-pub type PayloadColumns = Vec<Vec<[f64; BODY_PARAMETERS]>>;
 
 impl Trial<'_> {
     /// What effects add to the last link of a chain, if that alone is changed of the rigid body, and links move
@@ -42,8 +42,8 @@ impl Trial<'_> {
 
     fn payload_columns(&self) -> &PayloadColumns {
         let make = || match self.given_body() {
-            Body::Chain(given) => columns(given, &self.stretch.motion),
-            Body::Rrr(_) => PayloadColumns::new(),
+            Body::Chain(given) => Arc::new(columns(given, &self.stretch.motion)),
+            Body::Rrr(_) => Arc::default(),
         };
         self.stretch.derived.payload.get_or_init(make)
     }
