@@ -75,9 +75,10 @@ mod tests {
     use rig::effects::Catalogue;
 
     use super::*;
-    use crate::criteria::FitCriteria;
+    use crate::criteria::{Criteria, FitCriteria};
     use crate::trial::hypothesis::{EffectInstance, Hypothesis};
-    use crate::trial::test_stretch::{sines, stretch_of};
+    use crate::trial::residual_rows::train_residual_rows;
+    use crate::trial::test_stretch::{rows_of_sines, sines, stretch_of};
 
     /// Three links about axes that lie across each other.
     fn chain() -> SerialChain<f64> {
@@ -92,27 +93,58 @@ mod tests {
         SerialChain::new([0.0, 0.0, -9.81], &axes.map(joint)).unwrap()
     }
 
+    const MASS_KG: f64 = 0.7;
+    const AT_M: [f64; 3] = [0.03, -0.02, 0.11];
+
+    fn bare() -> Hypothesis {
+        let body = Body::of_chain(chain());
+        Hypothesis::bare(Plant { body, ..Plant::of_robot(&reference_robot()) })
+    }
+
+    /// With a payload as an effect, and with the same in the chain itself.
+    fn loaded() -> [Hypothesis; 2] {
+        let definition = Catalogue::of_arm(3).by_name("payload").unwrap();
+        let values = vec![MASS_KG, AT_M[0], AT_M[1], AT_M[2]];
+        let with = bare().beside(EffectInstance { definition, joint: 0, values });
+        let mut loaded = bare();
+        loaded.plant.body.add_payload(MASS_KG, AT_M);
+        [with, loaded]
+    }
+
+    fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
+        a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    }
+
     #[test]
     fn a_payload_needs_what_the_chain_that_carries_it_does() {
-        let at_m = [0.03, -0.02, 0.11];
-        let definition = Catalogue::of_arm(3).by_name("payload").unwrap();
-        let values = vec![0.7, at_m[0], at_m[1], at_m[2]];
-        let bare = Hypothesis::bare(Plant {
-            body: Body::of_chain(chain()),
-            ..Plant::of_robot(&reference_robot())
-        });
-        let with = bare.beside(EffectInstance { definition, joint: 0, values });
-        let mut loaded = bare.clone();
-        loaded.plant.body.add_payload(0.7, at_m);
-
         let stretch = stretch_of(sines(0.4, [5.0, 7.0, 9.0], 300), vec![vec![0.0; 300]; 3], false);
-        let criteria = FitCriteria::default();
-        let [with, loaded] = [&with, &loaded].map(|of| Trial::of(&stretch, of, &criteria));
+        let (criteria, hypotheses) = (FitCriteria::default(), loaded());
+        let [with, loaded] = hypotheses.each_ref().map(|of| Trial::of(&stretch, of, &criteria));
         assert!(with.payload().is_some() && loaded.payload().is_none());
         for joint in 0..3 {
-            let both = with.needed(joint).iter().zip(loaded.needed(joint));
-            let worst = both.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            let worst = largest_difference(with.needed(joint), loaded.needed(joint));
             assert!(worst < 1e-12, "joint {joint}: {worst} V");
+        }
+    }
+
+    /// Rows of what a body needs are kept: those of the bare one, whoever asks first.
+    #[test]
+    fn rows_with_a_payload_are_those_of_the_chain_that_carries_it() {
+        let criteria = Criteria::default();
+        let (bare, [with, loaded]) = (bare(), loaded());
+        let rows_of = |hypotheses: [&Hypothesis; 2]| {
+            let evidence = rows_of_sines(&criteria);
+            hypotheses.map(|hypothesis| train_residual_rows(&evidence, hypothesis))
+        };
+        let [bare_first, with_then] = rows_of([&bare, &with]);
+        let [with_first, bare_then] = rows_of([&with, &bare]);
+        let [loaded, _] = rows_of([&loaded, &loaded]);
+        for joint in 0..3 {
+            for (a, b) in [(&with_then, &loaded), (&with_first, &loaded), (&bare_then, &bare_first)]
+            {
+                let worst = largest_difference(&a[joint], &b[joint]);
+                assert!(worst < 1e-9, "joint {joint}: {worst}");
+            }
         }
     }
 }
