@@ -8,6 +8,9 @@ use super::joint_dynamics::JointDynamics;
 use super::kinematics::{Joints, Middles, Sines};
 use super::last::Last;
 
+/// The ten numbers of what a chain's last link carries beyond the model's own: m, m c (3), inertia about its origin (6).
+pub type Payload = [f64; BODY_PARAMETERS];
+
 /// Torques of each joint at the samples per unit of each of the ten numbers of a body on the last link [Nm].
 pub type PayloadColumns = Vec<Vec<[f64; BODY_PARAMETERS]>>;
 

@@ -10,11 +10,8 @@ use model::mechanism::Mechanism;
 use rig::plant::{Body, LinkedBody};
 
 use super::equation::Trial;
-use crate::logs::derived::PayloadColumns;
+use crate::logs::derived::{Payload, PayloadColumns};
 use crate::logs::kinematics::Kinematics;
-
-/// The ten numbers of what the last link carries beyond the model's own: m, m c (3), inertia about its origin (6).
-pub type Payload = [f64; BODY_PARAMETERS];
 
 impl Trial<'_> {
     /// What effects add to the last link of a chain, if that alone is changed of the rigid body, and links move
