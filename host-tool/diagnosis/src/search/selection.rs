@@ -125,34 +125,34 @@ impl<'a> Search<'a> {
             {
                 self.last = better;
             }
-            // Before any is known all are tried: one may gain much where no log is left far above its noise.
-            let is_done = round > 0 && is_done(&self.gap, &self.last.stats, criteria);
-            let is_at_noise = self.last.stats.excess == 0.0;
-            if round > 0 && is_explained(&self.last) || is_done && !is_at_noise {
+            if round > 0 && is_explained(&self.last) {
                 return None;
             }
-            // Beside causes that are known, one may still be plain where all logs are left near their noise.
-            let before = is_done.then(|| {
-                self.runners_up.clear();
-                (self.last.clone(), self.rivals.clone())
-            });
-            match (self.round(), before) {
-                (Round::Added, None) => {}
-                (Round::Added, Some((last, _))) if self.is_sure_beside(&last) => {}
-                (Round::Refused(finalists), None) => return Some(finalists),
-                (_, Some((last, rivals))) => {
-                    (self.last, self.rivals) = (last, rivals);
+            // Before any is known all are tried: one may gain much where no log is left far above its noise.
+            if round > 0 && is_done(&self.gap, &self.last.stats, criteria) {
+                if self.last.stats.excess > 0.0 || !self.adds_sure_one() {
                     return None;
                 }
+                continue;
+            }
+            if let Round::Refused(finalists) = self.round() {
+                return Some(finalists);
             }
         }
         None
     }
 
-    /// Whether the effect that was added last gains far more than any must.
-    fn is_sure_beside(&self, before: &FittedModel) -> bool {
+    /// Adds an effect where all logs are left near their noise, if it gains far more than any must; whether there was one.
+    fn adds_sure_one(&mut self) -> bool {
         let policy = &self.subject.criteria.selection;
-        gain(before, &self.last) > policy.sure_gain * policy.least_log_likelihood
+        let least = policy.sure_gain * policy.least_log_likelihood;
+        self.runners_up.clear();
+        let (last, rivals) = (self.last.clone(), self.rivals.clone());
+        let is_sure = matches!(self.round(), Round::Added) && gain(&last, &self.last) > least;
+        if !is_sure {
+            (self.last, self.rivals) = (last, rivals);
+        }
+        is_sure
     }
 
     /// The search carried on with what is left taken to be systematic; none where that adds nothing.
