@@ -37,6 +37,7 @@ fn answers(score: &DiverseScore) -> String {
         wrong_claims,
         knowable_first,
         knowable_named,
+        confirmable_first,
         dominated_first,
         knowable_pairs,
         beyond_knowable,
@@ -50,6 +51,10 @@ fn answers(score: &DiverseScore) -> String {
         ("wrong names, of all names".to_owned(), wrong_claims),
         (format!("{oracle}: largest cause first"), knowable_first),
         (format!("{oracle}: largest cause named"), knowable_named),
+        (
+            format!("{oracle}, a tenth of the gap or more of the logs held out: first"),
+            confirmable_first,
+        ),
         ("one cause, more than half of the gap: first".to_owned(), dominated_first),
         (format!("two causes, both {oracle}: both named"), knowable_pairs),
         (format!("not {oracle}: largest cause named all the same"), beyond_knowable),

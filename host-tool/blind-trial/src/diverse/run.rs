@@ -10,8 +10,13 @@ use super::told::told;
 use crate::claim::Claim;
 use crate::error::TrialError;
 use crate::logs;
-use crate::outcome::{Diagnose, RunSettings, answer_to};
+use crate::outcome::{RunSettings, answer_to};
 use crate::thread_time::thread_time;
+use diagnosis::Diagnosis;
+use recordings::Campaign;
+
+/// Whatever diagnoses logs: all that it found, or why there is nothing.
+pub type DiagnoseWhole<'a> = &'a dyn Fn(&Campaign) -> Result<Diagnosis, String>;
 
 /// Writes the logs of a case, reads them back and diagnoses them; the diagnosis sees nothing
 /// else. Processor time is this thread's, which must do all the work.
@@ -21,7 +26,7 @@ use crate::thread_time::thread_time;
 pub fn diagnose_diverse(
     case: &DiverseCase,
     settings: &RunSettings,
-    diagnose: Diagnose,
+    diagnose: DiagnoseWhole,
 ) -> Result<DiverseOutcome, TrialError> {
     let directory = logs::directory(&settings.out, case.case.number);
     logs::write(&case.case, &directory)?;
@@ -36,7 +41,7 @@ pub(crate) fn diagnose_written(
     DiverseCase { case, known }: &DiverseCase,
     directory: &Path,
     keep_logs: bool,
-    diagnose: Diagnose,
+    diagnose: DiagnoseWhole,
 ) -> Result<DiverseOutcome, TrialError> {
     let processor_s = Cell::new(0.0);
     let told_shares = RefCell::new(Vec::new());
@@ -44,8 +49,9 @@ pub(crate) fn diagnose_written(
         let began = thread_time();
         let answer = diagnose(campaign);
         processor_s.set(thread_time().saturating_sub(began).as_secs_f64());
-        told_shares.replace(told(case, campaign));
-        answer
+        let found = answer?;
+        told_shares.replace(told(case, campaign, &found.criteria));
+        Ok(found.report)
     })?;
     let Some(reality) = case.reality.clone() else {
         return Err(TrialError::NoReality(case.number));

@@ -10,20 +10,15 @@ use recordings::Campaign;
 use rig::effects::Catalogue;
 
 /// The share of each cause of a case, told with its values to a model that is refitted to the very logs
-/// that are diagnosed, with as much doubt as the model deserves; `None` where the catalogue does not
-/// have it.
-pub fn told(case: &Case, campaign: &Campaign) -> Vec<Option<f64>> {
+/// that are diagnosed, with as much doubt as the report's own models; `None` where the catalogue does not
+/// have it. Shares follow from how far parameters may make up for a cause, so they are held against
+/// those of the same doubt.
+pub fn told(case: &Case, campaign: &Campaign, criteria: &Criteria) -> Vec<Option<f64>> {
     let tables: BTreeMap<usize, EffectTable> =
         case.causes.iter().enumerate().filter_map(|(k, cause)| Some((k, table(cause)?))).collect();
     let mut campaign = campaign.clone();
     campaign.robot_file.effects = tables.values().cloned().collect();
-    let mut criteria = Criteria::default();
-    if let Some(reality) = &case.reality {
-        let off = reality.model_error.parameters;
-        criteria.prior.relative = criteria.prior.relative.max(off);
-        criteria.prior.relative_friction = criteria.prior.relative_friction.max(off);
-    }
-    let shares = told_shares(&campaign, &Catalogue::standard(), &criteria).unwrap_or_default();
+    let shares = told_shares(&campaign, &Catalogue::standard(), criteria).unwrap_or_default();
     let of_known: BTreeMap<usize, Option<f64>> = tables.into_keys().zip(shares).collect();
     (0..case.causes.len()).map(|k| of_known.get(&k).copied().flatten()).collect()
 }

@@ -7,10 +7,10 @@ use super::draw::numbers;
 use super::identified::{IdentifiedModel, identified};
 use super::settings::WholeWaySettings;
 use crate::case::Case;
-use crate::diverse::{DiverseCase, DiverseOutcome, Known, diagnose_written};
+use crate::diverse::{DiagnoseWhole, DiverseCase, DiverseOutcome, Known, diagnose_written};
 use crate::error::TrialError;
 use crate::logs;
-use crate::outcome::{Diagnose, RunSettings};
+use crate::outcome::RunSettings;
 use crate::reality::Reality;
 use crate::sealed_truth;
 use crate::visibility::Visibility;
@@ -47,7 +47,7 @@ pub fn walk(
     robot: &Case,
     settings: &WholeWaySettings,
     run: &RunSettings,
-    diagnose: Diagnose,
+    diagnose: DiagnoseWhole,
 ) -> Result<WholeWayOutcome, TrialError> {
     match to_the_end(robot, settings, run, diagnose) {
         Err(TrialError::Step(error)) => Ok(WholeWayOutcome::failed(robot, &error.to_string())),
@@ -62,7 +62,7 @@ fn to_the_end(
     robot: &Case,
     settings: &WholeWaySettings,
     run: &RunSettings,
-    diagnose: Diagnose,
+    diagnose: DiagnoseWhole,
 ) -> Result<WholeWayOutcome, TrialError> {
     let directory = logs::directory(&run.out, robot.number);
     let campaign = directory.join("campaign");

@@ -39,7 +39,8 @@ pub fn parameters_changed(
         };
         let found = expected.unknown.get(&told_by.hypothesis);
         let half = 1.96 * told_by.deviation(at);
-        let share = taken[place] / whole;
+        // Where others take some of it back, one may gain more than all together.
+        let share = (taken[place] / whole).min(1.0);
         let is_sure = (found - expected.mean).abs() > criteria.sure_half_widths * half;
         let parameter = name(subject, expected.unknown)?;
         (is_sure && share >= criteria.least_parameter_share).then_some(ParameterChange {

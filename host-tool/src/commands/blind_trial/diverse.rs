@@ -76,8 +76,8 @@ fn sealed(
 
 fn diagnose_one(case: &DiverseCase, run: &RunSettings) -> Result<DiverseOutcome, Failure> {
     let outcome = diagnose_diverse(case, run, &|campaign| {
-        let diagnosis = diagnose(campaign, &Catalogue::standard(), &Criteria::default(), &|_| ());
-        diagnosis.map(|found| found.report).map_err(|error| error.to_string())
+        diagnose(campaign, &Catalogue::standard(), &Criteria::default(), &|_| ())
+            .map_err(|error| error.to_string())
     })?;
     diverse::append(&outcome, &run.out)?;
     let answer = diverse::answer(&outcome);

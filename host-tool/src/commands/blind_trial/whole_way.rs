@@ -27,8 +27,8 @@ fn walk(
     run: &RunSettings,
 ) -> Result<whole_way::WholeWayOutcome, Failure> {
     let outcome = whole_way::walk(robot, settings, run, &|campaign| {
-        let diagnosis = diagnose(campaign, &Catalogue::standard(), &Criteria::default(), &|_| ());
-        diagnosis.map(|found| found.report).map_err(|error| error.to_string())
+        diagnose(campaign, &Catalogue::standard(), &Criteria::default(), &|_| ())
+            .map_err(|error| error.to_string())
     })?;
     let answer = whole_way::answer(&outcome);
     say!("robot {:03}: {answer}, {:.0} s", outcome.outcome.case, outcome.outcome.seconds);

@@ -12,6 +12,8 @@ use diagnosis::Value;
 
 /// From here on a cause counts as one that could be known.
 pub const KNOWABLE: f64 = 0.9;
+/// A cause shows on the logs held out from this share of their gap on: that from which a diagnosis counts it as large.
+const SHOWN: f64 = 0.1;
 /// A cause with this part of the largest one's share may stand first as well.
 const NEARLY_LARGEST: f64 = 0.8;
 
@@ -64,6 +66,12 @@ impl DiverseOutcome {
         has_name && self.known.first().is_some_and(|known| known.oracle > KNOWABLE)
     }
 
+    /// Whether the largest cause could be known and shows on the logs held out.
+    pub fn is_confirmable(&self) -> bool {
+        let share = self.known.first().and_then(|known| known.share);
+        self.is_knowable() && share.is_some_and(|share| share >= SHOWN)
+    }
+
     /// Whether the largest cause alone is more than half of the gap.
     pub fn is_dominated(&self) -> bool {
         self.known.first().and_then(|known| known.share).is_some_and(|share| share > 0.5)
@@ -89,6 +97,8 @@ pub struct Answers {
     pub knowable_first: Share,
     /// The same: it is among the names.
     pub knowable_named: Share,
+    /// Those that take a tenth of the gap or more on the logs held out, which alone confirm a cause: it stands first.
+    pub confirmable_first: Share,
     /// Those of one cause that takes more than half of the gap: it stands first.
     pub dominated_first: Share,
     /// Pairs both of which could be known: both are named.
@@ -123,6 +133,10 @@ impl Answers {
             wrong_claims: claims.fold(Share::default(), Share::with),
             knowable_first: count(&DiverseOutcome::is_knowable, &DiverseOutcome::is_first_right),
             knowable_named: count(&DiverseOutcome::is_knowable, &|o| o.has_named(0)),
+            confirmable_first: count(
+                &DiverseOutcome::is_confirmable,
+                &DiverseOutcome::is_first_right,
+            ),
             dominated_first: count(
                 &|o| o.truth.len() == 1 && nameable(o) && o.is_dominated(),
                 &DiverseOutcome::is_first_right,

@@ -15,7 +15,7 @@ use rig::effects::Kind;
 /// How often intervals of names rightly given hold the truth.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Intervals {
-    /// Of shares; those of all names of a true cause.
+    /// Of shares, between nothing and all of the gap as reports have them; those of all names of a true cause.
     pub shares: Share,
     /// Of parameters; those of causes named by their own name.
     pub parameters: Share,
@@ -29,7 +29,8 @@ impl Intervals {
                 let Some(claim) = outcome.claims.iter().find(|c| names(c, truth)) else { continue };
                 let [from, to] = claim.share_interval;
                 if let Some(share) = share {
-                    intervals.shares = intervals.shares.with((from..=to).contains(share));
+                    intervals.shares =
+                        intervals.shares.with((from..=to).contains(&share.clamp(0.0, 1.0)));
                 }
                 if claim.effect == truth.effect {
                     let held = parameters(claim, truth);

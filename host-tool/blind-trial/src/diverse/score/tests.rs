@@ -136,6 +136,20 @@ fn intervals_hold_phases_modulo_a_turn() {
 }
 
 #[test]
+fn an_interval_from_nothing_on_holds_a_cause_that_takes_nothing() {
+    let held = |from: f64, true_share: f64| {
+        let claims = vec![Claim { share_interval: [from, 0.2], ..claim("cogging", 3, 0.9) }];
+        let truth = vec![cause("cogging", 3, &[0.1, 8.0, 0.0])];
+        let shares =
+            DiverseScore::of(&[outcome(truth, &[(true_share, 0.99)], claims)]).intervals.shares;
+        (shares.count, shares.of)
+    };
+    assert_eq!(held(0.0, -0.1), (1, 1));
+    assert_eq!(held(0.01, -0.1), (0, 1));
+    assert_eq!(held(0.0, 0.3), (0, 1));
+}
+
+#[test]
 fn what_is_true_beside_the_causes_is_no_wrong_name() {
     let constant = |value: f64| cause("torque_constant", 1, &[value]);
     let claimed = |value: f64| Claim {
