@@ -120,8 +120,11 @@ pub enum Interval {
 pub struct ParameterChange {
     /// Its name in the model file, `friction[2].alpha2_V_s_per_rad` say.
     pub parameter: String,
-    /// Its value in the model as given.
+    /// Its value in the model as given, or where a fit begins.
     pub given: f64,
+    /// Whether the model tells it.
+    #[serde(skip)]
+    pub is_given: bool,
     /// Its value after the refit.
     pub found: f64,
     /// 95 % interval of that.

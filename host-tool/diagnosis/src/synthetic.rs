@@ -190,6 +190,7 @@ pub fn more_viscous() -> ParameterChange {
     ParameterChange {
         parameter: "friction[2].alpha2_V_s_per_rad".into(),
         given: 0.07,
+        is_given: true,
         found: 0.0826,
         interval: [0.081, 0.084],
         share: 0.6,

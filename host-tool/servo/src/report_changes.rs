@@ -41,6 +41,7 @@ fn of_joint(outcome: &Outcome, joint: usize) -> Vec<ParameterChange> {
         ParameterChange {
             parameter: name(outcome, joint, field),
             given: field.of(&given),
+            is_given: true,
             found: field.of(&found),
             interval,
             share: (left(&given) - left(&moved)) / taken,

@@ -81,6 +81,11 @@ impl FittedModel {
         Some(if after.gain_over(&before) < 0.0 { before } else { after })
     }
 
+    /// The same without what only a search for one more effect needs.
+    pub fn without_parts(self) -> Self {
+        Self { linear: self.linear.without_parts(), ..self }
+    }
+
     /// The same model on rows that are weighted by what it leaves of them itself, whatever they were weighted
     /// by; `None` where the numbers do not work out.
     pub fn on_own_rows(self) -> Option<Self> {

@@ -46,6 +46,7 @@ pub fn parameters_changed(
         (is_sure && share >= criteria.least_parameter_share).then_some(ParameterChange {
             parameter,
             given: expected.mean,
+            is_given: is_given(subject, expected.unknown),
             found,
             interval: [found - half, found + half],
             share,
@@ -54,6 +55,11 @@ pub fn parameters_changed(
     let mut all: Vec<ParameterChange> = (0..taken.len()).filter_map(change).collect();
     all.sort_by(|a, b| b.share.total_cmp(&a.share));
     all
+}
+
+/// Whether the model tells a parameter: that of an arm may say nothing of bristles.
+fn is_given(subject: &Subject, unknown: Unknown) -> bool {
+    unknown.bristles().is_none_or(|joint| subject.bristles_known[joint])
 }
 
 /// A parameter's name: in the model file, or `gears.loss`, which that holds as effects; none for what it does not hold.

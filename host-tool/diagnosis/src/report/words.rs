@@ -31,7 +31,18 @@ pub fn parameter_words(
 ) -> String {
     let said = in_order(catalogue, effect, all).into_iter().filter_map(|parameter| {
         let value = parameters.get(parameter.name)?;
-        Some(one_parameter(parameter, value, parameters.len() == 1))
+        Some(one_parameter(parameter, value, None, parameters.len() == 1))
+    });
+    said.collect::<Vec<_>>().join(", ")
+}
+
+/// The parameters of a cause as they are said in a sentence: without the phase, and without components that the logs do
+/// not tell.
+pub fn told_parameters(catalogue: &Catalogue, cause: &Cause) -> String {
+    let said = in_order(catalogue, &cause.effect, false).into_iter().filter_map(|parameter| {
+        let value = cause.parameters.get(parameter.name)?;
+        let interval = cause.parameter_intervals.get(parameter.name);
+        Some(one_parameter(parameter, value, interval, cause.parameters.len() == 1))
     });
     said.collect::<Vec<_>>().join(", ")
 }
@@ -40,8 +51,8 @@ pub fn parameter_words(
 pub fn parameters_with_intervals(catalogue: &Catalogue, cause: &Cause) -> String {
     let said = in_order(catalogue, &cause.effect, true).into_iter().filter_map(|parameter| {
         let value = cause.parameters.get(parameter.name)?;
-        let words = one_parameter(parameter, value, cause.parameters.len() == 1);
         let interval = cause.parameter_intervals.get(parameter.name);
+        let words = one_parameter(parameter, value, interval, cause.parameters.len() == 1);
         let interval = interval.and_then(|interval| interval_words(parameter, value, interval));
         Some(words + &interval.unwrap_or_default())
     });
@@ -59,7 +70,12 @@ fn in_order<'a>(catalogue: &'a Catalogue, effect: &str, all: bool) -> Vec<&'a Pa
     ordered
 }
 
-fn one_parameter(parameter: &Parameter, value: &Value, alone: bool) -> String {
+fn one_parameter(
+    parameter: &Parameter,
+    value: &Value,
+    interval: Option<&Interval>,
+    alone: bool,
+) -> String {
     let (noun, unit) = split_unit(parameter.name);
     let said = match value {
         Value::Number(value) if parameter.kind == Kind::Harmonic => {
@@ -71,12 +87,26 @@ fn one_parameter(parameter: &Parameter, value: &Value, alone: bool) -> String {
         Value::Number(value) if unit.is_empty() => format!("{:+.1} %", 100.0 * value),
         Value::Number(value) => quantity(*value, unit),
         Value::Vector(values) => {
-            let values: Vec<String> = values.iter().map(|value| number(*value)).collect();
+            let component = |(k, value): (usize, &f64)| {
+                if is_told(parameter, interval, k) { number(*value) } else { NOT_TOLD.into() }
+            };
+            let values: Vec<String> = values.iter().enumerate().map(component).collect();
             format!("({}) {unit}", values.join(", "))
         }
     };
     let obvious = alone || parameter.kind == Kind::Amplitude || unit.is_empty();
     if obvious { said } else { format!("{} {said}", noun.replace('_', " ")) }
+}
+
+/// In place of what logs do not tell.
+const NOT_TOLD: &str = "not told";
+
+/// Whether the interval of a vector's component is narrower than all that there is: the height of a load, say, on an arm
+/// whose axes are upright, is not told.
+fn is_told(parameter: &Parameter, interval: Option<&Interval>, component: usize) -> bool {
+    let Some(Interval::Vector(ends)) = interval else { return true };
+    ends.get(component)
+        .is_none_or(|[low, high]| *low > parameter.lowest || *high < parameter.highest)
 }
 
 /// " [0.106 to 0.114]" in the unit of the value; none where it is within the digits that are said.
@@ -175,10 +205,13 @@ fn base_words(name: &str) -> (String, String) {
 /// of the other sign.
 pub fn change_words(change: &ParameterChange) -> String {
     let (given, found) = (change.given, change.found);
+    let unit = split_unit(&change.parameter).1;
+    if !change.is_given {
+        return format!("{}, which the model does not tell", quantity(found, unit));
+    }
     if given * found > 0.0 {
         return format!("{:+.0} %", 100.0 * (found / given - 1.0));
     }
-    let unit = split_unit(&change.parameter).1;
     format!("from {} to {}", quantity(given, unit), quantity(found, unit))
 }
 
@@ -231,6 +264,17 @@ mod tests {
         assert_eq!(said.unwrap(), " ± (0.1, 0.2, 0)");
     }
 
+    /// A load on an arm whose axes are all upright.
+    #[test]
+    fn a_component_that_the_logs_do_not_tell_is_not_said() {
+        let place = &Catalogue::of_arm(4).by_name("payload").unwrap().parameters[1];
+        let value = Value::Vector(vec![0.1, 0.0, 0.3]);
+        let interval = |z: [f64; 2]| Interval::Vector(vec![[0.09, 0.11], [-0.01, 0.01], z]);
+        let said = |z: [f64; 2]| one_parameter(place, &value, Some(&interval(z)), false);
+        assert_eq!(said([place.lowest, place.highest]), "com (0.1, 0, not told) m");
+        assert_eq!(said([-1.0, 1.6]), "com (0.1, 0, 0.3) m");
+    }
+
     #[test]
     fn parameters_of_the_model_have_words() {
         let said = |name: &str| {
@@ -250,5 +294,7 @@ mod tests {
         assert_eq!(change_words(&change(0.07, 0.0826)), "+18 %");
         assert_eq!(change_words(&change(-0.2, -0.1)), "-50 %");
         assert!(change_words(&change(0.0, 0.5)).starts_with("from 0 V s/rad to 0.5"));
+        let untold = ParameterChange { is_given: false, ..change(0.07, 0.0826) };
+        assert_eq!(change_words(&untold), "0.0826 V s/rad, which the model does not tell");
     }
 }

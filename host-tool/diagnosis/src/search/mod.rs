@@ -21,3 +21,4 @@ pub mod selection;
 mod starts;
 mod wave_rows;
 pub mod winner;
+pub mod without;

@@ -13,8 +13,8 @@ use super::policy::{gain, is_done};
 use super::refit::Finalist;
 use super::runner_up::RunnerUp;
 use super::winner::Winner;
+use super::without::without;
 use crate::fit::fitted_model::FittedModel;
-use crate::fit::residual_stats::ResidualStats;
 use crate::logs::subject::Subject;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 
@@ -28,8 +28,7 @@ pub fn select(
     progress: &dyn Fn(&str),
 ) -> Selection {
     let refitted = refitted_from_given(subject, refitted);
-    let gap = refitted.stats.clone();
-    let mut search = Search::of(subject, gap, refitted.clone(), Vec::new());
+    let mut search = Search::of(subject, &refitted, refitted.clone(), Vec::new());
     search.begin_with(known);
     let mut refused = search.searched(0, &|last| explains_all(&refitted, last), progress);
     if refused.is_some()
@@ -40,7 +39,8 @@ pub fn select(
     progress("comparing each cause with its rivals");
     let added = search.compared();
     let refused = refused.map_or_else(Vec::new, |refused| refused.rivals(subject));
-    Selection { refitted, last: search.last, added, refused }
+    let last = search.last;
+    Selection { refitted, last, added, refused }
 }
 
 /// Candidates that were not accepted, and the model that they were tried in.
@@ -67,8 +67,8 @@ enum Round {
 /// The model so far, and what was tried in each round.
 pub(super) struct Search<'a> {
     pub(super) subject: &'a Subject,
-    /// What the refitted model leaves.
-    gap: ResidualStats,
+    /// The model without any of the effects.
+    pub(super) refitted: &'a FittedModel,
     pub(super) last: FittedModel,
     /// What lost against each of the effects added.
     pub(super) rivals: Vec<Vec<EffectInstance>>,
@@ -79,11 +79,11 @@ pub(super) struct Search<'a> {
 impl<'a> Search<'a> {
     fn of(
         subject: &'a Subject,
-        gap: ResidualStats,
+        refitted: &'a FittedModel,
         last: FittedModel,
         rivals: Vec<Vec<EffectInstance>>,
     ) -> Self {
-        Self { subject, gap, last, rivals, runners_up: VecDeque::new() }
+        Self { subject, refitted, last, rivals, runners_up: VecDeque::new() }
     }
 
     /// Adds effects as long as what is left asks for one, one is accepted, and nothing else explains it, and takes out
@@ -129,7 +129,7 @@ impl<'a> Search<'a> {
                 return None;
             }
             // Before any is known all are tried: one may gain much where no log is left far above its noise.
-            if round > 0 && is_done(&self.gap, &self.last.stats, criteria) {
+            if round > 0 && is_done(&self.refitted.stats, &self.last.stats, criteria) {
                 if self.last.stats.excess > 0.0 || !self.adds_sure_one() {
                     return None;
                 }
@@ -168,8 +168,8 @@ impl<'a> Search<'a> {
         progress("taking what is left to be systematic");
         let start = self.last.clone().taken_as_systematic(true);
         let last = start.on_own_rows()?.settled(self.subject);
-        let (gap, rivals) = (self.gap.clone(), self.rivals.clone());
-        let mut further = Self::of(self.subject, gap, last, rivals);
+        let rivals = self.rivals.clone();
+        let mut further = Self::of(self.subject, self.refitted, last, rivals);
         // What paid by rows that all count is not taken out by rows of which few do.
         let refused = further.searched(self.rivals.len(), &|_| false, progress);
         (further.rivals.len() > self.rivals.len()).then_some((further, refused))
@@ -190,7 +190,7 @@ impl<'a> Search<'a> {
         let mut lost: Vec<EffectInstance> = Vec::new();
         while contest.advance() {
             if let Some(winner) =
-                Winner::of(self.subject, &self.gap, &self.last, &mut contest, &lost)
+                Winner::of(self.subject, &self.refitted.stats, &self.last, &mut contest, &lost)
             {
                 let finalists = each_once(contest.finalists);
                 let effect = &winner.effect;
@@ -240,9 +240,7 @@ impl<'a> Search<'a> {
 
     /// The model without one of its effects, refitted.
     pub(super) fn without(&self, index: usize) -> Option<FittedModel> {
-        let mut hypothesis = self.last.linear.hypothesis.clone();
-        hypothesis.effects.remove(index);
-        self.fitted(hypothesis)
+        without(self.subject, self.refitted, &self.last, index)
     }
 
     pub(super) fn fitted(&self, hypothesis: Hypothesis) -> Option<FittedModel> {
@@ -253,12 +251,15 @@ impl<'a> Search<'a> {
 }
 
 /// Brings up to date what each effect gains, in a model that holds just these.
-pub fn update_gains(subject: &Subject, last: &FittedModel, added: &mut [Added]) {
+pub fn update_gains(
+    subject: &Subject,
+    refitted: &FittedModel,
+    last: &FittedModel,
+    added: &mut [Added],
+) {
     let known = subject.known_effects.len();
-    let (gap, rivals) = (last.stats.clone(), Vec::new());
-    let search = Search::of(subject, gap, last.clone(), rivals);
     let update = |(index, added): (usize, &mut Added)| {
-        if let Some(without) = search.without(known + index) {
+        if let Some(without) = without(subject, refitted, last, known + index) {
             added.gain = gain(&without, last);
             added.without = without;
         }

@@ -14,6 +14,7 @@ use crate::logs::subject::Subject;
 use crate::model_faults::is_by_lengths;
 use crate::search::found::{Added, Rival, Selection};
 use crate::search::selection::update_gains;
+use crate::search::without::without;
 use crate::tables::ceiling::reaches_ceiling;
 use crate::trial::hypothesis::EffectInstance;
 
@@ -166,7 +167,7 @@ impl<'a> Elimination<'a> {
         self.withheld.push(Withheld { effect, judged, reason });
         self.added.remove(index);
         self.last = if self.added.is_empty() { self.refitted.clone() } else { model };
-        update_gains(self.subject, &self.last, &mut self.added);
+        update_gains(self.subject, &self.refitted, &self.last, &mut self.added);
         true
     }
 
@@ -221,12 +222,9 @@ impl<'a> Elimination<'a> {
 
     /// The effect at this place among those left, and the model refitted without it.
     fn without(&self, index: usize) -> Option<(EffectInstance, FittedModel)> {
-        let FittedModel { linear, evidence, .. } = &self.last;
-        let mut hypothesis = linear.hypothesis.clone();
-        let effect = hypothesis.effects.remove(self.place(index));
-        let steps = self.subject.criteria.selection.accepted_steps;
-        let model = FittedModel::fitted_near(linear, evidence, self.subject, hypothesis, steps)?;
-        Some((effect, model))
+        let place = self.place(index);
+        let effect = self.last.linear.hypothesis.effects[place].clone();
+        Some((effect, without(self.subject, &self.refitted, &self.last, place)?))
     }
 
     /// Where an effect stands among those of the model, which may know some of its own.

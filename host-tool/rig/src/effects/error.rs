@@ -94,6 +94,8 @@ pub enum EffectError {
         next: f64,
     },
     /// Text of another form.
-    #[error("`{0}` is not of the form effect:joint:name=value,name=value")]
+    #[error(
+        "`{0}` is not of the form effect:joint:name=value,name=value; a vector is x y z, with spaces"
+    )]
     Form(String),
 }

@@ -4,7 +4,7 @@ use super::figures::{LEAST_SAID_SHARE, MOST_SAID, joint_numbers};
 use super::refit::refitted;
 use crate::report::remaining_words::{remaining, rest_part};
 use crate::report::words::{
-    capitalised, certainty_words, effect_words, joint_words, parameter_words, percent,
+    capitalised, certainty_words, effect_words, joint_words, percent, told_parameters,
 };
 use crate::result::{Alternative, Cause, Diagnosis};
 
@@ -21,7 +21,7 @@ pub(super) fn named(diagnosis: &Diagnosis) -> String {
 }
 
 fn cause_words(diagnosis: &Diagnosis, cause: &Cause) -> String {
-    let parameters = parameter_words(&diagnosis.catalogue, &cause.effect, &cause.parameters, false);
+    let parameters = told_parameters(&diagnosis.catalogue, cause);
     let parameters = diagnosis.units_of(cause.joint).in_words(&parameters);
     let alone = cause.joint == 0 || joint_numbers(diagnosis).len() == 1;
     let [low, high] = cause.share_interval.map(percent);
