@@ -120,7 +120,7 @@ pub enum Interval {
 pub struct ParameterChange {
     /// Its name in the model file, `friction[2].alpha2_V_s_per_rad` say.
     pub parameter: String,
-    /// Its value in the model as given, or where a fit begins.
+    /// Its value in the model as given; what was thought likely before the refit, where that does not tell it.
     pub given: f64,
     /// Whether the model tells it.
     #[serde(skip)]

@@ -44,7 +44,7 @@ fn of_joint(outcome: &Outcome, joint: usize) -> Vec<ParameterChange> {
             is_given: true,
             found: field.of(&found),
             interval,
-            share: (left(&given) - left(&moved)) / taken,
+            share: ((left(&given) - left(&moved)) / taken).min(1.0),
         }
     };
     intervals.into_iter().map(of).collect()

@@ -52,7 +52,7 @@ fn answers(score: &DiverseScore) -> String {
         (format!("{oracle}: largest cause first"), knowable_first),
         (format!("{oracle}: largest cause named"), knowable_named),
         (
-            format!("{oracle}, a tenth of the gap or more of the logs held out: first"),
+            format!("{oracle}, a tenth or more of the gap of the logs held out: first"),
             confirmable_first,
         ),
         ("one cause, more than half of the gap: first".to_owned(), dominated_first),

@@ -163,14 +163,6 @@ impl Unknown {
         }
     }
 
-    /// The joint (from 0) whose bristles it is of, if any's.
-    pub fn bristles(self) -> Option<usize> {
-        match self {
-            Self::Friction { joint, parameter: STIFFNESS | DAMPING } => Some(joint),
-            _ => None,
-        }
-    }
-
     /// The joint (from 0) whose friction or command it is of; none where it is the arm's, or an effect's.
     pub fn own_joint(self) -> Option<usize> {
         match self {

@@ -4,6 +4,15 @@ use files::ArmJoint;
 use model::Friction;
 use model::friction_parameters::COUNT;
 
+/// Which of a joint's friction parameters the file tells. Where it is silent of a rise towards standstill or of viscous
+/// friction it says that there is none.
+pub fn told(joint: &ArmJoint) -> [bool; COUNT] {
+    let given = joint.friction.unwrap_or_default();
+    let [alpha0, stribeck_velocity, sigma0, sigma1] =
+        [given.alpha0, given.stribeck_velocity, given.sigma0, given.sigma1].map(|v| v.is_some());
+    [alpha0, true, stribeck_velocity, true, sigma0, sigma1]
+}
+
 /// What the logs show of a joint, for values that the file does not give.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shown {

@@ -10,7 +10,7 @@ use rig::effects::Catalogue;
 use rig::plant::{Body, Gear, JointUnits, PlantError, torque_constants};
 use signal::{derivative, rms};
 
-use super::arm_friction::{Shown, friction};
+use super::arm_friction::{Shown, friction, told};
 use super::arm_prior::linked;
 use super::encoder_step;
 use super::subject::{Subject, SubjectError};
@@ -57,6 +57,7 @@ impl Subject {
             base_names,
             link_spread,
             bristles_known: joints.bristles_known,
+            friction_told: arm.joints.iter().map(told).collect(),
             friction_deviations: joints.friction_deviations,
             friction_names: arm.joints.iter().map(ArmJoint::friction_names).collect(),
             plant,

@@ -40,6 +40,7 @@ impl Subject {
         let robot = if one_joint { file.as_third_joint(IMMOVABLE_KG_M2)? } else { file.robot()? };
         let numbers = campaign.known.joints.clone();
         let mut known = campaign.known.clone();
+        let bristles_known = bristles_known(campaign, &numbers)?;
         if known.encoder_step_rad <= 0.0 {
             let smallest = encoder_step::smallest(&campaign.traces, &numbers, &criteria.logs);
             known.encoder_step_rad = smallest.unwrap_or(known.encoder_step_rad);
@@ -60,7 +61,8 @@ impl Subject {
             base_prior: base_deviations(&robot, one_joint, criteria),
             link_spread: LinkSpread::default(),
             base_names: base_names(one_joint),
-            bristles_known: vec![bristles_known(campaign, &numbers)?; 3],
+            bristles_known: vec![bristles_known; 3],
+            friction_told: vec![[true, true, true, true, bristles_known, bristles_known]; 3],
             friction_deviations: vec![[None; FRICTION_COUNT]; 3],
             friction_names: vec![friction_names_in_volts(); 3],
             plant: Plant::of_robot(&robot),

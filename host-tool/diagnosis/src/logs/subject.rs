@@ -51,6 +51,8 @@ pub struct Subject {
     pub base_names: Vec<String>,
     /// Whether the model tells the stiffness of a joint's bristles.
     pub bristles_known: Vec<bool>,
+    /// Which of a joint's friction parameters the model tells.
+    pub friction_told: Vec<[bool; FRICTION_COUNT]>,
     /// Standard deviations of friction's parameters where the model tells them, joint by joint.
     pub friction_deviations: Vec<[Option<f64>; FRICTION_COUNT]>,
     /// The names of these parameters in the model, joint by joint.

@@ -57,9 +57,12 @@ pub fn parameters_changed(
     all
 }
 
-/// Whether the model tells a parameter: that of an arm may say nothing of bristles.
+/// Whether the model tells a parameter: that of an arm may say nothing of friction, or nothing of its bristles.
 fn is_given(subject: &Subject, unknown: Unknown) -> bool {
-    unknown.bristles().is_none_or(|joint| subject.bristles_known[joint])
+    match unknown {
+        Unknown::Friction { joint, parameter } => subject.friction_told[joint][parameter],
+        _ => true,
+    }
 }
 
 /// A parameter's name: in the model file, or `gears.loss`, which that holds as effects; none for what it does not hold.

@@ -77,7 +77,9 @@ fn one_parameter(
     alone: bool,
 ) -> String {
     let (noun, unit) = split_unit(parameter.name);
+    let is_told = |k: usize| is_told(parameter, interval, k);
     let said = match value {
+        Value::Vector(values) if !(0..values.len()).any(is_told) => NOT_TOLD.into(),
         Value::Number(value) if parameter.kind == Kind::Harmonic => {
             return format!("{} per turn", number(*value));
         }
@@ -88,7 +90,7 @@ fn one_parameter(
         Value::Number(value) => quantity(*value, unit),
         Value::Vector(values) => {
             let component = |(k, value): (usize, &f64)| {
-                if is_told(parameter, interval, k) { number(*value) } else { NOT_TOLD.into() }
+                if is_told(k) { number(*value) } else { NOT_TOLD.into() }
             };
             let values: Vec<String> = values.iter().enumerate().map(component).collect();
             format!("({}) {unit}", values.join(", "))
@@ -101,12 +103,12 @@ fn one_parameter(
 /// In place of what logs do not tell.
 const NOT_TOLD: &str = "not told";
 
-/// Whether the interval of a vector's component is narrower than all that there is: the height of a load, say, on an arm
-/// whose axes are upright, is not told.
+/// Whether the interval of a vector's component is narrower than half of all that there is: the height of a load, say, on
+/// an arm whose axes are upright, is not told.
 fn is_told(parameter: &Parameter, interval: Option<&Interval>, component: usize) -> bool {
     let Some(Interval::Vector(ends)) = interval else { return true };
-    ends.get(component)
-        .is_none_or(|[low, high]| *low > parameter.lowest || *high < parameter.highest)
+    let most = 0.5 * (parameter.highest - parameter.lowest);
+    ends.get(component).is_none_or(|[low, high]| high - low < most)
 }
 
 /// " [0.106 to 0.114]" in the unit of the value; none where it is within the digits that are said.
@@ -272,7 +274,10 @@ mod tests {
         let interval = |z: [f64; 2]| Interval::Vector(vec![[0.09, 0.11], [-0.01, 0.01], z]);
         let said = |z: [f64; 2]| one_parameter(place, &value, Some(&interval(z)), false);
         assert_eq!(said([place.lowest, place.highest]), "com (0.1, 0, not told) m");
-        assert_eq!(said([-1.0, 1.6]), "com (0.1, 0, 0.3) m");
+        assert_eq!(said([-0.9, 0.9]), "com (0.1, 0, 0.3) m");
+        assert_eq!(said([-1.0, 1.6]), "com (0.1, 0, not told) m");
+        let nowhere = Interval::Vector(vec![[place.lowest, place.highest]; 3]);
+        assert_eq!(one_parameter(place, &value, Some(&nowhere), false), "com not told");
     }
 
     #[test]

@@ -4,8 +4,9 @@ use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 
-/// A model without the effect at this place, refitted from where it is, or from the parameters of the model without any
-/// effect, `refitted`, where it has come to rest far from them: an effect is not worth what takes a fit back.
+/// A model without the effect at this place, refitted from where it is; or with the friction and the lag that its joint has
+/// in the model without any effect, `refitted`, where that joint has come to rest far from them and that fit is
+/// likelier: an effect is not worth what takes a fit back.
 pub fn without(
     subject: &Subject,
     refitted: &FittedModel,
@@ -17,39 +18,59 @@ pub fn without(
     let mut hypothesis = linear.hypothesis.clone();
     let effect = hypothesis.effects.remove(place);
     let near = FittedModel::fitted_near(linear, evidence, subject, hypothesis, steps)?;
-    if !leaves_more(subject, &near, refitted, &effect) {
+    let Some(joint) = joint_left_worse(subject, &near, refitted, &effect) else {
         return Some(near);
-    }
-    let effects = near.linear.hypothesis.effects.clone();
-    let start = Hypothesis { effects, ..refitted.linear.hypothesis.clone() };
+    };
+    let start = with_joint_of(&near.linear.hypothesis, &refitted.linear.hypothesis, joint);
     let Some(anew) = FittedModel::fitted(evidence, subject, start, steps) else {
         return Some(near);
     };
     Some(near.better_of(anew.without_parts()))
 }
 
-/// Whether a model leaves more of a joint on which `effect` would act and none of its own does than the model without
-/// any effect leaves.
-fn leaves_more(
+/// The joint (from 0) of an effect, where none of the model's acts on it, one of the whole arm neither, and the model
+/// leaves more of it than the one without any effect.
+fn joint_left_worse(
     subject: &Subject,
     model: &FittedModel,
     refitted: &FittedModel,
     effect: &EffectInstance,
-) -> bool {
+) -> Option<usize> {
+    let joint = usize::from(effect.joint).checked_sub(1)?;
     let others = &model.linear.hypothesis.effects[subject.known_effects.len()..];
+    let is_alone = others.iter().all(|other| other.joint != 0 && other.joint != effect.joint);
+    let left_v2 = |model: &FittedModel| model.residual_v[joint].iter().map(|row| row * row).sum();
+    let (left_v2, refitted_v2): (f64, f64) = (left_v2(model), left_v2(refitted));
     let most = 1.0 + subject.criteria.verdict.least_excess;
-    let left_v2 = |model: &FittedModel, joint: usize| -> f64 {
-        model.residual_v[joint].iter().map(|row| row * row).sum()
-    };
-    let mut joints = subject.joints.iter().copied();
-    joints.any(|joint| {
-        acts_on(effect, joint)
-            && !others.iter().any(|other| acts_on(other, joint))
-            && left_v2(model, joint) > most * left_v2(refitted, joint)
-    })
+    (is_alone && left_v2 > most * refitted_v2).then_some(joint)
 }
 
-/// Whether an effect acts on a joint (from 0).
-fn acts_on(effect: &EffectInstance, joint: usize) -> bool {
-    effect.joint == 0 || usize::from(effect.joint) == joint + 1
+/// A model with the friction and the lag that a joint has in another.
+fn with_joint_of(model: &Hypothesis, other: &Hypothesis, joint: usize) -> Hypothesis {
+    let mut model = model.clone();
+    model.plant.friction[joint] = other.plant.friction[joint];
+    model.lag_s[joint] = other.lag_s[joint];
+    model.friction_lead_s[joint] = other.friction_lead_s[joint];
+    model
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use model::reference_robot::reference_robot;
+    use rig::plant::Plant;
+
+    #[test]
+    fn a_joint_takes_its_friction_and_lag_and_the_others_keep_theirs() {
+        let model = Hypothesis::bare(Plant::of_robot(&reference_robot()));
+        let mut other = model.clone();
+        other.plant.friction.iter_mut().for_each(|friction| friction.alpha0_v *= 2.0);
+        other.lag_s = vec![1e-3; 3];
+        let mixed = with_joint_of(&model, &other, 1);
+        assert_eq!(mixed.lag_s, [0.0, 1e-3, 0.0]);
+        assert_eq!(mixed.plant.friction[1], other.plant.friction[1]);
+        for joint in [0, 2] {
+            assert_eq!(mixed.plant.friction[joint], model.plant.friction[joint]);
+        }
+    }
 }

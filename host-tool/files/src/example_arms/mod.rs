@@ -22,6 +22,17 @@ pub fn six_axes() -> ArmFile {
     parsed(include_str!("six_axes.toml"))
 }
 
+/// Two upright turning joints, a slide and a turning hand, geared, commanded by currents, encoders on the motors of those
+/// that turn.
+pub fn scara() -> ArmFile {
+    parsed(include_str!("scara.toml"))
+}
+
+/// Three slides, commanded by a voltage, a force and a current.
+pub fn gantry() -> ArmFile {
+    parsed(include_str!("gantry.toml"))
+}
+
 fn parsed(text: &str) -> ArmFile {
     let bytes = text.as_bytes().to_vec();
     ArmFile::parse("arm.toml", bytes).expect("the project's own files are right")

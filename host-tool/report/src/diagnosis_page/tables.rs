@@ -92,7 +92,7 @@ pub(super) fn parameter_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
         vec![
             format!("{place}, {name}"),
             change.parameter.clone(),
-            quantity(change.given, unit),
+            if change.is_given { quantity(change.given, unit) } else { String::new() },
             format!("{} [{low} to {high}]", quantity(change.found, unit)),
             units.in_words(&change_words(change)),
             percent_words(change.share),

@@ -12,7 +12,7 @@ use diagnosis::Value;
 
 /// From here on a cause counts as one that could be known.
 pub const KNOWABLE: f64 = 0.9;
-/// A cause shows on the logs held out from this share of their gap on: that from which a diagnosis counts it as large.
+/// A cause shows on the logs held out from this share of their gap on.
 const SHOWN: f64 = 0.1;
 /// A cause with this part of the largest one's share may stand first as well.
 const NEARLY_LARGEST: f64 = 0.8;
@@ -97,7 +97,7 @@ pub struct Answers {
     pub knowable_first: Share,
     /// The same: it is among the names.
     pub knowable_named: Share,
-    /// Those that take a tenth of the gap or more on the logs held out, which alone confirm a cause: it stands first.
+    /// Those that take a tenth of the gap or more on the logs held out, by twins: it stands first.
     pub confirmable_first: Share,
     /// Those of one cause that takes more than half of the gap: it stands first.
     pub dominated_first: Share,
