@@ -29,7 +29,7 @@ pub fn without(
 }
 
 /// The joint (from 0) of an effect, where none of the model's acts on it, one of the whole arm neither, and the model
-/// leaves more of it than the one without any effect.
+/// leaves more of it than the one without any effect (`at_rest_elsewhere`).
 fn joint_left_worse(
     subject: &Subject,
     model: &FittedModel,
@@ -41,7 +41,7 @@ fn joint_left_worse(
     let is_alone = others.iter().all(|other| other.joint != 0 && other.joint != effect.joint);
     let left_v2 = |model: &FittedModel| model.residual_v[joint].iter().map(|row| row * row).sum();
     let (left_v2, refitted_v2): (f64, f64) = (left_v2(model), left_v2(refitted));
-    let most = 1.0 + subject.criteria.verdict.least_excess;
+    let most = subject.criteria.selection.at_rest_elsewhere;
     (is_alone && left_v2 > most * refitted_v2).then_some(joint)
 }
 
