@@ -67,10 +67,9 @@ criteria! {
         may_be_done_by_spring: f64 = 0.5,
         /// Where no effect pays and a log is left with so many times the noise, that is taken to be systematic.
         systematic_ratio: f64 = 2.0,
-        /// A model without an effect has come to rest elsewhere where it leaves so many times the squares of the effect's
-        /// joint that the model without any leaves, half as much again. Twice as much it left where friction by load was
-        /// told for that.
-        at_rest_elsewhere: f64 = 1.5,
+        /// The fit without an effect has ended in a local minimum where it leaves so many times the squares of the effect's
+        /// joint that the model without any effect leaves. It was twice as much where friction by load was named for that.
+        local_minimum_ratio: f64 = 1.5,
         /// An effect that takes away less than this part of what a table over some axis of its joint
         /// does is not the cause,
         least_of_ceiling: f64 = 0.9,

@@ -4,9 +4,9 @@ use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 
-/// A model without the effect at this place, refitted from where it is; or with the friction and the lag that its joint has
-/// in the model without any effect, `refitted`, where that joint has come to rest far from them and that fit is
-/// likelier: an effect is not worth what takes a fit back.
+/// A model without the effect at this place, refitted from the parameters that it has. Where that ends in a local minimum,
+/// it is fitted from the friction and the lag that the effect's joint has in the model without any effect, `refitted`, too,
+/// and the likelier is taken: what leads a fit out of a local minimum is not explained by the effect.
 pub fn without(
     subject: &Subject,
     refitted: &FittedModel,
@@ -28,8 +28,8 @@ pub fn without(
     Some(near.better_of(anew.without_parts()))
 }
 
-/// The joint (from 0) of an effect, where none of the model's acts on it, one of the whole arm neither, and the model
-/// leaves more of it than the one without any effect (`at_rest_elsewhere`).
+/// The joint (from 0) of an effect where the model, without any other effect on it, leaves more than the one without any
+/// effect at all (`local_minimum_ratio`).
 fn joint_left_worse(
     subject: &Subject,
     model: &FittedModel,
@@ -38,11 +38,16 @@ fn joint_left_worse(
 ) -> Option<usize> {
     let joint = usize::from(effect.joint).checked_sub(1)?;
     let others = &model.linear.hypothesis.effects[subject.known_effects.len()..];
-    let is_alone = others.iter().all(|other| other.joint != 0 && other.joint != effect.joint);
     let left_v2 = |model: &FittedModel| model.residual_v[joint].iter().map(|row| row * row).sum();
     let (left_v2, refitted_v2): (f64, f64) = (left_v2(model), left_v2(refitted));
-    let most = subject.criteria.selection.at_rest_elsewhere;
-    (is_alone && left_v2 > most * refitted_v2).then_some(joint)
+    let most = subject.criteria.selection.local_minimum_ratio;
+    (is_alone(effect, others) && left_v2 > most * refitted_v2).then_some(joint)
+}
+
+/// Whether no other effect acts on the joint of one, none of the whole arm either: with one of several missing, a fit may
+/// well leave more than without any.
+fn is_alone(effect: &EffectInstance, others: &[EffectInstance]) -> bool {
+    others.iter().all(|other| other.joint != 0 && other.joint != effect.joint)
 }
 
 /// A model with the friction and the lag that a joint has in another.
@@ -58,7 +63,20 @@ fn with_joint_of(model: &Hypothesis, other: &Hypothesis, joint: usize) -> Hypoth
 mod tests {
     use super::*;
     use model::reference_robot::reference_robot;
+    use rig::effects::Catalogue;
     use rig::plant::Plant;
+
+    #[test]
+    fn an_effect_is_alone_where_no_other_acts_on_its_joint_or_on_the_whole_arm() {
+        let on = |name: &str, joint: u8| {
+            let definition = Catalogue::standard().by_name(name).unwrap();
+            EffectInstance { definition, joint, values: vec![0.1; definition.parameters.len()] }
+        };
+        let offset = on("dac_offset", 2);
+        assert!(is_alone(&offset, &[]) && is_alone(&offset, &[on("cogging", 1)]));
+        assert!(!is_alone(&offset, &[on("cogging", 1), on("cogging", 2)]));
+        assert!(!is_alone(&offset, &[on("payload", 0)]));
+    }
 
     #[test]
     fn a_joint_takes_its_friction_and_lag_and_the_others_keep_theirs() {
