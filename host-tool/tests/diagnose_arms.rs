@@ -14,7 +14,7 @@ use recordings::{ArmCampaign, Campaign};
 use rig::effects::Catalogue;
 
 fn of_pendulum(hidden: &[&str]) -> Report {
-    diagnosed(&recorded(&two_link_pendulum(), 500.0, 15.0, hidden)).report
+    diagnosed(&recorded(&two_link_pendulum(), 500.0, 10.0, hidden)).report
 }
 
 fn of_six_joints(hidden: &[&str]) -> Report {
@@ -180,7 +180,7 @@ fn a_load_is_named_by_an_identified_model_where_logs_keep_instants() {
 
 #[test]
 fn a_geared_arm_as_its_model_has_no_gap() {
-    let report = of_six_joints(&[]);
+    let report = of_six_joints_at_half_the_rate(&[]);
     assert_eq!((report.verdict, report.causes.len()), (Verdict::None, 0));
 }
 
@@ -357,7 +357,7 @@ fn a_chain_is_judged_as_its_closed_form() {
     ];
     for hidden in cases {
         let hidden: Vec<&str> = hidden.into_iter().collect();
-        let campaign = recorded(&arm, 500.0, 12.0, &hidden);
+        let campaign = recorded(&arm, 500.0, 8.0, &hidden);
         let (chain, closed) = (diagnosed(&campaign).report, diagnosed_in_closed_form(&campaign));
         assert_eq!(chain.verdict, closed.verdict, "{hidden:?}");
         let places = |report: &Report| -> Vec<(String, u8)> {

@@ -13,7 +13,7 @@ pub struct BarRow {
     pub colour: &'static str,
 }
 
-/// A table whose cells are bars, all on one scale.
+/// A table whose cells are bars; columns of one unit are on one scale.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BarTable {
     /// The columns' names.
@@ -22,8 +22,8 @@ pub struct BarTable {
     pub rows: Vec<BarRow>,
     /// A value per column that a broken line marks.
     pub marks: Vec<f64>,
-    /// What the numbers are in.
-    pub unit: String,
+    /// What the numbers are in, one per column; those without one have none.
+    pub units: Vec<String>,
 }
 
 /// Width of the picture [px].
@@ -50,7 +50,7 @@ impl BarTable {
             body += &self.row(row, TOP + ROW * index as f64);
         }
         for (index, &mark) in self.marks.iter().enumerate() {
-            let x = self.left(index) + self.length(mark);
+            let x = self.left(index) + self.length(index, mark);
             body += &vertical(x, TOP - 4.0, height - 6.0, "#6e6e6e", true);
         }
         picture(WIDTH, height, &body)
@@ -65,8 +65,8 @@ impl BarTable {
         let mut body =
             text(NAMES - 12.0, y + 16.0, 13, Anchor::End, &shortened(&row.name, LETTERS));
         for (index, &value) in row.values.iter().enumerate().filter(|(_, v)| v.is_finite()) {
-            let (x, length) = (self.left(index), self.length(value));
-            let number = format!("{} {}", digits(value), self.unit);
+            let (x, length) = (self.left(index), self.length(index, value));
+            let number = format!("{} {}", digits(value), self.unit(index));
             body += &rectangle(x, y + 3.0, length.max(1.0), ROW - 8.0, row.colour);
             body += &text(x + length + 6.0, y + 16.0, 12, Anchor::Start, &number);
         }
@@ -81,9 +81,15 @@ impl BarTable {
         (WIDTH - NAMES) / self.columns.len().max(1) as f64
     }
 
-    fn length(&self, value: f64) -> f64 {
-        let values = self.rows.iter().flat_map(|row| row.values.iter().copied());
-        let most = values.filter(|v| v.is_finite()).fold(f64::MIN_POSITIVE, f64::max);
+    fn unit(&self, column: usize) -> &str {
+        self.units.get(column).map_or("", String::as_str)
+    }
+
+    fn length(&self, column: usize, value: f64) -> f64 {
+        let alike = |(other, _): &(usize, f64)| self.unit(*other) == self.unit(column);
+        let values = self.rows.iter().flat_map(|row| row.values.iter().copied().enumerate());
+        let alike = values.filter(alike).map(|(_, value)| value);
+        let most = alike.filter(|v| v.is_finite()).fold(f64::MIN_POSITIVE, f64::max);
         (value / most).clamp(0.0, 1.0) * (self.column_width() - NUMBER).max(10.0)
     }
 }
@@ -118,6 +124,17 @@ mod tests {
         let svg = table.to_svg();
         assert_eq!(svg.matches("<rect").count(), 1);
         assert!(svg.contains("a&lt;b") && !svg.contains("NaN"));
-        assert!(table.left(0) + table.length(4.0) < table.left(1));
+        assert!(table.left(0) + table.length(0, 4.0) < table.left(1));
+    }
+
+    #[test]
+    fn columns_of_another_unit_have_their_own_scale() {
+        let row = BarRow { name: "gap".into(), values: vec![400.0, 4.0, 2.0], colour: "#000" };
+        let units = ["mA", "mN", "mN"].map(String::from).to_vec();
+        let columns = vec![String::new(); 3];
+        let table = BarTable { columns, rows: vec![row], units, ..BarTable::default() };
+        let longest = table.length(0, 400.0);
+        assert_eq!((table.length(1, 4.0), table.length(2, 2.0)), (longest, 0.5 * longest));
+        assert!(table.to_svg().contains("4.00 mN"));
     }
 }

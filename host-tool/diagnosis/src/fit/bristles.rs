@@ -1,7 +1,7 @@
 //! Where the search for bristles begins that no model tells.
 
 use super::unknowns::Unknown;
-use crate::logs::subject::Subject;
+use crate::logs::subject::{STIFFNESS, Subject};
 use crate::rows::evidence::{Evidence, Rows};
 use crate::trial::hypothesis::Hypothesis;
 use crate::trial::residual_rows::train_residual_rows;
@@ -10,9 +10,6 @@ use crate::trial::residual_rows::train_residual_rows;
 /// within a factor of one and a half of the best, from where a fit goes there.
 const FACTORS: [f64; 6] = [0.3, 0.6, 1.0, 1.7, 3.0, 8.0];
 
-/// Place of the stiffness among friction's parameters.
-const STIFFNESS: usize = 4;
-
 /// A hypothesis with the stiffness that leaves least, joint by joint, where the model does not tell it. Only
 /// an arm's is sought: rows of a joint depend on its own friction alone.
 pub fn with_likely_bristles(
@@ -20,7 +17,7 @@ pub fn with_likely_bristles(
     subject: &Subject,
     given: Hypothesis,
 ) -> Hypothesis {
-    let is_open = |joint: &&usize| !subject.bristles_known[**joint];
+    let is_open = |joint: &&usize| !subject.knows_bristles(**joint);
     let open: Vec<usize> = subject.joints.iter().filter(is_open).copied().collect();
     if subject.plant.as_chain().is_none() || open.is_empty() {
         return given;

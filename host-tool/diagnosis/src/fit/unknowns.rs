@@ -1,6 +1,6 @@
 //! What a model under trial leaves open, and what is known of it beforehand.
 
-use crate::logs::subject::Subject;
+use crate::logs::subject::{STIFFNESS, Subject};
 use crate::trial::hypothesis::Hypothesis;
 use model::Friction;
 use model::friction_parameters::COUNT as FRICTION_COUNT;
@@ -10,7 +10,6 @@ const COULOMB: usize = 0;
 const STRIBECK_LEVEL: usize = 1;
 const STRIBECK_VELOCITY: usize = 2;
 const VISCOUS: usize = 3;
-const STIFFNESS: usize = 4;
 const DAMPING: usize = 5;
 
 /// Most by which one step of a fit multiplies or divides what shapes friction about standstill.
@@ -135,7 +134,7 @@ fn usual_friction_deviation(
     parameter: usize,
     subject: &Subject,
 ) -> f64 {
-    let (prior, bristles_known) = (&subject.criteria.prior, subject.bristles_known[joint]);
+    let prior = &subject.criteria.prior;
     let own = prior.friction * values[parameter].abs();
     let shape = prior.friction_shape * values[parameter].abs();
     let least = match parameter {
@@ -143,7 +142,7 @@ fn usual_friction_deviation(
         // Identification gives zero where it is small, and the truth may differ.
         VISCOUS => own.max(prior.viscous * values[COULOMB]),
         STIFFNESS => shape,
-        DAMPING if !bristles_known => prior.unknown_damping * values[STIFFNESS],
+        DAMPING if !subject.knows_bristles(joint) => prior.unknown_damping * values[STIFFNESS],
         DAMPING => shape.max(prior.damping * values[STIFFNESS]),
         STRIBECK_VELOCITY => shape.max(1e-6),
         _ => own,

@@ -56,7 +56,6 @@ impl Subject {
             base_prior: link_spread.deviations().into_iter().enumerate().collect(),
             base_names,
             link_spread,
-            bristles_known: joints.bristles_known,
             friction_told: arm.joints.iter().map(told).collect(),
             friction_deviations: joints.friction_deviations,
             friction_names: arm.joints.iter().map(ArmJoint::friction_names).collect(),
@@ -75,7 +74,6 @@ struct OfJoints {
     friction_deviations: Vec<[Option<f64>; COUNT]>,
     command_limits_v: Vec<f64>,
     table_deviations_v: Vec<f64>,
-    bristles_known: Vec<bool>,
 }
 
 impl OfJoints {
@@ -85,7 +83,6 @@ impl OfJoints {
         let frictions = arm.joints.iter().zip(&shown).map(|(joint, shown)| friction(joint, *shown));
         let (friction, friction_deviations) = frictions.unzip();
         let limit = |joint: &ArmJoint| joint.drive.as_ref().and_then(|drive| drive.limit);
-        let bristles = |joint: &ArmJoint| joint.friction.is_some_and(|f| f.sigma0.is_some());
         let table = |shown: &Shown| criteria.prior.table_v * shown.command / USUAL_RMS_V;
         Self {
             friction,
@@ -96,7 +93,6 @@ impl OfJoints {
                 .map(|j| limit(j).unwrap_or(f64::INFINITY))
                 .collect(),
             table_deviations_v: shown.iter().map(table).collect(),
-            bristles_known: arm.joints.iter().map(bristles).collect(),
         }
     }
 }

@@ -61,7 +61,6 @@ impl Subject {
             base_prior: base_deviations(&robot, one_joint, criteria),
             link_spread: LinkSpread::default(),
             base_names: base_names(one_joint),
-            bristles_known: vec![bristles_known; 3],
             friction_told: vec![[true, true, true, true, bristles_known, bristles_known]; 3],
             friction_deviations: vec![[None; FRICTION_COUNT]; 3],
             friction_names: vec![friction_names_in_volts(); 3],

@@ -49,8 +49,6 @@ pub struct Subject {
     pub link_spread: LinkSpread,
     /// Names of the base parameters in the report.
     pub base_names: Vec<String>,
-    /// Whether the model tells the stiffness of a joint's bristles.
-    pub bristles_known: Vec<bool>,
     /// Which of a joint's friction parameters the model tells.
     pub friction_told: Vec<[bool; FRICTION_COUNT]>,
     /// Standard deviations of friction's parameters where the model tells them, joint by joint.
@@ -61,6 +59,9 @@ pub struct Subject {
     pub criteria: Criteria,
 }
 
+/// Place of the bristles' stiffness among friction's parameters.
+pub const STIFFNESS: usize = 4;
+
 /// The joint of the arm that takes the place of the only joint of a rig.
 pub const ONLY: usize = 2;
 
@@ -68,6 +69,11 @@ impl Subject {
     /// Inertia of a joint (from 0) with the arm stretched, motor included.
     pub fn inertia_kg_m2(&self, joint: usize) -> f64 {
         self.plant.body.inertia(joint, &vec![0.0; self.plant.joints()])
+    }
+
+    /// Whether the model tells the stiffness of a joint's (from 0) bristles.
+    pub fn knows_bristles(&self, joint: usize) -> bool {
+        self.friction_told[joint][STIFFNESS]
     }
 
     /// Whether its gears may take the same part of their motors' torque: those of one arm of three joints and more are of

@@ -2,13 +2,12 @@
 
 use super::blocks::Blocks;
 use super::held::Held;
-use super::worth::{Worth, does_it_itself};
+use super::worth::Worth;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Rows;
 use crate::search::found::Added;
 use crate::trial::hypothesis::EffectInstance;
-use crate::trial::residual_rows::residual_rows_as_warm_as;
 
 /// Models that are compared on the confirming logs, their parameters no further from the model as
 /// given than the doubt about it allows.
@@ -22,7 +21,7 @@ pub struct Confirmation<'a> {
     /// and they weigh so.
     pub without: Vec<Held>,
     /// Noise of a joint's rows in every stretch, rms [V], by joint.
-    noise_v: Vec<Vec<f64>>,
+    pub(super) noise_v: Vec<Vec<f64>>,
 }
 
 impl<'a> Confirmation<'a> {
@@ -56,7 +55,7 @@ impl<'a> Confirmation<'a> {
     /// Joints on which an effect is judged: those on which it acts, or all of the rig where hardly more
     /// than noise is left there without it, or less goes there, in units of noise, than elsewhere: parameters
     /// have taken its place, and what they leave by that is on other joints.
-    fn joints_judged(
+    pub(super) fn joints_judged(
         &self,
         last: &FittedModel,
         effect: &EffectInstance,
@@ -77,12 +76,6 @@ impl<'a> Confirmation<'a> {
         if is_elsewhere { self.subject.joints.clone() } else { own }
     }
 
-    /// The worth of the cause at this place among those added.
-    pub fn worth(&self, last: &FittedModel, index: usize) -> Worth {
-        let effect = &last.linear.hypothesis.effects[self.subject.known_effects.len() + index];
-        self.worth_of(last, effect, &self.without[index].residual_v, &self.full.residual_v)
-    }
-
     /// The worth of an effect by what models leave without and with it.
     pub fn worth_of(
         &self,
@@ -98,12 +91,17 @@ impl<'a> Confirmation<'a> {
         Worth::of(&blocks, &self.subject.criteria.verdict)
     }
 
-    /// The worth of the cause at this place among those added, by which it is judged: joints count in units of
+    /// The worth of an effect by which it is judged, of the same models: joints count in units of
     /// what is left on each. A cause of the whole robot may take nearly all of one joint's gap, and little beside
     /// what another joint leaves. `told` is its worth in volts, which on one joint is the same.
-    pub fn weighed_worth(&self, last: &FittedModel, index: usize, told: Worth) -> Worth {
-        let effect = &last.linear.hypothesis.effects[self.subject.known_effects.len() + index];
-        let (without_v, with_v) = (&self.without[index].residual_v, &self.full.residual_v);
+    pub fn weighed_worth(
+        &self,
+        last: &FittedModel,
+        effect: &EffectInstance,
+        without_v: &Rows,
+        told: Worth,
+    ) -> Worth {
+        let with_v = &self.full.residual_v;
         let joints = self.joints_judged(last, effect, [without_v, with_v]);
         if joints.len() == 1 {
             return told;
@@ -144,25 +142,6 @@ impl<'a> Confirmation<'a> {
         without < criteria.no_gap_ratio || with < least
     }
 
-    /// Whether the cause at this place among those added acts on the confirming logs: what it does there itself, all
-    /// else unchanged, is a part of what goes with it (`least_action`), or stands out of the noise (`no_gap_ratio`).
-    /// Else parameters do that, which train logs had bent where something acts: a limit, say, that no confirming log
-    /// comes near to.
-    pub fn acts(&self, last: &FittedModel, index: usize) -> bool {
-        let full = &self.full.linear.hypothesis;
-        let mut hypothesis = full.clone();
-        let effect = hypothesis.effects.remove(self.subject.known_effects.len() + index);
-        let (without_v, with_v) = (&self.without[index].residual_v, &self.full.residual_v);
-        let idle = residual_rows_as_warm_as(&last.evidence, &hypothesis, full);
-        let idle_v = last.evidence.volts(&idle);
-        let action_v = difference(&idle_v, with_v);
-        let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
-        let joints = self.joints_judged(last, &effect, [without_v, with_v]);
-        let models = [without_v, with_v, &action_v];
-        let blocks = Blocks::of(&last.evidence, &joints, &models, noise_v);
-        does_it_itself(&blocks, &self.subject.criteria.verdict)
-    }
-
     /// What the refitted model leaves, its parameters within their doubt, in units of noise.
     pub fn over_noise(&self, last: &FittedModel) -> f64 {
         let of_joint = |joint: &usize| {
@@ -186,10 +165,4 @@ impl<'a> Confirmation<'a> {
         let blocks = Blocks::of(&last.evidence, joints, &models, noise_v);
         blocks.figure(1, |sums| (sums[0] - sums[1]) / (sums[0] - sums[2]).max(1e-300)).0
     }
-}
-
-/// Rows less others.
-fn difference(rows: &Rows, others: &Rows) -> Rows {
-    let of_joint = |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).map(|(a, b)| a - b).collect();
-    rows.iter().zip(others).map(of_joint).collect()
 }

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use crate::fit::linearisation::Linearisation;
 use crate::fit::row_changes::Joints;
 use crate::logs::subject::Subject;
+use crate::quantity::{quantity, split_unit};
 use crate::result::{Detectable, Untestable};
 use crate::rows::evidence::{Evidence, RowChange};
 use crate::search::candidates::{first_start, places, typical};
@@ -52,15 +53,27 @@ pub fn detectable(
             unseen.push(Untestable {
                 effect: sight.definition.name.into(),
                 joint: outer,
-                why: format!(
-                    "no log would show it below {:.2e} in {}; {} would",
-                    size, sight.definition.parameters[0].name, sight.definition.experiment
-                ),
+                why: why_unseen(sight, size, subject),
             });
         }
     }
     unseen.extend(alike(linear, subject, &sights));
     (seen, unseen)
+}
+
+/// Why no log shows an effect of this size, in the units of its joint, and what would show it.
+fn why_unseen(sight: &Sight, size: f64, subject: &Subject) -> String {
+    let definition = &sight.definition;
+    let (name, unit) = split_unit(definition.parameters[0].name);
+    let side = if definition.size.grows { "below" } else { "above" };
+    let said = match unit {
+        _ if !size.is_finite() => "at all".into(),
+        "" => format!("{side} {:.0} % ({})", 100.0 * size, name.replace('_', " ")),
+        unit => format!("{side} {} ({})", quantity(size, unit), name.replace('_', " ")),
+    };
+    let joint = usize::from(sight.joint).checked_sub(1);
+    let units = joint.and_then(|joint| subject.units.get(joint)).copied().unwrap_or_default();
+    format!("no log would show it {}; {} would", units.in_words(&said), definition.experiment)
 }
 
 /// Squares that lift what is left of a log above what the method itself may leave.

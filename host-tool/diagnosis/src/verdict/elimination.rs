@@ -69,10 +69,8 @@ impl<'a> Elimination<'a> {
         let Self { subject, last, added, .. } = self;
         let confirmation = self.confirmation();
         let judged = |(index, added): (usize, &Added)| {
-            let worth = confirmation.worth(last, index);
-            let weighed = confirmation.weighed_worth(last, index, worth);
-            let probability = probability(added, &weighed, &subject.criteria.verdict);
-            Judged { worth, weighed, probability }
+            let likely = |worth: &Worth| probability(added, worth, &subject.criteria.verdict);
+            confirmation.judged(last, index, likely)
         };
         let judged = added.par_iter().enumerate().map(judged).collect();
         (confirmation, judged)
@@ -86,10 +84,13 @@ impl<'a> Elimination<'a> {
     ) -> Option<(usize, Reason)> {
         let criteria = &self.subject.criteria.verdict;
         let fails = |index: usize| {
-            let Judged { weighed, probability, .. } = &judged[index];
+            let Judged { weighed, probability, acts, .. } = &judged[index];
             let reason = if *probability < criteria.least_probability {
                 let effect = &self.last.linear.hypothesis.effects[self.place(index)];
-                let unlikely = || why_unlikely(&self.added[index], weighed, criteria);
+                let unlikely = || match acts {
+                    true => why_unlikely(&self.added[index], weighed, criteria),
+                    false => Reason::Idle,
+                };
                 Some(self.of_wrong_model(confirmation, effect).unwrap_or_else(unlikely))
             } else {
                 self.cannot_be(confirmation, index, weighed)
@@ -111,7 +112,7 @@ impl<'a> Elimination<'a> {
         let of_arm = confirmation.explained(&self.last);
         let no_gap = is_no_gap(&self.refitted, &self.last, confirmation, criteria);
         let fails = |index: usize| {
-            let Judged { worth, weighed, probability } = &judged[index];
+            let Judged { worth, weighed, probability, acts } = &judged[index];
             let without = &self.added[index].without;
             let effect = &self.last.linear.hypothesis.effects[self.place(index)];
             // Where the arm has no gap, other joints are left with what noise is known by.
@@ -119,10 +120,15 @@ impl<'a> Elimination<'a> {
             let explained = if no_gap { own() } else { of_arm };
             let is_below =
                 || !reaches_ceiling(self.subject, without, &self.last, self.place(index));
+            let too_little = || {
+                let nothing = (worth.share <= 0.0).then_some(Reason::NoShare);
+                nothing
+                    .or_else(|| why_not_named(*probability, weighed, explained, no_gap, criteria))
+            };
+            let idle = |reason| if *acts { reason } else { Reason::Idle };
             let reason = self
                 .cannot_be(confirmation, index, weighed)
-                .or_else(|| (worth.share <= 0.0).then_some(Reason::NoShare))
-                .or_else(|| why_not_named(*probability, weighed, explained, no_gap, criteria))
+                .or_else(|| too_little().map(idle))
                 .or_else(|| is_below().then_some(Reason::Ceiling))?;
             Some((index, reason))
         };
@@ -199,8 +205,6 @@ impl<'a> Elimination<'a> {
             Some(Reason::SmallSpring)
         } else if effect.is_spring() && confirmation.takes_noise(&self.last, effect) {
             Some(Reason::SpringNearNoise)
-        } else if !confirmation.acts(&self.last, index) {
-            Some(Reason::Idle)
         } else if is_unsteady(&self.last, self.place(index)) {
             Some(Reason::Unsteady)
         } else if is_loose(&self.last, self.place(index)) {

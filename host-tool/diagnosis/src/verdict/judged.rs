@@ -12,6 +12,8 @@ pub struct Judged {
     pub weighed: Worth,
     /// The probability that it is a cause.
     pub probability: f64,
+    /// Whether it acts on the confirming logs, or surely takes much; else it is judged by what little it does there.
+    pub acts: bool,
 }
 
 /// An effect that was taken out of the model, and is not named.
@@ -40,7 +42,7 @@ pub enum Reason {
     SmallSpring,
     /// A spring where the logs held out are near their noise, or that leaves less than their noise.
     SpringNearNoise,
-    /// What goes with it on the logs held out is not its own doing.
+    /// What goes with it on the logs held out is not its own doing, and what is takes too little.
     Idle,
     /// A lag or delay that is not the same in every part of the logs, as that of a drive is.
     Unsteady,

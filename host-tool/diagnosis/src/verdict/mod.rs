@@ -10,6 +10,7 @@ pub mod held;
 pub mod judged;
 pub mod judgement;
 pub mod misfit;
+mod own_action;
 pub mod told;
 mod told_values;
 pub mod worth;

@@ -82,7 +82,7 @@ fn pictures(page: &mut Page, diagnosis: &Diagnosis, stages: &Stages) {
         if unknown { (&over_axes[..], &[][..]) } else { (&[][..], &over_axes[..]) };
     section(page, OVER_AXES, "", first);
     let sides = format!(
-        "Left: {}; right: {}. The same colour is the same voltage; grey is where no log goes.",
+        "Left: {}; right: {}. The same colour is the same value; grey is where no log goes.",
         stages.names.0, stages.names.1
     );
     section(

@@ -1,6 +1,6 @@
 //! The tables of a diagnosis.
 
-use super::units::in_common_units;
+use super::units::are_common;
 use crate::Page;
 use diagnosis::quantity::{quantity, split_unit};
 use diagnosis::report::sentence::joint_numbers;
@@ -54,7 +54,7 @@ pub(super) fn add(page: &mut Page, diagnosis: &Diagnosis) {
         }
     };
     words(page, "Where the gap lies, before any cause", &PLACES, place_rows(diagnosis));
-    let header = GAP.map(|words| in_common_units(diagnosis, words));
+    let header = gap_header(diagnosis);
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
     page.heading("The gap on the logs that chose nothing, rms")
         .table(&header, &gap_rows(diagnosis));
@@ -94,7 +94,10 @@ pub(super) fn parameter_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
             change.parameter.clone(),
             if change.is_given { quantity(change.given, unit) } else { String::new() },
             format!("{} [{low} to {high}]", quantity(change.found, unit)),
-            units.in_words(&change_words(change)),
+            match change.is_given {
+                true => units.in_words(&change_words(change)),
+                false => "the model does not tell it".into(),
+            },
             percent_words(change.share),
         ]
     };
@@ -135,17 +138,29 @@ fn place_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
     row.collect()
 }
 
-const GAP: [&str; 8] = [
-    "Joint",
-    "as given [mV]",
-    "refitted [mV]",
-    "with effects [mV]",
-    "with tables [mV]",
-    "noise [mV]",
-    "refitted [mrad]",
-    "with effects [mrad]",
+/// Columns of the gap, with the units of a joint that turns and takes volts.
+const GAP: [(&str, &str); 7] = [
+    ("as given", "mV"),
+    ("refitted", "mV"),
+    ("with effects", "mV"),
+    ("with tables", "mV"),
+    ("noise", "mV"),
+    ("refitted", "mrad"),
+    ("with effects", "mrad"),
 ];
 
+/// The columns' names, with their units where those of all joints are the same.
+fn gap_header(diagnosis: &Diagnosis) -> Vec<String> {
+    let units = diagnosis.units_of(joint_numbers(diagnosis).first().copied().unwrap_or(0));
+    let common = are_common(diagnosis);
+    let column = |(name, unit): (&str, &str)| match common {
+        true => format!("{name} [{}]", units.in_words(unit)),
+        false => name.into(),
+    };
+    std::iter::once("Joint".into()).chain(GAP.map(column)).collect()
+}
+
+/// A row per joint; numbers have their units where those of joints differ.
 fn gap_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
     let gap = &diagnosis.report.gap;
     let columns = [
@@ -157,12 +172,21 @@ fn gap_rows(diagnosis: &Diagnosis) -> Vec<Vec<String>> {
         (&gap.refitted_rad, 3),
         (&gap.with_effects_rad, 3),
     ];
-    let cell = |index: usize, (values, digits): &(&Vec<f64>, usize)| match values.get(index) {
-        Some(value) if value.is_finite() => format!("{:.digits$}", 1e3 * value),
-        _ => "-".into(),
-    };
+    let differ = !are_common(diagnosis);
+    let cell =
+        |index: usize, joint: u8, (values, digits): (&Vec<f64>, usize), unit: &str| match values
+            .get(index)
+            .filter(|value| value.is_finite())
+        {
+            Some(value) if differ => {
+                format!("{:.digits$} {}", 1e3 * value, diagnosis.units_of(joint).in_words(unit))
+            }
+            Some(value) => format!("{:.digits$}", 1e3 * value),
+            None => "-".into(),
+        };
     let row = |(index, joint): (usize, u8)| {
-        let cells = columns.iter().map(|column| cell(index, column));
+        let cells = columns.iter().zip(GAP);
+        let cells = cells.map(|(column, (_, unit))| cell(index, joint, *column, unit));
         std::iter::once(joint.to_string()).chain(cells).collect()
     };
     joint_numbers(diagnosis).into_iter().enumerate().map(row).collect()

@@ -33,13 +33,8 @@ pub(super) fn joint_in(title: &str) -> u8 {
     after[..end].parse().unwrap_or(0)
 }
 
-/// Words on all joints at once: in their units where they are the same, else "mV" and "mrad" become
-/// thousandths of each joint's own.
-pub(super) fn in_common_units(diagnosis: &Diagnosis, words: &str) -> String {
-    let mut all = joint_numbers(diagnosis).into_iter().map(|joint| diagnosis.units_of(joint));
-    let first = all.next().unwrap_or_default();
-    match all.all(|units| units == first) {
-        true => first.in_words(words),
-        false => words.replace("mV", "10^-3 of its unit").replace("mrad", "10^-3 of its unit"),
-    }
+/// Whether all joints have the same units.
+pub(super) fn are_common(diagnosis: &Diagnosis) -> bool {
+    let joints = joint_numbers(diagnosis);
+    joints.windows(2).all(|pair| diagnosis.units_of(pair[0]) == diagnosis.units_of(pair[1]))
 }

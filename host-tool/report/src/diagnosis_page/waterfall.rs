@@ -1,6 +1,5 @@
 //! The gap step by step.
 
-use super::units::in_common_units;
 use crate::{BarRow, BarTable};
 use diagnosis::Diagnosis;
 use diagnosis::report::sentence::joint_numbers;
@@ -29,11 +28,13 @@ pub(super) fn waterfall(diagnosis: &Diagnosis) -> Option<BarTable> {
             _ => AFTER,
         },
     });
-    let columns = joint_numbers(diagnosis).into_iter().map(|joint| format!("joint {joint}"));
+    let joints = joint_numbers(diagnosis);
+    let columns = joints.iter().map(|joint| format!("joint {joint}"));
+    let units = joints.iter().map(|&joint| diagnosis.units_of(joint).in_words("mV"));
     Some(BarTable {
         columns: columns.collect(),
         rows: rows.collect(),
         marks: millivolts(&diagnosis.report.gap.noise_floor_v),
-        unit: in_common_units(diagnosis, "mV"),
+        units: units.collect(),
     })
 }
