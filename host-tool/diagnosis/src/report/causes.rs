@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::amended::parameters;
 use super::sentence::effect_words;
+use super::words::joint_words;
 use crate::fit::cross_validation::NORMAL;
 use crate::logs::subject::Subject;
 use crate::result::{Alternative, Cause, Interval, Rival};
@@ -137,16 +138,24 @@ fn of_rivals(
 
 /// Effects that the search added and that are not named, and why.
 fn withheld(subject: &Subject, judgement: &Judgement) -> Vec<Alternative> {
-    let alternative = |Withheld { effect, judged, reason }: &Withheld| Alternative {
+    let alternative = |Withheld { effect, judged, reason, rival }: &Withheld| Alternative {
         effect: effect.definition.name.into(),
         joint: subject.outer_joint(effect.joint),
         probability: judged.probability,
         confidence: judged.probability,
         instead_of: None,
         share: judged.worth.share,
-        why: Some(reason.words().into()),
+        why: Some(reason.words().to_owned() + &in_its_place(subject, rival.as_ref())),
     };
     judgement.withheld.iter().map(alternative).collect()
+}
+
+/// ": delay on joint 3" of what may do the same; nothing where nothing may.
+fn in_its_place(subject: &Subject, rival: Option<&EffectInstance>) -> String {
+    rival.map_or_else(String::new, |rival| {
+        let joint = joint_words(subject.outer_joint(rival.joint));
+        format!(": {} on {joint}", effect_words(rival.definition.name))
+    })
 }
 
 /// Why an effect was not added.
@@ -185,7 +194,7 @@ pub fn rivals(subject: &Subject, judgement: &Judgement) -> Vec<Rival> {
             .iter()
             .map(|other| rival(&other.effect, explained(other), why_refused(other))),
     );
-    all.extend(judgement.withheld.iter().map(|Withheld { effect, judged, reason }| {
+    all.extend(judgement.withheld.iter().map(|Withheld { effect, judged, reason, .. }| {
         rival(effect, judged.worth.share, format!("not named: {}", reason.words()))
     }));
     all.sort_by(|a, b| b.explained.total_cmp(&a.explained));

@@ -170,8 +170,10 @@ impl<'a> Elimination<'a> {
     /// Takes an effect out and refits the model; false where that cannot be fitted.
     pub fn take_out(&mut self, index: usize, judged: Judged, reason: Reason) -> bool {
         let Some((effect, model)) = self.without(index) else { return false };
-        self.withheld.push(Withheld { effect, judged, reason });
-        self.added.remove(index);
+        let removed = self.added.remove(index);
+        let first = removed.rivals.into_iter().next().filter(|_| reason == Reason::Rival);
+        let rival = first.map(|rival| rival.effect);
+        self.withheld.push(Withheld { effect, judged, reason, rival });
         self.last = if self.added.is_empty() { self.refitted.clone() } else { model };
         update_gains(self.subject, &self.refitted, &self.last, &mut self.added);
         true

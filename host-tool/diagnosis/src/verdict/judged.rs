@@ -25,6 +25,8 @@ pub struct Withheld {
     pub judged: Judged,
     /// Why it is not named.
     pub reason: Reason,
+    /// What is likeliest in its place, where that is why.
+    pub rival: Option<EffectInstance>,
 }
 
 /// Why an effect that the search found is not named.
