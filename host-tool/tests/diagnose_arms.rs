@@ -14,7 +14,7 @@ use recordings::{ArmCampaign, Campaign};
 use rig::effects::Catalogue;
 
 fn of_pendulum(hidden: &[&str]) -> Report {
-    diagnosed(&recorded(&two_link_pendulum(), 500.0, 10.0, hidden)).report
+    diagnosed(&recorded(&two_link_pendulum(), 500.0, 15.0, hidden)).report
 }
 
 fn of_six_joints(hidden: &[&str]) -> Report {
@@ -178,6 +178,8 @@ fn a_load_is_named_by_an_identified_model_where_logs_keep_instants() {
     assert!(report.remarks.iter().any(|remark| remark.contains("early")), "{:?}", report.remarks);
 }
 
+/// At 250 Hz its driven noise is sampled so coarsely that rows of joint 6 leave five times their noise, by which friction
+/// by its load came to take all that the calm logs leave.
 #[test]
 fn a_geared_arm_as_its_model_has_no_gap() {
     let report = of_six_joints_at_half_the_rate(&[]);

@@ -120,10 +120,14 @@ impl<'a> Elimination<'a> {
             let explained = if no_gap { own() } else { of_arm };
             let is_below =
                 || !reaches_ceiling(self.subject, without, &self.last, self.place(index));
+            // A log that leaves much by itself, sampled too coarsely say, bends what is near the noise elsewhere.
+            let near_noise =
+                || confirmation.part_of_train(&self.last, index) < criteria.most_of_left;
             let too_little = || {
                 let nothing = (worth.share <= 0.0).then_some(Reason::NoShare);
                 nothing
                     .or_else(|| why_not_named(*probability, weighed, explained, no_gap, criteria))
+                    .or_else(|| (no_gap && near_noise()).then_some(Reason::NearNoise))
             };
             let idle = |reason| if *acts { reason } else { Reason::Idle };
             let reason = self
