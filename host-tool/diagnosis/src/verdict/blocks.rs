@@ -6,7 +6,7 @@ use rand_pcg::Pcg64Mcg;
 use crate::rows::evidence::{Evidence, Rows};
 use files::Role;
 
-/// Blocks of the confirming rows, or of the train rows, of some joints: what each of several models leaves of them, and
+/// Blocks of the confirming rows of some joints: what each of several models leaves of them, and
 /// noise last [V^2].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Blocks(Vec<Vec<f64>>);
@@ -20,18 +20,6 @@ impl Blocks {
         noise_v: impl Fn(usize, usize) -> f64,
     ) -> Self {
         Self::in_units(evidence, joints, models, noise_v, |_| 1.0)
-    }
-
-    /// The same of train rows, in blocks of one length.
-    pub fn of_train(
-        evidence: &Evidence,
-        joints: &[usize],
-        models: &[&Rows],
-        noise_v: impl Fn(usize, usize) -> f64,
-    ) -> Self {
-        let block_s = evidence.criteria.verdict.block_s;
-        let sizes = (&noise_v, &|_| 1.0);
-        Self::as_long_as(block_s, evidence, (joints, Role::Train), models, sizes)
     }
 
     /// The same with each joint in a unit of its own [V].
@@ -48,12 +36,11 @@ impl Blocks {
     ) -> Self {
         let criteria = &evidence.criteria.verdict;
         let mut block_s = criteria.block_s;
-        let of = (joints, Role::Holdout);
-        let mut blocks = Self::as_long_as(block_s, evidence, of, models, (&noise_v, &unit_v));
+        let mut blocks = Self::as_long_as(block_s, evidence, joints, models, (&noise_v, &unit_v));
         while blocks.differing() < criteria.differing_blocks && block_s > criteria.shortest_block_s
         {
             block_s *= 0.5;
-            blocks = Self::as_long_as(block_s, evidence, of, models, (&noise_v, &unit_v));
+            blocks = Self::as_long_as(block_s, evidence, joints, models, (&noise_v, &unit_v));
         }
         blocks
     }
@@ -61,7 +48,7 @@ impl Blocks {
     fn as_long_as(
         block_s: f64,
         evidence: &Evidence,
-        (joints, role): (&[usize], Role),
+        joints: &[usize],
         models: &[&Rows],
         (noise_v, unit_v): (&impl Fn(usize, usize) -> f64, &impl Fn(usize) -> f64),
     ) -> Self {
@@ -69,7 +56,7 @@ impl Blocks {
         for &joint in joints {
             let per_unit = unit_v(joint).powi(-2);
             for (s, range) in evidence.ranges(joint).into_iter().enumerate() {
-                if evidence.stretches[s].role != role {
+                if evidence.stretches[s].role != Role::Holdout {
                     continue;
                 }
                 let length = block_rows(block_s, evidence, joint, s);

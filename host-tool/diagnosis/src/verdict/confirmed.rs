@@ -117,20 +117,6 @@ impl<'a> Confirmation<'a> {
         Worth::of(&blocks, &self.subject.criteria.verdict)
     }
 
-    /// Part of what is left of the train logs above their noise without the cause at this place that it takes; all
-    /// where nothing is left there.
-    pub fn part_of_train(&self, last: &FittedModel, index: usize) -> f64 {
-        let effect = &last.linear.hypothesis.effects[self.subject.known_effects.len() + index];
-        let models = [&self.without[index].residual_v, &self.full.residual_v];
-        let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
-        let blocks = Blocks::of_train(&last.evidence, &self.joints_of(effect), &models, noise_v);
-        let part = |sums: &[f64]| match sums {
-            [without, with, noise] if without > noise => (without - with) / (without - noise),
-            _ => 1.0,
-        };
-        blocks.figure(1, part).0
-    }
-
     /// Whether a model with tables leaves little of the gap: what remains is at the noise or drawn.
     pub fn is_drawn(&self, last: &FittedModel, with_tables_v: &Rows) -> bool {
         let models = [&self.refitted.residual_v, with_tables_v];

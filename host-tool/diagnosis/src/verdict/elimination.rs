@@ -7,7 +7,7 @@ use super::decision::{is_no_gap, is_sound, probability, why_not_named, why_unlik
 use super::held::Held;
 use super::judged::{Judged, Reason, Withheld};
 use super::misfit::joints_of_another;
-use super::told_values::{is_loose, is_unsteady};
+use super::told_values::{is_loose, is_unsteady, may_be_nothing};
 use super::worth::Worth;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
@@ -120,14 +120,12 @@ impl<'a> Elimination<'a> {
             let explained = if no_gap { own() } else { of_arm };
             let is_below =
                 || !reaches_ceiling(self.subject, without, &self.last, self.place(index));
-            // A log that leaves much by itself, sampled too coarsely say, bends what is near the noise elsewhere.
-            let near_noise =
-                || confirmation.part_of_train(&self.last, index) < criteria.most_of_left;
+            let nothing_told = || may_be_nothing(&self.last, self.place(index));
             let too_little = || {
                 let nothing = (worth.share <= 0.0).then_some(Reason::NoShare);
                 nothing
                     .or_else(|| why_not_named(*probability, weighed, explained, no_gap, criteria))
-                    .or_else(|| (no_gap && near_noise()).then_some(Reason::NearNoise))
+                    .or_else(|| (no_gap && nothing_told()).then_some(Reason::NoShare))
             };
             let idle = |reason| if *acts { reason } else { Reason::Idle };
             let reason = self
