@@ -41,6 +41,17 @@ fn arms_as_their_models_have_no_gap() {
     }
 }
 
+/// All drives of this arm take currents, and its third joint slides.
+#[test]
+fn what_no_log_would_show_is_said_in_the_joints_own_units() {
+    let report = of_scara(&[]);
+    let friction = report.untestable.iter().find(|u| u.effect == "load_friction").unwrap();
+    assert_eq!(friction.joint, 3);
+    assert!(friction.why.contains(" A/N (coefficient)"), "{}", friction.why);
+    let volts = |why: &String| why.contains(" V ") || why.contains(" mV ");
+    assert!(!report.untestable.iter().any(|u| volts(&u.why)));
+}
+
 #[test]
 fn single_causes_of_an_arm_with_a_slide_between_turning_joints_are_named() {
     let cases: &[Case] = &[

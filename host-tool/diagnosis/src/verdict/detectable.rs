@@ -53,7 +53,7 @@ pub fn detectable(
             unseen.push(Untestable {
                 effect: sight.definition.name.into(),
                 joint: outer,
-                why: why_unseen(sight, size, subject),
+                why: why_unseen(sight, size, useless, subject),
             });
         }
     }
@@ -61,13 +61,15 @@ pub fn detectable(
     (seen, unseen)
 }
 
-/// Why no log shows an effect of this size, in the units of its joint, and what would show it.
-fn why_unseen(sight: &Sight, size: f64, subject: &Subject) -> String {
+/// Why no log shows an effect of this size, in the units of its joint, and what would show it. Far from where it is of
+/// any use, a size is none.
+fn why_unseen(sight: &Sight, size: f64, useless: f64, subject: &Subject) -> String {
+    const FAR: f64 = 100.0;
     let definition = &sight.definition;
     let (name, unit) = split_unit(definition.parameters[0].name);
     let side = if definition.size.grows { "below" } else { "above" };
     let said = match unit {
-        _ if !size.is_finite() => "at all".into(),
+        _ if !size.is_finite() || size > FAR * useless || useless > FAR * size => "at all".into(),
         "" => format!("{side} {:.0} % ({})", 100.0 * size, name.replace('_', " ")),
         unit => format!("{side} {} ({})", quantity(size, unit), name.replace('_', " ")),
     };
