@@ -84,25 +84,35 @@ impl<'a> Confirmation<'a> {
         without_v: &Rows,
         with_v: &Rows,
     ) -> Worth {
+        let joints = self.joints_judged(last, effect, [without_v, with_v]);
+        self.worth_on(last, &joints, without_v, with_v)
+    }
+
+    /// The same on some joints (from 0).
+    pub(super) fn worth_on(
+        &self,
+        last: &FittedModel,
+        joints: &[usize],
+        without_v: &Rows,
+        with_v: &Rows,
+    ) -> Worth {
         let models = [without_v, with_v, &self.refitted.residual_v];
         let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
-        let joints = self.joints_judged(last, effect, [without_v, with_v]);
-        let blocks = Blocks::of(&last.evidence, &joints, &models, noise_v);
+        let blocks = Blocks::of(&last.evidence, joints, &models, noise_v);
         Worth::of(&blocks, &self.subject.criteria.verdict)
     }
 
-    /// The worth of an effect by which it is judged, of the same models: joints count in units of
+    /// The worth of an effect on some joints by which it is judged, of the same models: joints count in units of
     /// what is left on each. A cause of the whole robot may take nearly all of one joint's gap, and little beside
     /// what another joint leaves. `told` is its worth in volts, which on one joint is the same.
     pub fn weighed_worth(
         &self,
         last: &FittedModel,
-        effect: &EffectInstance,
+        joints: &[usize],
         without_v: &Rows,
         told: Worth,
     ) -> Worth {
         let with_v = &self.full.residual_v;
-        let joints = self.joints_judged(last, effect, [without_v, with_v]);
         if joints.len() == 1 {
             return told;
         }
@@ -113,7 +123,7 @@ impl<'a> Confirmation<'a> {
             // A joint that stands still leaves less than noise, or nothing.
             blocks.figure(1, |sums| sums[0].max(sums[1]).sqrt()).0.max(1e-100)
         };
-        let blocks = Blocks::in_units(&last.evidence, &joints, &models, noise_v, unit_v);
+        let blocks = Blocks::in_units(&last.evidence, joints, &models, noise_v, unit_v);
         Worth::of(&blocks, &self.subject.criteria.verdict)
     }
 

@@ -84,10 +84,10 @@ impl<'a> Elimination<'a> {
     ) -> Option<(usize, Reason)> {
         let criteria = &self.subject.criteria.verdict;
         let fails = |index: usize| {
-            let Judged { weighed, probability, acts, .. } = &judged[index];
+            let Judged { weighed, probability, counts_in_full, .. } = &judged[index];
             let reason = if *probability < criteria.least_probability {
                 let effect = &self.last.linear.hypothesis.effects[self.place(index)];
-                let unlikely = || match acts {
+                let unlikely = || match counts_in_full {
                     true => why_unlikely(&self.added[index], weighed, criteria),
                     false => Reason::Idle,
                 };
@@ -112,7 +112,7 @@ impl<'a> Elimination<'a> {
         let of_arm = confirmation.explained(&self.last);
         let no_gap = is_no_gap(&self.refitted, &self.last, confirmation, criteria);
         let fails = |index: usize| {
-            let Judged { worth, weighed, probability, acts } = &judged[index];
+            let Judged { worth, weighed, probability, counts_in_full, .. } = &judged[index];
             let without = &self.added[index].without;
             let effect = &self.last.linear.hypothesis.effects[self.place(index)];
             // Where the arm has no gap, other joints are left with what noise is known by.
@@ -125,9 +125,9 @@ impl<'a> Elimination<'a> {
                 let nothing = (worth.share <= 0.0).then_some(Reason::NoShare);
                 nothing
                     .or_else(|| why_not_named(*probability, weighed, explained, no_gap, criteria))
-                    .or_else(|| (no_gap && nothing_told()).then_some(Reason::NoShare))
+                    .or_else(|| (no_gap && nothing_told()).then_some(Reason::NoSize))
             };
-            let idle = |reason| if *acts { reason } else { Reason::Idle };
+            let idle = |reason| if *counts_in_full { reason } else { Reason::Idle };
             let reason = self
                 .cannot_be(confirmation, index, weighed)
                 .or_else(|| too_little().map(idle))
@@ -241,8 +241,8 @@ impl<'a> Elimination<'a> {
     }
 }
 
-/// The one of some effects, each with a reason, that has the smallest share.
+/// The one of some effects, each with a reason, with which the least goes: without what others need they fall, too.
 fn smallest(judged: &[Judged], among: &[(usize, Reason)]) -> Option<(usize, Reason)> {
-    let share = |(index, _): &(usize, Reason)| judged[*index].weighed.share;
+    let share = |(index, _): &(usize, Reason)| judged[*index].share_with_it;
     among.iter().copied().min_by(|a, b| share(a).total_cmp(&share(b)))
 }

@@ -12,8 +12,11 @@ pub struct Judged {
     pub weighed: Worth,
     /// The probability that it is a cause.
     pub probability: f64,
-    /// Whether it acts on the confirming logs, or surely takes much; else it is judged by what little it does there.
-    pub acts: bool,
+    /// Whether it counts by all that goes with it: it acts on the confirming logs, or surely takes much. Else it is judged
+    /// by what little it does there.
+    pub counts_in_full: bool,
+    /// Share of all that goes with it, joints in units of what is left on each.
+    pub share_with_it: f64,
 }
 
 /// An effect that was taken out of the model, and is not named.
@@ -56,6 +59,8 @@ pub enum Reason {
     Small,
     /// Its share may be nothing.
     NoShare,
+    /// There is no gap above the noise, and its size may be nothing.
+    NoSize,
     /// It is not sure, and most of the gap stays.
     MostStays,
     /// There is no gap above the noise, and it takes less than half of what is left.
@@ -66,7 +71,7 @@ pub enum Reason {
 
 impl Reason {
     /// All reasons.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Unlikely,
         Self::Rival,
         Self::ImplausibleModel,
@@ -79,6 +84,7 @@ impl Reason {
         Self::Lengths,
         Self::Small,
         Self::NoShare,
+        Self::NoSize,
         Self::MostStays,
         Self::NearNoise,
         Self::Ceiling,
@@ -107,6 +113,7 @@ impl Reason {
             Self::Lengths => "lengths off within their doubt, a tenth, would do the same",
             Self::Small => "too small a part of the gap or of what is left",
             Self::NoShare => "its share may be nothing",
+            Self::NoSize => "no gap above the noise, and its size may be nothing",
             Self::MostStays => "not sure enough, and most of the gap stays",
             Self::NearNoise => {
                 "no gap above the noise, and it takes less than half of what is left"

@@ -7,7 +7,6 @@ use super::worth::{Worth, does_it_itself};
 use crate::criteria::VerdictCriteria;
 use crate::fit::fitted_model::FittedModel;
 use crate::rows::evidence::Rows;
-use crate::trial::hypothesis::EffectInstance;
 use crate::trial::residual_rows::residual_rows_as_warm_as;
 
 impl Confirmation<'_> {
@@ -26,19 +25,22 @@ impl Confirmation<'_> {
     ) -> Judged {
         let place = self.subject.known_effects.len() + index;
         let effect = &last.linear.hypothesis.effects[place];
+        let (without_v, with_v) = (&self.without[index].residual_v, &self.full.residual_v);
+        let joints = self.joints_judged(last, effect, [without_v, with_v]);
         let dropped_v = self.left_without(last, place);
-        let of = |without_v: &Rows| {
-            let told = self.worth_of(last, effect, without_v, &self.full.residual_v);
-            (told, self.weighed_worth(last, effect, without_v, told))
+        let of = |left_v: &Rows| {
+            let told = self.worth_on(last, &joints, left_v, with_v);
+            (told, self.weighed_worth(last, &joints, left_v, told))
         };
-        let (all, weighed) = of(&self.without[index].residual_v);
-        let judged = |worth, weighed, acts| Judged {
+        let (all, weighed) = of(without_v);
+        let judged = |worth, judged_by, counts_in_full| Judged {
             worth,
-            weighed,
-            probability: probability(&weighed),
-            acts,
+            weighed: judged_by,
+            probability: probability(&judged_by),
+            counts_in_full,
+            share_with_it: weighed.share,
         };
-        if self.acts(last, effect, index, &dropped_v) {
+        if self.acts(last, &joints, without_v, &dropped_v) {
             return judged(all, weighed, true);
         }
         let (own, own_weighed) = of(&dropped_v);
@@ -62,16 +64,15 @@ impl Confirmation<'_> {
     fn acts(
         &self,
         last: &FittedModel,
-        effect: &EffectInstance,
-        index: usize,
+        joints: &[usize],
+        without_v: &Rows,
         dropped_v: &Rows,
     ) -> bool {
-        let (without_v, with_v) = (&self.without[index].residual_v, &self.full.residual_v);
+        let with_v = &self.full.residual_v;
         let action_v = difference(dropped_v, with_v);
         let noise_v = |joint: usize, s: usize| self.noise_v[joint][s];
-        let joints = self.joints_judged(last, effect, [without_v, with_v]);
         let models = [without_v, with_v, &action_v];
-        let blocks = Blocks::of(&last.evidence, &joints, &models, noise_v);
+        let blocks = Blocks::of(&last.evidence, joints, &models, noise_v);
         does_it_itself(&blocks, &self.subject.criteria.verdict)
     }
 }

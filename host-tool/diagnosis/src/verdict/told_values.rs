@@ -26,11 +26,15 @@ pub fn is_loose(model: &FittedModel, index: usize) -> bool {
     })
 }
 
-/// Whether an effect whose size is its first value may be none at all by that value's 95 % interval.
+/// Whether an effect may be none at all: the 95 % intervals of its first value, and of those that are of the same kind,
+/// as the components of a force are, lie on both sides of nothing. Springs and limits do not grow with theirs.
 pub fn may_be_nothing(model: &FittedModel, index: usize) -> bool {
     const ALL: f64 = 1.0;
-    let effect = &model.linear.hypothesis.effects[index];
-    effect.definition.size.grows && !is_told(model, index, 0, ALL)
+    let definition = model.linear.hypothesis.effects[index].definition;
+    let first = definition.parameters[0].kind;
+    let values = definition.parameters.iter().enumerate().filter(|(_, p)| p.kind == first);
+    let mut open = values.map(|(value, _)| is_told(model, index, value, ALL));
+    definition.size.grows && !open.any(|is_told| is_told)
 }
 
 /// Whether a log is held out of which no part is for training.

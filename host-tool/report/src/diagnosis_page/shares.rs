@@ -5,7 +5,7 @@ use crate::{ShareBars, ShareRow};
 use diagnosis::report::remaining_words::rest_part;
 use diagnosis::report::sentence::joint_numbers;
 use diagnosis::report::words::{
-    certainty_words, change_words, effect_words, joint_words, model_parameter_words,
+    certainty_words, change_words, effect_words, joint_of, joint_words, model_parameter_words,
 };
 use diagnosis::{Cause, Diagnosis, ParameterChange};
 
@@ -54,11 +54,12 @@ fn cause_row(cause: &Cause, alone: bool) -> ShareRow {
 pub(super) fn parameters(diagnosis: &Diagnosis) -> Option<ShareBars> {
     let row = |change: &ParameterChange| {
         let (place, name) = model_parameter_words(&change.parameter);
+        let said = diagnosis.units_of(joint_of(&place)).in_words(&change_words(change));
         ShareRow {
             name: format!("{place}, {name}"),
             share: change.share,
             interval: None,
-            note: format!("{}, {} of the refit", change_words(change), percent_words(change.share)),
+            note: format!("{said}, {} of the refit", percent_words(change.share)),
             colour: PARAMETER,
         }
     };

@@ -5,7 +5,7 @@ use diagnosis::Diagnosis;
 use diagnosis::report::sentence::joint_numbers;
 
 /// What the picture shows.
-pub(super) const CAPTION: &str = "Rms of the residual on the logs that chose nothing; the broken line is what noise alone leaves.";
+pub(super) const CAPTION: &str = "Rms of the residual on the logs that chose nothing; the broken line is what noise alone leaves. Joints of one unit are on one scale.";
 
 const BEFORE: &str = "#d55e00";
 const AFTER: &str = "#0072b2";
