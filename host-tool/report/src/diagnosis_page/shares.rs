@@ -2,6 +2,7 @@
 
 use super::tables::percent_words;
 use crate::{ShareBars, ShareRow};
+use diagnosis::quantity::{quantity, split_unit};
 use diagnosis::report::remaining_words::rest_part;
 use diagnosis::report::sentence::joint_numbers;
 use diagnosis::report::words::{
@@ -54,7 +55,11 @@ fn cause_row(cause: &Cause, alone: bool) -> ShareRow {
 pub(super) fn parameters(diagnosis: &Diagnosis) -> Option<ShareBars> {
     let row = |change: &ParameterChange| {
         let (place, name) = model_parameter_words(&change.parameter);
-        let said = diagnosis.units_of(joint_of(&place)).in_words(&change_words(change));
+        let words = match change.is_given {
+            true => change_words(change),
+            false => quantity(change.found, split_unit(&change.parameter).1) + " (not given)",
+        };
+        let said = diagnosis.units_of(joint_of(&place)).in_words(&words);
         ShareRow {
             name: format!("{place}, {name}"),
             share: change.share,
