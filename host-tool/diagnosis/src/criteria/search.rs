@@ -42,7 +42,7 @@ criteria! {
         overlooked_steps: usize = 3,
         /// On arms of so many joints causes of different joints that one round found are added one after the other
         /// without a round for each,
-        apart_from_joints: usize = 4,
+        apart_from_joints: usize = 3,
         /// those that gain so many times what an effect must,
         runner_up_gain: f64 = 2.0,
         /// where they still gain this part of that beside the ones before.

@@ -17,6 +17,9 @@ const BY_MOTOR_TORQUE: f64 = 1.0;
 /// Effects that make a command late, by one time each.
 pub const LATE: [&str; 2] = ["actuator_lag", "delay"];
 
+/// The effect that resists by the square of speed.
+const DRAG: &str = "quadratic_drag";
+
 /// Orders closer than this are of one wave: its order need not be whole.
 const SAME_ORDER: f64 = 0.5;
 
@@ -67,6 +70,11 @@ impl EffectInstance {
         let mut parameters = self.definition.parameters.iter().zip(&self.values);
         self.definition.name == "load_friction"
             && parameters.any(|(p, value)| p.kind == Kind::Choice && *value == BY_MOTOR_TORQUE)
+    }
+
+    /// Whether it changes friction, or resists by speed: friction of another law than the model's may look like it.
+    pub fn resembles_friction(&self) -> bool {
+        self.definition.touches.friction || self.definition.name == DRAG
     }
 
     /// Whether it makes the command of its joint late.

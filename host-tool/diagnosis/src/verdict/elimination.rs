@@ -124,7 +124,9 @@ impl<'a> Elimination<'a> {
             let too_little = || {
                 let nothing = (worth.share <= 0.0).then_some(Reason::NoShare);
                 nothing
-                    .or_else(|| why_not_named(*probability, weighed, explained, no_gap, criteria))
+                    .or_else(|| {
+                        why_not_named(effect, *probability, weighed, explained, no_gap, criteria)
+                    })
                     .or_else(|| (no_gap && nothing_told()).then_some(Reason::NoSize))
             };
             let idle = |reason| if *counts_in_full { reason } else { Reason::Idle };
