@@ -51,9 +51,10 @@ criteria! {
         /// 36907, 84320 and 80925 all of 39 effects were there that were small and as likely (docs/trial-history.md).
         sure_of_small: f64 = 0.8,
         /// One with less than `least_small_share` is named from this probability on where it takes `least_part_of_left`
-        /// and all causes take `explained` of the arm's gap, unless it changes friction or grows with speed: on
-        /// diverse seeds up to 14507 all of 33 that were too small and 0.9 likely were there, on geared arms of another engine
-        /// eleven peaks of friction and a drag were not.
+        /// and all causes take `explained` of the arm's gap, unless it changes friction or grows with speed, or is a
+        /// load or a torque constant, for which masses and friction nearly make up: on diverse seeds up to 14507 all of
+        /// 33 that were too small and 0.9 likely were there, on 94483 a load and a torque constant were not, nor, on
+        /// geared arms of another engine, eleven peaks of friction and a drag.
         sure_of_faint: f64 = 0.95,
         /// A cause does this part of what goes with it on the confirming logs itself, or `no_gap_ratio` times the noise;
         /// fits with and without it share the rest out differently, by more where parameters can stand in for it.

@@ -17,6 +17,9 @@ const BY_MOTOR_TORQUE: f64 = 1.0;
 /// Effects that make a command late, by one time each.
 pub const LATE: [&str; 2] = ["actuator_lag", "delay"];
 
+/// Effects that a refit of masses, inertias and friction nearly makes up for.
+const LIKE_PARAMETERS: [&str; 2] = ["payload", "torque_constant"];
+
 /// The effect that resists by the square of speed.
 const DRAG: &str = "quadratic_drag";
 
@@ -75,6 +78,11 @@ impl EffectInstance {
     /// Whether it changes friction, or resists by speed: friction of another law than the model's may look like it.
     pub fn resembles_friction(&self) -> bool {
         self.definition.touches.friction || self.definition.name == DRAG
+    }
+
+    /// Whether parameters that a refit leaves open may look like it.
+    pub fn resembles_parameters(&self) -> bool {
+        LIKE_PARAMETERS.contains(&self.definition.name)
     }
 
     /// Whether it makes the command of its joint late.

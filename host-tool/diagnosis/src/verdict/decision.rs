@@ -99,7 +99,8 @@ fn is_sure_enough(
 
 /// Whether a cause is named that takes less than a hundredth of the gap: it is nearly sure, takes a good part of what is left
 /// without it, and causes together take nearly all. Friction of another law than the model's leaves as little in the end, and
-/// what changes friction, or grows with speed, follows it.
+/// what changes friction, or grows with speed, follows it; masses and friction that are off a little look like a load or a
+/// torque constant.
 fn is_sure_of_faint(
     effect: &EffectInstance,
     probability: f64,
@@ -107,7 +108,8 @@ fn is_sure_of_faint(
     explained: f64,
     criteria: &VerdictCriteria,
 ) -> bool {
-    !effect.resembles_friction()
+    let is_told_apart = !effect.resembles_friction() && !effect.resembles_parameters();
+    is_told_apart
         && probability >= criteria.sure_of_faint
         && worth.part_of_left >= criteria.least_part_of_left
         && explained >= criteria.explained
@@ -231,8 +233,7 @@ mod tests {
     /// A dead zone that is there took 0.4 % of a gap and 61 % of what was left without it; on geared arms of another engine
     /// friction's peaks took as little, and up to eight tenths.
     #[test]
-    fn a_faint_cause_is_named_where_it_is_sure_and_nothing_else_stays_unless_friction_resembles_it()
-    {
+    fn a_faint_cause_is_named_where_it_is_sure_and_nothing_else_stays_or_looks_like_it() {
         let criteria = Criteria::default().verdict;
         let faint = Worth { share: 0.004, share_interval: [0.001, 0.046], ..worth([0.45, 0.84]) };
         let against = |name, probability, worth: &Worth, explained| {
@@ -243,8 +244,9 @@ mod tests {
         assert_eq!(against("dead_zone", 0.98, &faint, 0.85), Some(Reason::Small), "much stays");
         let trace = Worth { part_of_left: 0.1, ..faint };
         assert_eq!(against("dead_zone", 0.98, &trace, 0.99), Some(Reason::Small));
-        for friction in ["asymmetric_friction", "quadratic_drag", "load_friction"] {
-            assert_eq!(against(friction, 0.98, &faint, 0.99), Some(Reason::Small), "{friction}");
+        let friction = ["asymmetric_friction", "quadratic_drag", "load_friction"];
+        for name in friction.into_iter().chain(["payload", "torque_constant"]) {
+            assert_eq!(against(name, 0.98, &faint, 0.99), Some(Reason::Small), "{name}");
         }
     }
 
