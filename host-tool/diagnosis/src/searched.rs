@@ -153,13 +153,25 @@ impl Searched {
             return None;
         }
         let last = &self.selection.last.by_all_rows();
-        if let Some(doubt) = doubt::wider(subject, last) {
-            return Some(Free::Doubt(doubt, self.selection.known(subject)));
+        let wider = doubt::wider(subject, last);
+        let explains_more = wider.as_ref().is_some_and(|wider| wider.explains_more);
+        let by_causes_found =
+            || wider.map(|wider| Free::Doubt(wider.doubt, self.selection.known(subject)));
+        if explains_more || last.stats.worst() <= subject.criteria.prior.much_left {
+            return by_causes_found();
         }
+        self.by_wide_search(subject, stretches, last, progress).or_else(by_causes_found)
+    }
+
+    /// What a search finds whose parameters are all but free, where its model gains over that of this one, `last`.
+    fn by_wide_search(
+        &self,
+        subject: &Subject,
+        stretches: &[Stretch],
+        last: &FittedModel,
+        progress: &dyn Fn(&str),
+    ) -> Option<Free> {
         let prior = &subject.criteria.prior;
-        if last.stats.worst() <= prior.much_left {
-            return None;
-        }
         let mut free = subject.clone();
         free.doubt(prior.widest_doubt());
         let near = &self.selection.refitted.linear.hypothesis;

@@ -12,17 +12,34 @@ use crate::logs::subject::Subject;
 /// Median of a normal variable's absolute value, in its standard deviations.
 const MEDIAN_OF_NORMAL: f64 = 0.6745;
 
+/// A wider doubt about the model, and what asks for it.
+pub struct Wider {
+    /// The doubt by which the logs are likeliest.
+    pub doubt: Doubt,
+    /// Whether the model explains more by it than by what was found; else the logs are but likelier by it.
+    pub explains_more: bool,
+}
+
 /// A wider doubt about the model, in parts of its parameters, where the last model of a search explains
-/// more once its parameters are all but free, and most of them, not some, go far then. Those that are
-/// held would not tell: what they leave counts as misfit, and against misfit rows weigh little.
-pub fn wider(subject: &Subject, last: &FittedModel) -> Option<Doubt> {
+/// more once its parameters are all but free, or the logs are far likelier by it, and most of them, not some, go far
+/// then. Those that are held would not tell: what they leave counts as misfit, and against misfit rows weigh little.
+pub fn wider(subject: &Subject, last: &FittedModel) -> Option<Wider> {
     let prior = &subject.criteria.prior;
     let mut doubting = subject.clone();
     doubting.doubt(prior.widest_doubt());
     let start = last.linear.hypothesis.clone();
     let steps = subject.criteria.fit.refit_steps;
     let free = FittedModel::fitted(&last.evidence, &doubting, start, steps)?.settled(&doubting);
-    if free.gain_over(last) > prior.least_gain { seen(subject, &free) } else { None }
+    let doubt = seen(subject, &free)?;
+    let explains_more = free.gain_over(last) > prior.least_gain;
+    let is_asked_for = explains_more || evidence(subject, &free, doubt)? > prior.least_evidence;
+    is_asked_for.then_some(Wider { doubt, explains_more })
+}
+
+/// How much likelier the logs are by a doubt than by the one that there is, in logarithms.
+fn evidence(subject: &Subject, free: &FittedModel, doubt: Doubt) -> Option<f64> {
+    let given = likelihood(subject, free, subject.criteria.prior.doubt())?;
+    Some(likelihood(subject, free, doubt)? - given)
 }
 
 /// The doubt that a model shows whose parameters are all but free: none where a typical one is within
