@@ -32,8 +32,8 @@ pub fn wider(subject: &Subject, last: &FittedModel) -> Option<Wider> {
     let free = FittedModel::fitted(&last.evidence, &doubting, start, steps)?.settled(&doubting);
     let doubt = seen(subject, &free)?;
     let explains_more = free.gain_over(last) > prior.least_gain;
-    let is_asked_for = explains_more || evidence(subject, &free, doubt)? > prior.least_evidence;
-    is_asked_for.then_some(Wider { doubt, explains_more })
+    let is_likelier = || evidence(subject, &free, doubt).is_some_and(|by| by > prior.least_evidence);
+    (explains_more || is_likelier()).then_some(Wider { doubt, explains_more })
 }
 
 /// How much likelier the logs are by a doubt than by the one that there is, in logarithms.
