@@ -132,8 +132,8 @@ fn a_cause_does_not_fall_with_a_small_effect_of_another_joint() {
     assert!((delay_s / 1.62e-3 - 1.0).abs() < 0.1, "{delay_s}");
 }
 
-/// Dahl friction that warms, and a model that is a tenth off. With the causes found it leaves as little as with free
-/// parameters, but by such as its doubt of 2.5 % does not allow.
+/// Dahl friction that warms, and a model that is a tenth off. With the causes found held parameters leave as little as free
+/// ones do, but they are further off than a doubt of 2.5 % allows.
 #[test]
 #[ignore = "minutes; `cargo xtask test --long`"]
 fn a_cable_is_named_though_the_model_is_further_off_than_its_doubt() {

@@ -141,8 +141,9 @@ impl Searched {
         Self { evidence, selection, fault, early_part }
     }
 
-    /// A wider doubt that the logs show with the causes found or, where much is left, with those that are found
-    /// once parameters are all but free; or a search begun with those causes.
+    /// A wider doubt, or a search begun with causes that held parameters had hidden. The causes found tell the doubt where
+    /// free parameters explain more with them. Else, where much is left, a search with free parameters comes first; a doubt
+    /// by which the logs are only likelier comes last.
     pub fn with_free_parameters(
         &self,
         subject: &Subject,
@@ -155,46 +156,51 @@ impl Searched {
         let last = &self.selection.last.by_all_rows();
         let wider = doubt::wider(subject, last);
         let explains_more = wider.as_ref().is_some_and(|wider| wider.explains_more);
-        let by_causes_found =
-            || wider.map(|wider| Free::Doubt(wider.doubt, self.selection.known(subject)));
-        if explains_more || last.stats.worst() <= subject.criteria.prior.much_left {
-            return by_causes_found();
+        if !explains_more && last.stats.worst() > subject.criteria.prior.much_left {
+            let wide = self.wide(subject, stretches, progress);
+            if wide.as_ref().is_some_and(|wide| wide.fault.is_some()) {
+                return None;
+            }
+            if let Some(wide) = wide.filter(|wide| wide.explains_more(last)) {
+                return self.by_wide_search(wide, subject, last, progress);
+            }
         }
-        self.by_wide_search(subject, stretches, last, progress).or_else(by_causes_found)
+        wider.map(|wider| Free::Doubt(wider.doubt, self.selection.known(subject)))
     }
 
-    /// What a search finds whose parameters are all but free, where its model gains over that of this one, `last`.
-    fn by_wide_search(
+    /// A search with all parameters nearly free.
+    fn wide(
         &self,
         subject: &Subject,
         stretches: &[Stretch],
+        progress: &dyn Fn(&str),
+    ) -> Option<Self> {
+        let mut free = subject.clone();
+        free.doubt(subject.criteria.prior.widest_doubt());
+        let near = Some(&self.selection.refitted.linear.hypothesis);
+        Self::of(&free, stretches.to_vec(), near, KnownCauses::default(), false, progress).ok()
+    }
+
+    /// Whether causes were found and their model gains over the one that another search ended with.
+    fn explains_more(&self, last: &FittedModel) -> bool {
+        let model = self.selection.last.by_all_rows();
+        let least = model.evidence.criteria.prior.least_gain;
+        !self.selection.added.is_empty() && model.gain_over(last) > least
+    }
+
+    /// What a `wide` search shows that explains more than this one, whose last model is `last`.
+    fn by_wide_search(
+        &self,
+        wide: Self,
+        subject: &Subject,
         last: &FittedModel,
         progress: &dyn Fn(&str),
     ) -> Option<Free> {
-        let prior = &subject.criteria.prior;
-        let mut free = subject.clone();
-        free.doubt(prior.widest_doubt());
-        let near = &self.selection.refitted.linear.hypothesis;
-        let wide = Self::of(
-            &free,
-            stretches.to_vec(),
-            Some(near),
-            KnownCauses::default(),
-            false,
-            progress,
-        )
-        .ok()?;
-        let wide_last = wide.selection.last.by_all_rows();
-        let gains_more = wide_last.gain_over(last) > prior.least_gain;
-        if wide.fault.is_some() || wide.selection.added.is_empty() || !gains_more {
-            return None;
+        if let Some(doubt) = doubt::seen(subject, &wide.selection.last.by_all_rows()) {
+            return Some(Free::Doubt(doubt, wide.selection.known(subject)));
         }
-        match doubt::seen(subject, &wide_last) {
-            Some(doubt) => Some(Free::Doubt(doubt, wide.selection.known(subject))),
-            None => {
-                Some(Free::Causes(Box::new(self.with_causes_of(wide, subject, last, progress)?)))
-            }
-        }
+        let searched = self.with_causes_of(wide, subject, last, progress)?;
+        Some(Free::Causes(Box::new(searched)))
     }
 
     /// The same search begun with the causes that it found and those of a `wide` one, by the doubt that there is; none

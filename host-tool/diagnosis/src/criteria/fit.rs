@@ -13,13 +13,13 @@ criteria! {
         relative_friction: f64 = 0.025,
         /// The most that these may become where logs show a model that is further off.
         widest: f64 = 0.3,
-        /// That is where a typical parameter, once all are free, is off by so many deviations,
+        /// Logs show that where a typical parameter, once all are nearly free, is off by more than so many deviations,
         least_typical: f64 = 1.5,
-        /// and so much log-likelihood is gained by that beyond what causes gain,
+        /// and either so much log-likelihood is gained by that beyond what causes gain,
         least_gain: f64 = 50.0,
-        /// or the logs are likelier by so much, in logarithms, whatever the parameters are: a factor of twenty thousand.
-        /// The doubt then becomes the one by which the logs are most likely,
-        least_evidence: f64 = 10.0,
+        /// or a wider doubt makes the logs likelier by so much, in logarithms, whatever the parameters are: a factor of
+        /// twenty thousand. The doubt then becomes the one by which the logs are most likely,
+        least_doubt_likelihood: f64 = 10.0,
         /// or one of masses and another of friction where these are likelier by so much log-likelihood, a factor of
         /// twenty;
         least_gain_apart: f64 = 3.0,

@@ -16,30 +16,36 @@ const MEDIAN_OF_NORMAL: f64 = 0.6745;
 pub struct Wider {
     /// The doubt by which the logs are likeliest.
     pub doubt: Doubt,
-    /// Whether the model explains more by it than by what was found; else the logs are but likelier by it.
+    /// Whether the model explains more once its parameters are all but free; if not, the logs are only likelier by this
+    /// doubt.
     pub explains_more: bool,
 }
 
-/// A wider doubt about the model, in parts of its parameters, where the last model of a search explains
-/// more once its parameters are all but free, or the logs are far likelier by it, and most of them, not some, go far
-/// then. Those that are held would not tell: what they leave counts as misfit, and against misfit rows weigh little.
+/// A wider doubt about the model, in parts of its parameters. There is one where most parameters, not some, go far once
+/// all are nearly free, and where that explains more than the causes found or makes the logs far likelier. Held parameters
+/// would not tell: what they leave counts as misfit, and against misfit rows weigh little.
 pub fn wider(subject: &Subject, last: &FittedModel) -> Option<Wider> {
-    let prior = &subject.criteria.prior;
     let mut doubting = subject.clone();
-    doubting.doubt(prior.widest_doubt());
+    doubting.doubt(subject.criteria.prior.widest_doubt());
     let start = last.linear.hypothesis.clone();
     let steps = subject.criteria.fit.refit_steps;
     let free = FittedModel::fitted(&last.evidence, &doubting, start, steps)?.settled(&doubting);
     let doubt = seen(subject, &free)?;
-    let explains_more = free.gain_over(last) > prior.least_gain;
-    let is_likelier = || evidence(subject, &free, doubt).is_some_and(|by| by > prior.least_evidence);
-    (explains_more || is_likelier()).then_some(Wider { doubt, explains_more })
+    let gain = free.gain_over(last);
+    let explains_more = gain > subject.criteria.prior.least_gain;
+    let is_asked_for = explains_more || is_far_likelier(subject, &free, gain, doubt);
+    is_asked_for.then_some(Wider { doubt, explains_more })
 }
 
-/// How much likelier the logs are by a doubt than by the one that there is, in logarithms.
-fn evidence(subject: &Subject, free: &FittedModel, doubt: Doubt) -> Option<f64> {
-    let given = likelihood(subject, free, subject.criteria.prior.doubt())?;
-    Some(likelihood(subject, free, doubt)? - given)
+/// Whether the logs are far likelier by a doubt than by the one that there is, told by several parameters of a free model
+/// that explains hardly less than the causes found: by a `gain` of so much, which may be negative.
+fn is_far_likelier(subject: &Subject, free: &FittedModel, gain: f64, doubt: Doubt) -> bool {
+    let (prior, policy) = (&subject.criteria.prior, &subject.criteria.selection);
+    let by = |doubt: Doubt| likelihood(subject, free, doubt);
+    let likelier = by(doubt).zip(by(prior.doubt())).map(|(wider, given)| wider - given);
+    gain > -policy.least_log_likelihood
+        && deviations(subject, free, is_of_model).len() >= prior.fewest_told
+        && likelier.is_some_and(|likelier| likelier > prior.least_doubt_likelihood)
 }
 
 /// The doubt that a model shows whose parameters are all but free: none where a typical one is within
