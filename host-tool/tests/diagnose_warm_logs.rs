@@ -15,7 +15,11 @@ use simulation::{FrictionLaw, Settings, SimulatedRobot, record_robot, start_of};
 const COUNTS_PER_TURN: f64 = 655_360.0;
 
 /// A cogging that takes a twentieth of what the warmth of these logs takes.
-const HIDDEN: &str = "cogging:3:amplitude_V=0.03,harmonic=20,phase_rad=0.7";
+const SMALL: [&str; 1] = ["cogging:3:amplitude_V=0.03,harmonic=20,phase_rad=0.7"];
+
+/// Causes that leave many times what warmth does.
+const LARGE: [&str; 2] =
+    ["payload:0:mass_kg=0.6", "cogging:2:amplitude_V=0.4,harmonic=10,phase_rad=0.7"];
 
 /// What is left of cold friction in each log: the robot warms, and cools before the last.
 const WARM: [f64; 4] = [1.0, 0.85, 0.7, 0.8];
@@ -29,13 +33,15 @@ fn scaled(friction: &Friction<f64>, factor: f64) -> Box<dyn FrictionLaw> {
     }))
 }
 
-fn trace(rig: &Rig, plan: &Plan, seed: u64, factor: f64) -> Trace {
+fn trace(rig: &Rig, plan: &Plan, seed: u64, factor: f64, hidden: &[&str]) -> Trace {
     let block = plan.block(rig);
     let settings = Settings { seed, ..Settings::default() };
-    let effect = Catalogue::standard().effect_of(&table_from_text(HIDDEN).unwrap()).unwrap();
+    let catalogue = Catalogue::standard();
+    let effect = |text: &&str| catalogue.effect_of(&table_from_text(text).unwrap()).unwrap();
+    let effects = hidden.iter().map(effect).collect();
     let truth: Robot<f64> = reference_robot();
     let laws = truth.friction.map(|friction| scaled(&friction, factor));
-    let robot = SimulatedRobot::with_effects(truth, vec![effect], start_of(&block), &settings)
+    let robot = SimulatedRobot::with_effects(truth, effects, start_of(&block), &settings)
         .with_friction_laws(laws);
     let mut board = InProcess::default();
     let recording = record_robot(&mut board, &block, robot, plan.ticks(rig), &mut |_| {}).unwrap();
@@ -43,12 +49,13 @@ fn trace(rig: &Rig, plan: &Plan, seed: u64, factor: f64) -> Trace {
 }
 
 /// What logs tell whose friction has these factors, the last of which has this role.
-fn diagnosed(factors: [f64; 4], last: Role) -> Diagnosis {
+fn diagnosed(factors: [f64; 4], last: Role, hidden: &[&str]) -> Diagnosis {
     let rig = Rig::new(reference_robot());
     let held_out = excitation(5, 10.0).with_role(last);
     let plans = [excitation(3, 12.0), slow(12.0), driven_noise(6.0, 4), held_out];
     let numbered = plans.iter().zip(1..).zip(factors);
-    let traces = numbered.map(|((plan, seed), factor)| trace(&rig, plan, seed, factor)).collect();
+    let traces =
+        numbered.map(|((plan, seed), factor)| trace(&rig, plan, seed, factor, hidden)).collect();
     let mut file = RobotFile::from_robot(&reference_robot());
     file.robot.encoder_counts_per_rev = Some(COUNTS_PER_TURN);
     file.robot.command_limit_v = Some(10.0);
@@ -66,7 +73,7 @@ fn remark_of_warmth(found: &Diagnosis) -> Option<&String> {
 
 #[test]
 fn a_small_cause_is_named_in_logs_that_are_cold_and_warm() {
-    let found = diagnosed(WARM, Role::Holdout);
+    let found = diagnosed(WARM, Role::Holdout, &SMALL);
     let report = &found.report;
     let named: Vec<(&str, u8)> =
         report.causes.iter().map(|cause| (cause.effect.as_str(), cause.joint)).collect();
@@ -81,7 +88,7 @@ fn a_small_cause_is_named_in_logs_that_are_cold_and_warm() {
 /// Parts of the logs are held out then, and each is as warm as the part that trains.
 #[test]
 fn a_small_cause_is_named_where_no_log_is_held_out() {
-    let found = diagnosed(WARM, Role::Train);
+    let found = diagnosed(WARM, Role::Train, &SMALL);
     let report = &found.report;
     assert!(remark_of_warmth(&found).is_some(), "{:?}", report.remarks);
     assert!(
@@ -94,8 +101,22 @@ fn a_small_cause_is_named_where_no_log_is_held_out() {
 /// Friction that is off by the same in all logs is the model's.
 #[test]
 fn of_logs_that_are_alike_no_warmth_is_said() {
-    assert_eq!(remark_of_warmth(&diagnosed([0.85; 4], Role::Holdout)), None);
-    let found = diagnosed([1.0; 4], Role::Holdout);
+    assert_eq!(remark_of_warmth(&diagnosed([0.85; 4], Role::Holdout, &SMALL)), None);
+    let found = diagnosed([1.0; 4], Role::Holdout, &SMALL);
     assert_eq!(remark_of_warmth(&found), None);
     assert_eq!(found.report.causes.len(), 1);
+}
+
+/// Beside what they leave warmth does not show, and it is asked for again once they are found.
+#[test]
+fn warmth_shows_once_the_causes_that_hid_it_are_found() {
+    let found = diagnosed(WARM, Role::Holdout, &LARGE);
+    let report = &found.report;
+    let mut named: Vec<(&str, u8)> =
+        report.causes.iter().map(|cause| (cause.effect.as_str(), cause.joint)).collect();
+    named.sort_unstable();
+    assert_eq!(named, [("cogging", 2), ("payload", 0)]);
+    assert!(remark_of_warmth(&found).is_some(), "{:?}", report.remarks);
+    let both = report.gap.with_effects_v.iter().zip(&report.gap.noise_floor_v);
+    assert!(both.clone().all(|(left_v, noise_v)| left_v < &(2.0 * noise_v)), "{:?}", report.gap);
 }

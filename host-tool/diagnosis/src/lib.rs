@@ -31,6 +31,7 @@ mod result;
 pub mod rows;
 pub mod search;
 mod searched;
+mod settled;
 #[cfg(any(test, feature = "synthetic"))]
 pub mod synthetic;
 pub mod tables;
@@ -45,7 +46,6 @@ pub use posterior::Posterior;
 pub use report::sentence::sentence;
 pub use result::*;
 
-use fit::command_instants::by_instants;
 use fit::gears::ask_for_loss;
 use fit::preparation::{self, prepared};
 use fit::warmth::{ask_for_warmth, may_warm};
@@ -55,8 +55,8 @@ use logs::usable::Usable;
 use recordings::{ArmCampaign, Campaign, StepError, Trace};
 use report::assembly::Assembly;
 use rig::effects::Catalogue;
-use search::found::KnownCauses;
-use searched::{Free, Searched};
+use searched::Searched;
+use settled::{Settled, settled};
 use tables::remaining::with_remaining_tables;
 use verdict::held::Held;
 use verdict::judgement::Judgement;
@@ -140,27 +140,11 @@ fn diagnosed(
     file: &ModelFile,
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnosisError> {
-    let Usable { mut stretches, mut remarks } = Usable::of(traces, &subject)?;
+    let Usable { stretches, mut remarks } = Usable::of(traces, &subject)?;
     open_what_logs_ask_for(&mut subject, &stretches)?;
-    let mut searched =
-        Searched::of(&subject, stretches.clone(), None, KnownCauses::default(), true, progress)?;
-    let early_part = searched.early_part;
-    if early_part > 0.0 {
-        stretches = by_instants(stretches, early_part);
-    }
-    match searched.with_free_parameters(&subject, &stretches, progress) {
-        Some(Free::Doubt(doubt, known)) => {
-            remarks.push(report::doubt::words(subject.criteria.prior.doubt(), doubt));
-            subject.doubt(doubt);
-            let near = searched.selection.refitted.linear.hypothesis.clone();
-            let may_be_early = early_part == 0.0;
-            searched =
-                Searched::of(&subject, stretches, Some(&near), known, may_be_early, progress)?;
-        }
-        Some(Free::Causes(found)) => searched = *found,
-        None => {}
-    }
-    let early_part = early_part.max(searched.early_part);
+    let given = subject.criteria.prior.doubt();
+    let Settled { subject, searched, early_part, doubt } = settled(&subject, &stretches, progress)?;
+    remarks.extend(doubt.map(|doubt| report::doubt::words(given, doubt)));
     if early_part > 0.0 {
         remarks.push(early_words(early_part));
     }

@@ -41,8 +41,7 @@ criteria! {
         least_share: f64 = 0.1,
         /// and this part of what is left above the noise without it;
         least_part_of_left: f64 = 0.15,
-        /// or, where its share is small, this part of what is left, of which a spring between motor and link is
-        /// always sure,
+        /// or, where its share is small, this part of what is left,
         most_of_left: f64 = 0.5,
         /// and this share at least: less is what large causes together leave.
         least_small_share: f64 = 0.01,

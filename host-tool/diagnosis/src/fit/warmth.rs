@@ -7,6 +7,7 @@ use super::fitted_model::FittedModel;
 use super::gauss_newton::open_in;
 use super::linearisation::Linearisation;
 use super::unknowns::Unknown;
+use crate::criteria::Criteria;
 use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
 use crate::trial::active_effects::is_scaled;
@@ -43,6 +44,24 @@ pub fn ask_for_warmth(subject: &Subject, without: &FittedModel) -> bool {
     let asks = |gain: &&f64| **gain > prior.least_warmth_likelihood;
     let most = 2 * gains(0.0).iter().filter(asks).count() > subject.joints.len();
     most && gains(prior.warmth).iter().any(|gain| asks(&gain))
+}
+
+/// Whether a model that has causes gains by friction that differs from log to log, on more than half of several joints, and
+/// in all as much as an effect must. By its own slopes it would not show: what warmth leaves hangs together over a log, and
+/// rows weigh little by that. Before causes are known a fit must not tell, for warmth follows them as far as it can.
+pub fn gains_by_warmth(subject: &Subject, without: &FittedModel) -> bool {
+    let FittedModel { evidence, linear, .. } = without;
+    if !may_warm(subject, &evidence.stretches) {
+        return false;
+    }
+    let asking = Subject { warms: true, ..subject.clone() };
+    let start = linear.hypothesis.clone();
+    let steps = subject.criteria.fit.refit_steps;
+    let Some(with) = FittedModel::fitted(evidence, &asking, start, steps) else { return false };
+    let Criteria { prior, selection, .. } = &subject.criteria;
+    let asks = |joint: &&usize| with.gain_on(without, **joint) > prior.least_warmth_likelihood;
+    2 * subject.joints.iter().filter(asks).count() > subject.joints.len()
+        && with.gain_over(without) > selection.least_log_likelihood
 }
 
 /// Logarithm of how much likelier logs are where a joint's friction differs from log to log than where it is the same in

@@ -78,7 +78,6 @@ mod tests {
             share_interval,
             remainder: 0.1,
             part_of_left: share,
-            part_interval: share_interval,
             shrinkage: 0.1,
             shrinkage_interval: [0.05, 0.2],
         }

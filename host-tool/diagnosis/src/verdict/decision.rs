@@ -115,12 +115,6 @@ fn is_sure_of_faint(
         && explained >= criteria.explained
 }
 
-/// Whether an effect is what it says: a spring between motor and link, which can stand for much, surely takes most of
-/// what is left without it. A soft spring that stands for play leaves a quarter or more.
-pub fn is_sound(effect: &EffectInstance, worth: &Worth, criteria: &VerdictCriteria) -> bool {
-    !effect.is_spring() || worth.part_interval[0] >= criteria.most_of_left
-}
-
 /// Whether there is no gap: train logs leave noise alone and confirming ones not much more, or the
 /// confirming ones leave noise alone and no train log much more. One log may leave more than its
 /// noise where it is sampled too coarsely for what it holds: commands between samples, say.
@@ -172,41 +166,23 @@ mod tests {
         EffectInstance { definition, joint: 1, values: vec![0.1; definition.parameters.len()] }
     }
 
-    /// Takes two thirds of what is left without it, with this interval, and a tenth of the gap or more.
-    fn worth(part_interval: [f64; 2]) -> Worth {
+    /// Takes two thirds of what is left without it, and a tenth of the gap or more.
+    fn worth() -> Worth {
         Worth {
             share: 0.2,
             share_interval: [0.05, 0.5],
             remainder: 0.1,
             part_of_left: 0.67,
-            part_interval,
             shrinkage: 0.4,
             shrinkage_interval: [0.3, 0.5],
         }
     }
 
     #[test]
-    fn a_spring_surely_takes_most_of_what_is_left_and_nothing_else_has_to() {
-        let criteria = Criteria::default().verdict;
-        for spring in ["joint_elasticity", "backlash"] {
-            assert!(is_sound(&effect(spring), &worth([0.55, 0.8]), &criteria), "{spring}");
-            assert!(!is_sound(&effect(spring), &worth([0.45, 0.8]), &criteria), "{spring}");
-        }
-        assert!(is_sound(&effect("cogging"), &worth([0.1, 0.8]), &criteria));
-    }
-
-    #[test]
     fn a_cause_that_is_not_twice_as_likely_as_not_is_named_where_causes_take_most_of_the_gap() {
         let criteria = Criteria::default().verdict;
         let against = |probability, explained| {
-            why_not_named(
-                &effect("cogging"),
-                probability,
-                &worth([0.4, 0.8]),
-                explained,
-                false,
-                &criteria,
-            )
+            why_not_named(&effect("cogging"), probability, &worth(), explained, false, &criteria)
         };
         assert_eq!((against(0.6, 0.6), against(0.7, 0.2)), (None, None));
         assert_eq!(against(0.6, 0.2), Some(Reason::MostStays));
@@ -216,7 +192,7 @@ mod tests {
     #[test]
     fn a_small_cause_is_named_where_it_is_four_times_as_likely_as_not() {
         let criteria = Criteria::default().verdict;
-        let small = Worth { share: 0.03, part_of_left: 0.1, ..worth([0.05, 0.15]) };
+        let small = Worth { share: 0.03, part_of_left: 0.1, ..worth() };
         let effect = effect("asymmetric_friction");
         let against = |probability, worth, no_gap| {
             why_not_named(&effect, probability, worth, 0.9, no_gap, &criteria)
@@ -235,7 +211,7 @@ mod tests {
     #[test]
     fn a_faint_cause_is_named_where_it_is_sure_and_nothing_else_stays_or_looks_like_it() {
         let criteria = Criteria::default().verdict;
-        let faint = Worth { share: 0.004, share_interval: [0.001, 0.046], ..worth([0.45, 0.84]) };
+        let faint = Worth { share: 0.004, share_interval: [0.001, 0.046], ..worth() };
         let against = |name, probability, worth: &Worth, explained| {
             why_not_named(&effect(name), probability, worth, explained, false, &criteria)
         };
@@ -254,7 +230,7 @@ mod tests {
     #[test]
     fn a_small_cause_is_not_named_where_nearly_all_of_the_gap_stays() {
         let criteria = Criteria::default().verdict;
-        let small = Worth { share: 0.03, part_of_left: 0.1, ..worth([0.05, 0.15]) };
+        let small = Worth { share: 0.03, part_of_left: 0.1, ..worth() };
         let saturation = effect("saturation");
         let against =
             |explained| why_not_named(&saturation, 0.98, &small, explained, false, &criteria);
@@ -265,7 +241,7 @@ mod tests {
     #[test]
     fn what_is_below_a_hundredth_or_near_the_noise_is_not_named_however_sure() {
         let criteria = Criteria::default().verdict;
-        let sure = worth([0.4, 0.8]);
+        let sure = worth();
         let asymmetry = effect("asymmetric_friction");
         let against =
             |worth: &Worth, no_gap| why_not_named(&asymmetry, 0.98, worth, 0.9, no_gap, &criteria);

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::confirmed::Confirmation;
-use super::decision::{is_no_gap, is_sound, probability, why_not_named, why_unlikely};
+use super::decision::{is_no_gap, probability, why_not_named, why_unlikely};
 use super::held::Held;
 use super::judged::{Judged, Reason, Withheld};
 use super::misfit::joints_of_another;
@@ -93,7 +93,7 @@ impl<'a> Elimination<'a> {
                 };
                 Some(self.of_wrong_model(confirmation, effect).unwrap_or_else(unlikely))
             } else {
-                self.cannot_be(confirmation, index, weighed)
+                self.cannot_be(confirmation, index)
             };
             Some((index, reason?))
         };
@@ -131,7 +131,7 @@ impl<'a> Elimination<'a> {
             };
             let idle = |reason| if *counts_in_full { reason } else { Reason::Idle };
             let reason = self
-                .cannot_be(confirmation, index, weighed)
+                .cannot_be(confirmation, index)
                 .or_else(|| too_little().map(idle))
                 .or_else(|| is_below().then_some(Reason::Ceiling))?;
             Some((index, reason))
@@ -196,19 +196,11 @@ impl<'a> Elimination<'a> {
     }
 
     /// Why an effect cannot be a cause at all: the model is not of this robot, or it is not what it says.
-    fn cannot_be(
-        &self,
-        confirmation: &Confirmation,
-        index: usize,
-        weighed: &Worth,
-    ) -> Option<Reason> {
+    fn cannot_be(&self, confirmation: &Confirmation, index: usize) -> Option<Reason> {
         let effect = &self.last.linear.hypothesis.effects[self.place(index)];
-        let criteria = &self.subject.criteria.verdict;
         let of_wrong_model = self.of_wrong_model(confirmation, effect);
         if of_wrong_model.is_some() {
             of_wrong_model
-        } else if !is_sound(effect, weighed, criteria) {
-            Some(Reason::SmallSpring)
         } else if effect.is_spring() && confirmation.takes_noise(&self.last, effect) {
             Some(Reason::SpringNearNoise)
         } else if is_unsteady(&self.last, self.place(index)) {

@@ -43,8 +43,6 @@ pub enum Reason {
     ImplausibleModel,
     /// The logs of a joint on which it acts are as of another robot.
     AnotherRobot,
-    /// A spring between motor and link that may take less than half of what is left without it.
-    SmallSpring,
     /// A spring where the logs held out are near their noise, or that leaves less than their noise.
     SpringNearNoise,
     /// What goes with it on the logs held out is not its own doing, and what is takes too little.
@@ -71,12 +69,11 @@ pub enum Reason {
 
 impl Reason {
     /// All reasons.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 15] = [
         Self::Unlikely,
         Self::Rival,
         Self::ImplausibleModel,
         Self::AnotherRobot,
-        Self::SmallSpring,
         Self::SpringNearNoise,
         Self::Idle,
         Self::Unsteady,
@@ -99,7 +96,6 @@ impl Reason {
                 "refitted parameters are further from the file's than their doubt allows"
             }
             Self::AnotherRobot => "a joint on which it acts does not fit this model",
-            Self::SmallSpring => "a spring that may take less than half of what is left",
             Self::SpringNearNoise => {
                 "the gap is near the noise, or less than noise is left: a spring may only smooth encoder steps"
             }

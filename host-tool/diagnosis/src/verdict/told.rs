@@ -5,7 +5,7 @@ use super::held::Held;
 use crate::fit::command_instants::prepared_by_instants;
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::preparation::{self, prepared};
-use crate::fit::warmth::ask_for_warmth;
+use crate::fit::warmth::{ask_for_warmth, gains_by_warmth};
 use crate::logs::subject::Subject;
 use crate::logs::usable::Usable;
 use crate::rows::evidence::Evidence;
@@ -22,7 +22,8 @@ use recordings::{StepError, Trace};
 pub fn shares(told: &Subject, traces: &[Trace]) -> Result<Vec<Option<f64>>, StepError> {
     let Usable { stretches, .. } = Usable::of(traces, told)?;
     let (_, refitted_as_told) = prepared(told, stretches.clone(), None)?;
-    let told = &Subject { warms: ask_for_warmth(told, &refitted_as_told), ..told.clone() };
+    let warms = ask_for_warmth(told, &refitted_as_told) || gains_by_warmth(told, &refitted_as_told);
+    let told = &Subject { warms, ..told.clone() };
     let (evidence, full, _) = prepared_by_instants(told, stretches, None)?;
     let Some(none) = refitted(&with_effects(told, |_| false), &evidence, &full) else {
         return Ok(vec![None; told.known_effects.len()]);

@@ -15,8 +15,6 @@ pub struct Worth {
     pub remainder: f64,
     /// Part of what is left above the noise without it.
     pub part_of_left: f64,
-    /// Its interval.
-    pub part_interval: [f64; 2],
     /// 1 - rms with it / rms without it.
     pub shrinkage: f64,
     /// Its interval.
@@ -46,19 +44,11 @@ impl Worth {
             [without, with, _, noise] if without > noise => (without - with) / (without - noise),
             _ => 0.0,
         };
-        let (part_of_left, part_interval) = blocks.figure(criteria.draws, part);
+        let (part_of_left, _) = blocks.figure(1, part);
         let (share, share_interval) = blocks.figure(criteria.draws, share);
         let (shrinkage, shrinkage_interval) = blocks.figure(criteria.draws, shrinkage);
         let (remainder, _) = blocks.figure(1, left);
-        Self {
-            share,
-            share_interval,
-            remainder,
-            part_of_left,
-            part_interval,
-            shrinkage,
-            shrinkage_interval,
-        }
+        Self { share, share_interval, remainder, part_of_left, shrinkage, shrinkage_interval }
     }
 }
 

@@ -1,0 +1,71 @@
+//! A search by what is known of an arm, and again by what its causes tell of that: by a wider doubt about the model, and
+//! with friction that differs from log to log.
+
+use crate::criteria::Doubt;
+use crate::fit::command_instants::by_instants;
+use crate::fit::warmth::gains_by_warmth;
+use crate::logs::stretch::Stretch;
+use crate::logs::subject::Subject;
+use crate::search::found::KnownCauses;
+use crate::searched::{Free, Searched};
+use recordings::StepError;
+
+/// What a search ends with that asks for nothing more.
+pub struct Settled {
+    /// What is known of the arm by then.
+    pub subject: Subject,
+    /// What was found.
+    pub searched: Searched,
+    /// By what part of a sample period commands act before their rows.
+    pub early_part: f64,
+    /// The doubt about the model, where it is wider than was given.
+    pub doubt: Option<Doubt>,
+}
+
+/// Searches stretches of logs. Friction that differs from log to log is opened, too, where the model with the causes found
+/// gains by it: they hide it before they are known. All is then sought anew, for a doubt about friction, or causes, may
+/// have stood for it.
+///
+/// # Errors
+/// Logs that leave no rows.
+pub fn settled(
+    subject: &Subject,
+    stretches: &[Stretch],
+    progress: &dyn Fn(&str),
+) -> Result<Settled, StepError> {
+    let found = by_likeliest_doubt(subject.clone(), stretches.to_vec(), progress)?;
+    let Settled { subject: by_then, searched, .. } = &found;
+    let is_open = subject.warms || searched.fault.is_some();
+    if is_open || !gains_by_warmth(by_then, &searched.selection.last.by_all_rows()) {
+        return Ok(found);
+    }
+    progress("opening friction in each log");
+    by_likeliest_doubt(Subject { warms: true, ..subject.clone() }, stretches.to_vec(), progress)
+}
+
+/// Searches by the doubt given, and by a wider one where the causes found, or a search with free parameters, ask for it.
+fn by_likeliest_doubt(
+    mut subject: Subject,
+    mut stretches: Vec<Stretch>,
+    progress: &dyn Fn(&str),
+) -> Result<Settled, StepError> {
+    let first =
+        Searched::of(&subject, stretches.clone(), None, KnownCauses::default(), true, progress)?;
+    let mut early_part = first.early_part;
+    if early_part > 0.0 {
+        stretches = by_instants(stretches, early_part);
+    }
+    let mut wider = None;
+    let searched = match first.with_free_parameters(&subject, &stretches, progress) {
+        Some(Free::Doubt(doubt, known)) => {
+            wider = Some(doubt);
+            subject.doubt(doubt);
+            let near = Some(&first.selection.refitted.linear.hypothesis);
+            Searched::of(&subject, stretches, near, known, early_part == 0.0, progress)?
+        }
+        Some(Free::Causes(found)) => *found,
+        None => first,
+    };
+    early_part = early_part.max(searched.early_part);
+    Ok(Settled { subject, searched, early_part, doubt: wider })
+}
