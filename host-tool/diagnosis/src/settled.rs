@@ -22,8 +22,8 @@ pub struct Settled {
     pub doubt: Option<Doubt>,
 }
 
-/// Searches stretches of logs. Friction that differs from log to log is opened, too, where the model with the causes found
-/// gains by it: they hide it before they are known. All is then sought anew, for a doubt about friction, or causes, may
+/// Searches stretches of logs. Friction that differs from log to log is opened, too, where the model that a search ends with
+/// gains by it: causes hide it before they are known. All is then sought anew, for a doubt about friction, or causes, may
 /// have stood for it.
 ///
 /// # Errors
@@ -40,7 +40,8 @@ pub fn settled(
         return Ok(found);
     }
     progress("opening friction in each log");
-    by_likeliest_doubt(Subject { warms: true, ..subject.clone() }, stretches.to_vec(), progress)
+    let warming = Subject { warms: true, ..subject.clone() };
+    Ok(by_likeliest_doubt(warming, stretches.to_vec(), progress).unwrap_or(found))
 }
 
 /// Searches by the doubt given, and by a wider one where the causes found, or a search with free parameters, ask for it.

@@ -46,9 +46,10 @@ pub fn ask_for_warmth(subject: &Subject, without: &FittedModel) -> bool {
     most && gains(prior.warmth).iter().any(|gain| asks(&gain))
 }
 
-/// Whether a model that has causes gains by friction that differs from log to log, on more than half of several joints, and
-/// in all as much as an effect must. By its own slopes it would not show: what warmth leaves hangs together over a log, and
-/// rows weigh little by that. Before causes are known a fit must not tell, for warmth follows them as far as it can.
+/// Whether a model that a search ended with gains by friction that differs from log to log: on more than half of several
+/// joints, and in all as much as an effect must. By its own slopes it would not show: what warmth leaves hangs together
+/// over a log, and rows weigh little by that. Before a search a fit must not tell, for warmth follows causes as far as it
+/// can.
 pub fn gains_by_warmth(subject: &Subject, without: &FittedModel) -> bool {
     let FittedModel { evidence, linear, .. } = without;
     if !may_warm(subject, &evidence.stretches) {
