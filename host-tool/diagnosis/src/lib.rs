@@ -17,6 +17,7 @@
 
 #![forbid(unsafe_code)]
 
+mod constants;
 pub mod criteria;
 mod findings;
 pub mod fit;

@@ -1,6 +1,7 @@
 //! A search by what is known of an arm, and again by what its causes tell of that: by a wider doubt about the model, and
 //! with friction that differs from log to log.
 
+use crate::constants::{OpenConstants, open_constants};
 use crate::criteria::Doubt;
 use crate::fit::command_instants::by_instants;
 use crate::fit::warmth::gains_by_warmth;
@@ -24,11 +25,21 @@ pub struct Settled {
 
 /// Searches stretches of logs. Friction that differs from log to log is opened, too, where the model that a search ends with
 /// gains by it: causes hide it before they are known. All is then sought anew, for a doubt about friction, or causes, may
-/// have stood for it.
+/// have stood for it; and once more where torque constants were found that are told against each other only.
 ///
 /// # Errors
 /// Logs that leave no rows.
 pub fn settled(
+    subject: &Subject,
+    stretches: &[Stretch],
+    progress: &dyn Fn(&str),
+) -> Result<Settled, StepError> {
+    let found = warmth_open(subject, stretches, progress)?;
+    Ok(constants_told(found, stretches, progress))
+}
+
+/// Searches with friction that differs from log to log open, where the model that a first search ends with gains by it.
+fn warmth_open(
     subject: &Subject,
     stretches: &[Stretch],
     progress: &dyn Fn(&str),
@@ -42,6 +53,39 @@ pub fn settled(
     progress("opening friction in each log");
     let warming = Subject { warms: true, ..subject.clone() };
     Ok(by_likeliest_doubt(warming, stretches.to_vec(), progress).unwrap_or(found))
+}
+
+/// The same with how well torque constants are told that were found; searched anew, with those in doubt where they are
+/// likeliest, where one of them is not.
+fn constants_told(found: Settled, stretches: &[Stretch], progress: &dyn Fn(&str)) -> Settled {
+    let last = &found.searched.selection.last;
+    match open_constants(&found.subject, last) {
+        Some(open) if open.ask_for_search => {
+            progress("searching beside torque constants that are in doubt");
+            beside_constants(&found, &open, stretches, progress).unwrap_or(found)
+        }
+        Some(open) => Settled { subject: open.told_to(found.subject), ..found },
+        None => found,
+    }
+}
+
+/// A search by a model that has torque constants in doubt where they are likeliest; none where nothing can be fitted so.
+fn beside_constants(
+    found: &Settled,
+    open: &OpenConstants,
+    stretches: &[Stretch],
+    progress: &dyn Fn(&str),
+) -> Option<Settled> {
+    let Settled { subject, searched, early_part, doubt } = found;
+    let by_then = open.taken_for_known(subject);
+    let known = open.left_out_of(subject, searched.selection.known(subject));
+    let near = open.known_in(subject, &searched.selection.refitted.linear.hypothesis);
+    let mut stretches = stretches.to_vec();
+    if *early_part > 0.0 {
+        stretches = by_instants(stretches, *early_part);
+    }
+    let searched = Searched::of(&by_then, stretches, Some(&near), known, false, progress).ok()?;
+    Some(Settled { subject: by_then, searched, early_part: *early_part, doubt: *doubt })
 }
 
 /// Searches by the doubt given, and by a wider one where the causes found, or a search with free parameters, ask for it.

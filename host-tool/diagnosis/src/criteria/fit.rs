@@ -56,6 +56,9 @@ criteria! {
         gear_loss: f64 = 0.04,
         /// The most that they take of it.
         most_gear_loss: f64 = 0.5,
+        /// Deviation of a motor's torque constant in parts of it, where several are told against each other: magnets and
+        /// amplifiers keep to what their sheets say within 5 to 10 %.
+        torque_constant: f64 = 0.05,
         /// Deviation of what friction has more of in a log, in parts of itself, where logs ask for it: grease that warms
         /// takes a tenth to a third of it.
         warmth: f64 = 0.15,

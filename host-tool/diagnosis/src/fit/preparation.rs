@@ -83,7 +83,7 @@ pub fn noise_left_v(subject: &Subject, evidence: &Evidence, last: &FittedModel) 
     (0..evidence.joint_count()).map(of_joint).collect()
 }
 
-/// The model as given.
+/// The model as given, with all that is known of it by then.
 pub fn as_given(subject: &Subject) -> Hypothesis {
     let effects = subject.known_effects.iter().map(|(definition, joint, values)| EffectInstance {
         definition,
@@ -95,6 +95,13 @@ pub fn as_given(subject: &Subject) -> Hypothesis {
         tables: subject.known_tables.clone(),
         ..Hypothesis::bare(subject.plant.clone())
     }
+}
+
+/// The same without torque constants that are in doubt, which the file does not hold.
+pub fn in_file(subject: &Subject) -> Hypothesis {
+    let mut given = as_given(subject);
+    given.effects.truncate(subject.given_effects);
+    given
 }
 
 /// Noise of each joint in what a model leaves of logs without driven noise, or of all logs

@@ -1,5 +1,7 @@
 //! An arm of any kind as the subject of a diagnosis.
 
+use std::collections::BTreeMap;
+
 use files::{ArmFile, ArmJoint};
 use model::Friction;
 use model::friction_parameters::COUNT;
@@ -43,6 +45,8 @@ impl Subject {
         let mut subject = Self {
             catalogue: catalogue.clone(),
             known_effects: Vec::new(),
+            given_effects: 0,
+            told_constants: BTreeMap::new(),
             known_tables: Vec::new(),
             joints: (0..arm.joints.len()).collect(),
             one_joint: false,

@@ -3,6 +3,8 @@
 //! A rig of one joint becomes the third joint of an arm whose other joints are too heavy to
 //! move, hanging down: eq. (5) of that arm is eq. (11). So one path serves both.
 
+use std::collections::BTreeMap;
+
 use files::FileError;
 use model::Robot;
 use model::base::{COUNT, NAMES};
@@ -48,6 +50,8 @@ impl Subject {
         let mut subject = Self {
             catalogue: catalogue.clone(),
             known_effects: Vec::new(),
+            given_effects: 0,
+            told_constants: BTreeMap::new(),
             known_tables: Vec::new(),
             joints: if one_joint { vec![ONLY] } else { vec![0, 1, 2] },
             one_joint,

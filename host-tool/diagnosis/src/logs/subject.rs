@@ -19,8 +19,12 @@ pub struct Subject {
     pub plant: Plant,
     /// The effects that are tried.
     pub catalogue: Catalogue,
-    /// Effects that the model as given holds already.
+    /// Effects that the model as given holds already, and then torque constants that are in doubt.
     pub known_effects: Vec<(&'static Definition, u8, Vec<f64>)>,
+    /// How many of these the model as given holds.
+    pub given_effects: usize,
+    /// The 95 % intervals of torque constants that were found, with all of them open, by joint (from 1).
+    pub told_constants: BTreeMap<u8, [f64; 2]>,
     /// Tables that the model as given holds already.
     pub known_tables: Vec<Table>,
     /// Joints of the rig, from 0, as the plant counts them.
@@ -185,6 +189,7 @@ impl Subject {
             definition.on_one_of(joints, joint, &values)?;
             self.known_effects.push((definition, joint, values));
         }
+        self.given_effects = self.known_effects.len();
         Ok(())
     }
 }

@@ -7,9 +7,9 @@ use super::motion_gap::drift_rms_rad;
 use super::parameters_changed::parameters_changed;
 use super::remainder::remainder;
 use super::sentence::{effect_words, joint_words};
-use super::warmth;
+use super::{torque_constants, warmth};
 use crate::fit::fitted_model::FittedModel;
-use crate::fit::preparation::as_given;
+use crate::fit::preparation::in_file;
 use crate::gap_by_axis::gap_by_axis;
 use crate::logs::subject::Subject;
 use crate::model_faults::FoundFault;
@@ -53,7 +53,7 @@ impl Assembly<'_> {
     pub fn diagnosis(&self, file: &ModelFile, mut remarks: Vec<String>) -> Diagnosis {
         let (subject, judgement) = (self.subject, self.judgement);
         let criteria = &subject.criteria;
-        let given_v = self.evidence.volts(&residual_rows(self.evidence, &as_given(subject)));
+        let given_v = self.evidence.volts(&residual_rows(self.evidence, &in_file(subject)));
         let logs = self.log_residuals(&given_v);
         let (detectable, untestable) = self.detectable();
         let (causes, alternatives) = causes(subject, judgement);
@@ -62,6 +62,7 @@ impl Assembly<'_> {
         let last = &judgement.last.linear.hypothesis;
         remarks.extend(warmth::words(subject, &self.evidence.stretches, last));
         remarks.extend(self.remarks_of_lengths());
+        remarks.extend(torque_constants::words(subject));
         let report = Report {
             format: 2,
             verdict,
@@ -172,7 +173,7 @@ impl Assembly<'_> {
             with_effects_v: rms(&confirmation.full.residual_v),
             with_tables_v: rms(&self.tables.residual_v),
             noise_floor_v: self.noise_rms_v(),
-            as_given_rad: drift_rms_rad(self.evidence, &as_given(self.subject)),
+            as_given_rad: drift_rms_rad(self.evidence, &in_file(self.subject)),
             refitted_rad: drift(&confirmation.refitted),
             with_effects_rad: drift(&confirmation.full),
             ..Gap::default()

@@ -72,6 +72,13 @@ fn half_of_scale(subject: &Subject, parameter: &Parameter) -> f64 {
     if is_mechanical { NORMAL * subject.criteria.prior.relative } else { 0.0 }
 }
 
+/// The interval of an effect's value with that by which it is told: a torque constant is told against the others, which may
+/// be off as well.
+fn with_told(subject: &Subject, effect: &EffectInstance, own: [f64; 2]) -> [f64; 2] {
+    let told = subject.told_constants.get(&effect.joint).filter(|_| effect.is_torque_constant());
+    told.map_or(own, |told| [own[0].min(told[0]), own[1].max(told[1])])
+}
+
 /// 95 % intervals of an effect's parameters, from the curvature of the fit and from what leaving out
 /// parts of the logs changes, whichever is wider.
 fn intervals(
@@ -91,7 +98,8 @@ fn intervals(
         };
         let middle = effect.values[value];
         let half = halves[place].hypot(half_of_scale(subject, parameter) * middle);
-        let own = [(middle - half).max(parameter.lowest), (middle + half).min(parameter.highest)];
+        let [from, to] = with_told(subject, effect, [middle - half, middle + half]);
+        let own = [from.max(parameter.lowest), to.min(parameter.highest)];
         let entry = match all.remove(parameter.name) {
             None => Interval::Number(own),
             Some(Interval::Number(first)) => Interval::Vector(vec![first, own]),

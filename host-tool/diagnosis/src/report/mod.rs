@@ -11,5 +11,6 @@ pub mod remainder;
 pub mod remaining_words;
 pub mod samples;
 pub mod sentence;
+mod torque_constants;
 pub mod warmth;
 pub mod words;

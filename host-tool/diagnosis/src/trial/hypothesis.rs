@@ -18,7 +18,10 @@ const BY_MOTOR_TORQUE: f64 = 1.0;
 pub const LATE: [&str; 2] = ["actuator_lag", "delay"];
 
 /// Effects that a refit of masses, inertias and friction nearly makes up for.
-const LIKE_PARAMETERS: [&str; 2] = ["payload", "torque_constant"];
+const LIKE_PARAMETERS: [&str; 2] = ["payload", TORQUE_CONSTANT];
+
+/// The effect by which a motor gives more or less torque per volt than the model tells.
+const TORQUE_CONSTANT: &str = "torque_constant";
 
 /// The effect that resists by the square of speed.
 const DRAG: &str = "quadratic_drag";
@@ -83,6 +86,11 @@ impl EffectInstance {
     /// Whether parameters that a refit leaves open may look like it.
     pub fn resembles_parameters(&self) -> bool {
         LIKE_PARAMETERS.contains(&self.definition.name)
+    }
+
+    /// Whether it is a motor's torque per volt, off by a part.
+    pub fn is_torque_constant(&self) -> bool {
+        self.definition.name == TORQUE_CONSTANT
     }
 
     /// Whether it makes the command of its joint late.
