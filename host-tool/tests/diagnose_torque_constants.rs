@@ -41,8 +41,7 @@ fn diagnosed(constants: [f64; 3]) -> Diagnosis {
     let held_out = excitation(5, 10.0).with_role(Role::Holdout);
     let plans = [excitation(3, 12.0), slow(12.0), driven_noise(6.0, 4), held_out];
     let truth = robot_off_by(constants);
-    let traces =
-        plans.iter().zip(1..).map(|(plan, seed)| trace(&rig, plan, seed, truth)).collect();
+    let traces = plans.iter().zip(1..).map(|(plan, seed)| trace(&rig, plan, seed, truth)).collect();
     let mut file = RobotFile::from_robot(&reference_robot());
     file.robot.encoder_counts_per_rev = Some(COUNTS_PER_TURN);
     file.robot.command_limit_v = Some(10.0);
@@ -50,9 +49,7 @@ fn diagnosed(constants: [f64; 3]) -> Diagnosis {
     let campaign = Campaign::new(file, Some(COUNTS_PER_TURN), traces).unwrap();
     let mut criteria = Criteria::default();
     (criteria.prior.relative, criteria.prior.relative_friction) = (0.06, 0.06);
-    let found =
-        diagnosis::diagnose(&campaign, &Catalogue::standard(), &criteria, &|_| ()).unwrap();
-    found
+    diagnosis::diagnose(&campaign, &Catalogue::standard(), &criteria, &|_| ()).unwrap()
 }
 
 /// What is named, each a torque constant: its joint, by how much it is off, and the interval of that.
@@ -105,6 +102,9 @@ fn where_they_differ_by_less_than_their_doubt_none_is_named() {
     let amended = found.model.to_toml().unwrap();
     assert_eq!(amended.matches("\"torque_constant\"").count(), 3, "{amended}");
     assert_eq!(found.report.verdict, diagnosis::Verdict::None);
-    let both = found.report.gap.with_effects_v.iter().zip(&found.report.gap.noise_floor_v);
-    assert!(both.clone().all(|(left_v, noise_v)| left_v < &(1.6 * noise_v)), "{:?}", found.report.gap);
+    let gap = &found.report.gap;
+    let both = gap.with_effects_v.iter().zip(&gap.noise_floor_v);
+    assert!(both.clone().all(|(left_v, noise_v)| left_v < &(1.6 * noise_v)), "{gap:?}");
+    let untestable = found.report.untestable.iter().filter(|it| it.effect == "torque_constant");
+    assert_eq!(untestable.count(), 3);
 }

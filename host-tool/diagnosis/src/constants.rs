@@ -18,10 +18,9 @@ use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 pub struct OpenConstants {
     /// Those of all joints but those that are told, each off by what is likeliest.
     in_doubt: Vec<EffectInstance>,
-    /// The 95 % interval of each that is told, by its joint (from 1).
-    told: BTreeMap<u8, [f64; 2]>,
-    /// Whether one of those that the model holds is not told: by the same doubt about each, of all joints, it may be
-    /// nothing, or of the other sign.
+    /// The 95 % interval of each that the model holds, by its joint (from 1).
+    found: BTreeMap<u8, [f64; 2]>,
+    /// Whether a constant that the model holds is not told: with all open, it may be zero, or have the other sign.
     pub ask_for_search: bool,
 }
 
@@ -30,13 +29,16 @@ pub fn open_constants(subject: &Subject, last: &FittedModel) -> Option<OpenConst
     let found = found(subject, &last.linear.hypothesis);
     let like = found.first().filter(|_| subject.joints.len() > 1)?;
     let all = with_all(subject, &last.linear.hypothesis, like);
+    let estimates = estimates(subject, last, all)?;
+    let is_found = |estimate: &&Estimate| has_place_of(&found, &estimate.constant);
+    let of_found = estimates.iter().filter(is_found);
+    let intervals = of_found.map(|found| (found.constant.joint, found.interval())).collect();
     let is_told = |estimate: &Estimate| found.iter().any(|found| estimate.tells(found));
-    let (told, in_doubt): (Vec<Estimate>, Vec<Estimate>) =
-        estimates(subject, last, all)?.into_iter().partition(is_told);
+    let (told, in_doubt): (Vec<Estimate>, Vec<Estimate>) = estimates.into_iter().partition(is_told);
     Some(OpenConstants {
         ask_for_search: told.len() < found.len(),
         in_doubt: in_doubt.into_iter().map(|estimate| estimate.constant).collect(),
-        told: told.iter().map(|told| (told.constant.joint, told.interval())).collect(),
+        found: intervals,
     })
 }
 
@@ -63,9 +65,8 @@ fn estimates(subject: &Subject, last: &FittedModel, all: Hypothesis) -> Option<V
     let is_constant = |index: &usize| all.effects[*index].is_torque_constant();
     let own = (subject.known_effects.len()..all.effects.len()).filter(is_constant);
     let own: Vec<usize> = own.collect();
-    let is_of = |index: usize, expected: &Expected| {
-        expected.unknown == Unknown::Effect { index, value: 0 }
-    };
+    let is_of =
+        |index: usize, expected: &Expected| expected.unknown == Unknown::Effect { index, value: 0 };
     let mut open = open_in(&last.evidence, subject, &all);
     for expected in open.iter_mut().filter(|e| own.iter().any(|&index| is_of(index, e))) {
         *expected = Expected::new(expected.unknown, 0.0, subject.criteria.prior.torque_constant);
@@ -110,9 +111,9 @@ fn has_place_of(effects: &[EffectInstance], effect: &EffectInstance) -> bool {
 }
 
 impl OpenConstants {
-    /// The subject of which it is known how well those that are told are.
+    /// The subject with how well those that were found are known.
     pub fn told_to(&self, subject: Subject) -> Subject {
-        Subject { told_constants: self.told.clone(), ..subject }
+        Subject { found_constants: self.found.clone(), ..subject }
     }
 
     /// The subject whose model has those in doubt where they are likeliest.
@@ -137,7 +138,9 @@ impl OpenConstants {
     /// Causes but for those in doubt, for a search by a model that has them.
     pub fn left_out_of(&self, subject: &Subject, causes: KnownCauses) -> KnownCauses {
         let KnownCauses { mut causes, found_in } = causes;
-        causes.retain(|known| !has_place_of(&self.in_doubt, &known.effect));
+        let is_open = |effect: &EffectInstance| !has_place_of(&self.in_doubt, effect);
+        causes.retain(|known| is_open(&known.effect));
+        causes.iter_mut().for_each(|known| known.rivals.retain(is_open));
         let found_in = found_in.map(|model| Box::new(self.known_in(subject, &model)));
         KnownCauses { causes, found_in }
     }

@@ -55,18 +55,23 @@ fn warmth_open(
     Ok(by_likeliest_doubt(warming, stretches.to_vec(), progress).unwrap_or(found))
 }
 
-/// The same with how well torque constants are told that were found; searched anew, with those in doubt where they are
-/// likeliest, where one of them is not.
+/// The same with how well torque constants are known that were found. Where one of them is not told, what is found by a search
+/// with those in doubt where they are likeliest, unless that explains less.
 fn constants_told(found: Settled, stretches: &[Stretch], progress: &dyn Fn(&str)) -> Settled {
-    let last = &found.searched.selection.last;
-    match open_constants(&found.subject, last) {
-        Some(open) if open.ask_for_search => {
-            progress("searching beside torque constants that are in doubt");
-            beside_constants(&found, &open, stretches, progress).unwrap_or(found)
+    let last = found.searched.selection.last.by_all_rows();
+    let Some(open) = open_constants(&found.subject, &last) else { return found };
+    if open.ask_for_search {
+        progress("searching beside torque constants that are in doubt");
+        let least = -found.subject.criteria.prior.least_gain;
+        let explains = |beside: &Settled| {
+            beside.searched.selection.last.by_all_rows().gain_over(&last) > least
+        };
+        let beside = beside_constants(&found, &open, stretches, progress);
+        if let Some(beside) = beside.filter(explains) {
+            return beside;
         }
-        Some(open) => Settled { subject: open.told_to(found.subject), ..found },
-        None => found,
     }
+    Settled { subject: open.told_to(found.subject), ..found }
 }
 
 /// A search by a model that has torque constants in doubt where they are likeliest; none where nothing can be fitted so.

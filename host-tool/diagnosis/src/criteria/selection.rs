@@ -38,8 +38,12 @@ criteria! {
         least_of_excess: f64 = 0.08,
         /// or this part of what is left of one log, where other causes leave more of others,
         least_of_log_excess: f64 = 0.3,
-        /// unless it takes away this part of the prior penalty.
+        /// unless it takes away this part of the prior penalty,
         least_of_prior_penalty: f64 = 0.2,
+        /// or is a wave of voltage of which a log holds so many periods, which a smooth curve over the angle does not make, and
+        /// gains `sure_gain` times what an effect must: a cogging of 2.6 mV took most of what one log left above its noise,
+        /// and little of what the others left around reversals.
+        least_periods_of_sure_wave: f64 = 2.0,
         /// A spring between motor and link takes this part of what is left of its joint, or of all: one that takes
         /// less smooths something else, and hides it.
         least_by_spring: f64 = 0.6,

@@ -46,7 +46,7 @@ impl Subject {
             catalogue: catalogue.clone(),
             known_effects: Vec::new(),
             given_effects: 0,
-            told_constants: BTreeMap::new(),
+            found_constants: BTreeMap::new(),
             known_tables: Vec::new(),
             joints: (0..arm.joints.len()).collect(),
             one_joint: false,

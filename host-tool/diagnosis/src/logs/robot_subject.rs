@@ -51,7 +51,7 @@ impl Subject {
             catalogue: catalogue.clone(),
             known_effects: Vec::new(),
             given_effects: 0,
-            told_constants: BTreeMap::new(),
+            found_constants: BTreeMap::new(),
             known_tables: Vec::new(),
             joints: if one_joint { vec![ONLY] } else { vec![0, 1, 2] },
             one_joint,

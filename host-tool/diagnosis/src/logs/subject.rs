@@ -24,7 +24,7 @@ pub struct Subject {
     /// How many of these the model as given holds.
     pub given_effects: usize,
     /// The 95 % intervals of torque constants that were found, with all of them open, by joint (from 1).
-    pub told_constants: BTreeMap<u8, [f64; 2]>,
+    pub found_constants: BTreeMap<u8, [f64; 2]>,
     /// Tables that the model as given holds already.
     pub known_tables: Vec<Table>,
     /// Joints of the rig, from 0, as the plant counts them.
@@ -133,6 +133,11 @@ impl Subject {
     /// Base parameters that the rig's motion can change, with their standard deviations.
     pub fn base_deviations(&self) -> Vec<(usize, f64)> {
         self.base_prior.clone()
+    }
+
+    /// Torque constants that are in doubt: effects of the model beside those of the file.
+    pub fn in_doubt(&self) -> &[(&'static Definition, u8, Vec<f64>)] {
+        self.known_effects.get(self.given_effects..).unwrap_or_default()
     }
 
     /// A base parameter's name in the report.

@@ -75,7 +75,7 @@ fn half_of_scale(subject: &Subject, parameter: &Parameter) -> f64 {
 /// The interval of an effect's value with that by which it is told: a torque constant is told against the others, which may
 /// be off as well.
 fn with_told(subject: &Subject, effect: &EffectInstance, own: [f64; 2]) -> [f64; 2] {
-    let told = subject.told_constants.get(&effect.joint).filter(|_| effect.is_torque_constant());
+    let told = subject.found_constants.get(&effect.joint).filter(|_| effect.is_torque_constant());
     told.map_or(own, |told| [own[0].min(told[0]), own[1].max(told[1])])
 }
 

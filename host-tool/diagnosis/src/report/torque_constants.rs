@@ -5,15 +5,16 @@ use crate::logs::subject::Subject;
 
 /// Which torque constants are in doubt, by how much they were taken to be off, and what would tell them; none where none is.
 pub fn words(subject: &Subject) -> Option<String> {
-    let in_doubt = &subject.known_effects[subject.given_effects..];
+    let in_doubt = subject.in_doubt();
     let (definition, ..) = in_doubt.first()?;
     let of_joint = |(_, joint, values): &(_, u8, Vec<f64>)| {
         format!("{} by {:+.1} %", joint_words(subject.outer_joint(*joint)), 100.0 * values[0])
     };
     let joints: Vec<String> = in_doubt.iter().map(of_joint).collect();
     Some(format!(
-        "torque constants are told against each other: beside what they have in common with all masses some are in doubt, \
-         and were taken to be off where that is likeliest ({}), as the amended model has them; to tell them, {}",
+        "torque constants are told against each other: all of them by one factor are all masses by that. Some are in doubt, and \
+         were taken to be off by what is likeliest ({}), as in the amended model; to tell them, {}, and diagnose with the \
+         model as given",
         joints.join(", "),
         definition.experiment
     ))

@@ -1,6 +1,6 @@
 //! What speaks against an effect that would be added to the model.
 
-use super::policy::{gain, left_on_v2};
+use super::policy::{gain, left_on_v2, periods_passed};
 use crate::criteria::Criteria;
 use crate::fit::excess::{LeftOfLog, excess_v2, left_by_log};
 use crate::fit::fitted_model::FittedModel;
@@ -75,6 +75,7 @@ pub fn objection_to(
     } else if is_new
         && !reduces_excess(before, after, criteria)
         && !restores_prior(from, to, criteria)
+        && !is_sure_wave(effect, before, after, criteria)
     {
         Some(Objection::SmallPart)
     } else {
@@ -162,6 +163,22 @@ fn reduces_one_log(before: &FittedModel, after: &FittedModel, criteria: &Criteri
         from.square_v2 > own_square * from.noise_v2 && above(to) < (1.0 - least) * above(from)
     };
     of_logs(before).iter().zip(&of_logs(after)).any(goes)
+}
+
+/// Whether an effect is a wave of voltage of which a log holds some periods, and gains far more than any effect must. Most of
+/// what is left is around reversals, where the method errs most; a wave of voltage is small against it, and is there
+/// all the way between.
+fn is_sure_wave(
+    effect: Option<&EffectInstance>,
+    before: &FittedModel,
+    after: &FittedModel,
+    criteria: &Criteria,
+) -> bool {
+    let policy = &criteria.selection;
+    let plant = &after.linear.hypothesis.plant;
+    let periods = effect.and_then(|effect| periods_passed(effect, plant, &after.evidence));
+    periods.is_some_and(|periods| periods > policy.least_periods_of_sure_wave)
+        && gain(before, after) > policy.sure_gain * policy.least_log_likelihood
 }
 
 /// Whether the effect brings parameters back to what is known of them: by a good part of their penalty,

@@ -1,17 +1,19 @@
 //! When the search ends, which effects are physical, and which say more than others: conditions on what
 //! models leave, and nothing that is computed.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::braking::braked_part;
 use crate::criteria::{Criteria, SelectionCriteria};
 use crate::fit::excess::excess_v2;
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::residual_stats::ResidualStats;
+use crate::logs::stretch::Stretch;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::Evidence;
 use crate::trial::hypothesis::EffectInstance;
 use files::Role;
+use rig::Plant;
 use rig::effects::{Carrier, Kind, Search};
 
 /// Whether nothing is left that asks for another effect: nothing above the noise, and parameters so near to
@@ -139,19 +141,43 @@ fn is_within_a_sample(effect: &EffectInstance, evidence: &Evidence) -> bool {
 
 /// Lowest and highest angle of a joint (from 0) in the logs [rad; m].
 fn angles(evidence: &Evidence, joint: usize) -> [f64; 2] {
-    let angles = evidence.stretches.iter().flat_map(|stretch| &stretch.motion.q_rad[joint]);
-    angles.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| [low.min(*q), high.max(*q)])
+    span(evidence.stretches.iter().flat_map(|stretch| &stretch.motion.q_rad[joint]))
+}
+
+/// The least and the largest of some values.
+fn span<'a>(values: impl IntoIterator<Item = &'a f64>) -> [f64; 2] {
+    let none = [f64::INFINITY, f64::NEG_INFINITY];
+    values.into_iter().fold(none, |[low, high], value| [low.min(*value), high.max(*value)])
 }
 
 /// Whether the motor passes less than a quarter of a wave of voltage in the logs, which is a cable by another name.
 fn is_hardly_a_wave(effect: &EffectInstance, subject: &Subject, evidence: &Evidence) -> bool {
-    let Some(joint) = usize::from(effect.joint).checked_sub(1) else { return false };
-    if !matches!(effect.definition.search, Search::Harmonics(Carrier::Unity)) {
-        return false;
-    }
+    let Some((joint, order)) = wave_of_voltage(effect) else { return false };
     let [lowest, highest] = angles(evidence, joint);
     let passed_rad = subject.plant.gears[joint].motor.abs() * (highest - lowest);
-    effect.order().is_some_and(|order| order * passed_rad < FRAC_PI_2)
+    order * passed_rad < FRAC_PI_2
+}
+
+/// How many periods of a wave of voltage the motor passes in one log, at most; none of what is no such wave.
+pub(super) fn periods_passed(
+    effect: &EffectInstance,
+    plant: &Plant,
+    evidence: &Evidence,
+) -> Option<f64> {
+    let (joint, order) = wave_of_voltage(effect)?;
+    let passed_rad = |stretch: &Stretch| {
+        let [lowest, highest] = span(&stretch.motion.q_rad[joint]);
+        plant.gears[joint].motor.abs() * (highest - lowest)
+    };
+    let train = &evidence.stretches[..evidence.train_stretches()];
+    Some(order / TAU * train.iter().map(passed_rad).fold(0.0, f64::max))
+}
+
+/// The joint (from 0) and the order of a wave of voltage.
+fn wave_of_voltage(effect: &EffectInstance) -> Option<(usize, f64)> {
+    let is_one = matches!(effect.definition.search, Search::Harmonics(Carrier::Unity));
+    let joint = usize::from(effect.joint).checked_sub(1).filter(|_| is_one)?;
+    Some((joint, effect.order()?))
 }
 
 /// Whether an effect takes a constant from the command by its sign, where that is the sign of the velocity almost always

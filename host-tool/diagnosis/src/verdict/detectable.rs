@@ -29,7 +29,12 @@ pub fn detectable(
     evidence: &Evidence,
     subject: &Subject,
 ) -> (Vec<Detectable>, Vec<Untestable>) {
-    let sights: Vec<Sight> = places(subject)
+    let is_in_doubt = |(definition, joint): &(&'static Definition, u8)| {
+        subject.in_doubt().iter().any(|(of, at, _)| (of.name, at) == (definition.name, joint))
+    };
+    let mut places = places(subject);
+    places.retain(|place| !is_in_doubt(place));
+    let sights: Vec<Sight> = places
         .par_iter()
         .filter_map(|&(definition, joint)| sight(linear, evidence, subject, definition, joint))
         .collect();
@@ -58,6 +63,11 @@ pub fn detectable(
         }
     }
     unseen.extend(alike(linear, subject, &sights));
+    unseen.extend(subject.in_doubt().iter().map(|(definition, joint, _)| Untestable {
+        effect: definition.name.into(),
+        joint: subject.outer_joint(*joint),
+        why: format!("told against those of other joints only; {} would", definition.experiment),
+    }));
     (seen, unseen)
 }
 

@@ -42,8 +42,9 @@ pub fn shares(told: &Subject, traces: &[Trace]) -> Result<Vec<Option<f64>>, Step
 /// A subject whose model holds some of its effects.
 fn with_effects(subject: &Subject, is_kept: impl Fn(usize) -> bool) -> Subject {
     let effects = subject.known_effects.iter().cloned().enumerate();
-    let known_effects = effects.filter(|(k, _)| is_kept(*k)).map(|(_, effect)| effect).collect();
-    Subject { known_effects, ..subject.clone() }
+    let known_effects: Vec<_> =
+        effects.filter(|(k, _)| is_kept(*k)).map(|(_, effect)| effect).collect();
+    Subject { given_effects: known_effects.len(), known_effects, ..subject.clone() }
 }
 
 /// The subject's model refitted, from where a model with more effects ended and from what the file
