@@ -153,9 +153,7 @@ fn span<'a>(values: impl IntoIterator<Item = &'a f64>) -> [f64; 2] {
 /// Whether the motor passes less than a quarter of a wave of voltage in the logs, which is a cable by another name.
 fn is_hardly_a_wave(effect: &EffectInstance, subject: &Subject, evidence: &Evidence) -> bool {
     let Some((joint, order)) = wave_of_voltage(effect) else { return false };
-    let [lowest, highest] = angles(evidence, joint);
-    let passed_rad = subject.plant.gears[joint].motor.abs() * (highest - lowest);
-    order * passed_rad < FRAC_PI_2
+    order * motor_passes_rad(&subject.plant, joint, angles(evidence, joint)) < FRAC_PI_2
 }
 
 /// How many periods of a wave of voltage the motor passes in one log, at most; none of what is no such wave.
@@ -165,12 +163,15 @@ pub(super) fn periods_passed(
     evidence: &Evidence,
 ) -> Option<f64> {
     let (joint, order) = wave_of_voltage(effect)?;
-    let passed_rad = |stretch: &Stretch| {
-        let [lowest, highest] = span(&stretch.motion.q_rad[joint]);
-        plant.gears[joint].motor.abs() * (highest - lowest)
-    };
+    let passed_rad =
+        |stretch: &Stretch| motor_passes_rad(plant, joint, span(&stretch.motion.q_rad[joint]));
     let train = &evidence.stretches[..evidence.train_stretches()];
     Some(order / TAU * train.iter().map(passed_rad).fold(0.0, f64::max))
+}
+
+/// How far a motor turns while its joint (from 0) goes from one angle to another.
+fn motor_passes_rad(plant: &Plant, joint: usize, [lowest, highest]: [f64; 2]) -> f64 {
+    plant.gears[joint].motor.abs() * (highest - lowest)
 }
 
 /// The joint (from 0) and the order of a wave of voltage.
@@ -197,4 +198,34 @@ fn rests_far(effect: &EffectInstance, evidence: &Evidence) -> bool {
     let near = lowest - far_rad..=highest + far_rad;
     let parameters = effect.definition.parameters.iter().zip(&effect.values);
     parameters.filter(|(p, _)| p.kind == Kind::Angle).any(|(_, value)| !near.contains(value))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trial::test_stretch::rows_of_sines;
+    use model::reference_robot::reference_robot;
+    use rig::effects::Catalogue;
+
+    fn wave(name: &str, order: f64) -> EffectInstance {
+        let definition = Catalogue::standard().by_name(name).unwrap();
+        let value = |kind| if kind == Kind::Harmonic { order } else { 0.1 };
+        let values = definition.parameters.iter().map(|p| value(p.kind)).collect();
+        EffectInstance { definition, joint: 2, values }
+    }
+
+    #[test]
+    fn a_log_holds_periods_of_a_wave_of_voltage_as_its_motor_turns() {
+        let evidence = rows_of_sines(&Criteria::default());
+        let mut plant = Plant::of_robot(&reference_robot());
+        let [lowest, highest] = span(&evidence.stretches[0].motion.q_rad[1]);
+        let periods =
+            |plant: &Plant, name: &str| periods_passed(&wave(name, 9.0), plant, &evidence);
+        let expected = 9.0 * (highest - lowest) / TAU;
+        assert!((periods(&plant, "cogging").unwrap() - expected).abs() < 1e-12);
+        plant.gears[1].motor = -50.0;
+        assert!((periods(&plant, "cogging").unwrap() - 50.0 * expected).abs() < 1e-9);
+        assert_eq!(periods(&plant, "position_friction"), None);
+        assert_eq!(periods(&plant, "torque_ripple"), None);
+    }
 }

@@ -29,12 +29,7 @@ pub fn detectable(
     evidence: &Evidence,
     subject: &Subject,
 ) -> (Vec<Detectable>, Vec<Untestable>) {
-    let is_in_doubt = |(definition, joint): &(&'static Definition, u8)| {
-        subject.in_doubt().iter().any(|(of, at, _)| (of.name, at) == (definition.name, joint))
-    };
-    let mut places = places(subject);
-    places.retain(|place| !is_in_doubt(place));
-    let sights: Vec<Sight> = places
+    let sights: Vec<Sight> = places_without_doubt(subject)
         .par_iter()
         .filter_map(|&(definition, joint)| sight(linear, evidence, subject, definition, joint))
         .collect();
@@ -63,12 +58,26 @@ pub fn detectable(
         }
     }
     unseen.extend(alike(linear, subject, &sights));
-    unseen.extend(subject.in_doubt().iter().map(|(definition, joint, _)| Untestable {
+    unseen.extend(in_doubt(subject));
+    (seen, unseen)
+}
+
+/// Effects and joints, but for torque constants that are in doubt: held in the model, they would seem to show.
+fn places_without_doubt(subject: &Subject) -> Vec<(&'static Definition, u8)> {
+    let mut places = places(subject);
+    places.retain(|(definition, joint)| {
+        !subject.in_doubt().iter().any(|(of, at, _)| (of.name, at) == (definition.name, joint))
+    });
+    places
+}
+
+/// Torque constants that are in doubt, and what would tell them.
+fn in_doubt(subject: &Subject) -> impl Iterator<Item = Untestable> {
+    subject.in_doubt().iter().map(|(definition, joint, _)| Untestable {
         effect: definition.name.into(),
         joint: subject.outer_joint(*joint),
         why: format!("told against those of other joints only; {} would", definition.experiment),
-    }));
-    (seen, unseen)
+    })
 }
 
 /// Why no log shows an effect of this size, in the units of its joint, and what would show it. Far from where it is of
