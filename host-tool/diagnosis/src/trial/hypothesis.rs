@@ -7,6 +7,7 @@ use model::chain::MAX_JOINTS;
 use super::warmth::{USUAL_S, Warmth, Warmths};
 use rig::Plant;
 use rig::effects::{Catalogue, Definition, Effect, Kind, Table, Touches};
+use rig::plant::Gear;
 
 /// No gear takes less of its motor's torque.
 const LEAST_GEAR_LOSS: f64 = 1e-3;
@@ -112,6 +113,17 @@ impl EffectInstance {
     pub fn order(&self) -> Option<f64> {
         let mut parameters = self.definition.parameters.iter().zip(&self.values);
         parameters.find(|(p, _)| p.kind == Kind::Harmonic).map(|(_, order)| *order)
+    }
+
+    /// Whether both are waves of one order on one joint, per turn of that: the motor's turns are so many of the joint's.
+    pub fn is_of_order_of(&self, other: &Self, gears: &[Gear]) -> bool {
+        let order = |effect: &Self| {
+            let gear = gears.get(usize::from(effect.joint).checked_sub(1)?)?;
+            let turns = if effect.definition.touches.drive { gear.motor.abs() } else { 1.0 };
+            Some(turns * effect.order()?)
+        };
+        let orders = order(self).zip(order(other));
+        self.joint == other.joint && orders.is_some_and(|(own, of)| (own - of).abs() < SAME_ORDER)
     }
 
     /// Whether it leaves a gap between a motor and its link.

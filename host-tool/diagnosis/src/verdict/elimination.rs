@@ -8,6 +8,7 @@ use super::held::Held;
 use super::judged::{Judged, Reason, Withheld};
 use super::misfit::joints_of_another;
 use super::told_values::{is_loose, is_unsteady, may_be_nothing};
+use super::wave_of_friction::is_left_by_friction;
 use super::worth::Worth;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
@@ -93,7 +94,7 @@ impl<'a> Elimination<'a> {
                 };
                 Some(self.of_wrong_model(confirmation, effect).unwrap_or_else(unlikely))
             } else {
-                self.cannot_be(confirmation, index)
+                self.cannot_be(confirmation, judged, index)
             };
             Some((index, reason?))
         };
@@ -131,7 +132,7 @@ impl<'a> Elimination<'a> {
             };
             let idle = |reason| if *counts_in_full { reason } else { Reason::Idle };
             let reason = self
-                .cannot_be(confirmation, index)
+                .cannot_be(confirmation, judged, index)
                 .or_else(|| too_little().map(idle))
                 .or_else(|| is_below().then_some(Reason::Ceiling))?;
             Some((index, reason))
@@ -196,8 +197,14 @@ impl<'a> Elimination<'a> {
     }
 
     /// Why an effect cannot be a cause at all: the model is not of this robot, or it is not what it says.
-    fn cannot_be(&self, confirmation: &Confirmation, index: usize) -> Option<Reason> {
-        let effect = &self.last.linear.hypothesis.effects[self.place(index)];
+    fn cannot_be(
+        &self,
+        confirmation: &Confirmation,
+        judged: &[Judged],
+        index: usize,
+    ) -> Option<Reason> {
+        let effects = &self.last.linear.hypothesis.effects[self.place(0)..];
+        let effect = &effects[index];
         let of_wrong_model = self.of_wrong_model(confirmation, effect);
         if of_wrong_model.is_some() {
             of_wrong_model
@@ -207,6 +214,8 @@ impl<'a> Elimination<'a> {
             Some(Reason::Unsteady)
         } else if is_loose(&self.last, self.place(index)) {
             Some(Reason::LooseSpring)
+        } else if is_left_by_friction(effects, judged, index, &self.subject.plant.gears) {
+            Some(Reason::WaveOfFriction)
         } else {
             is_by_lengths(self.subject, &self.added[index].without, effect)
                 .then_some(Reason::Lengths)

@@ -51,6 +51,8 @@ pub enum Reason {
     Unsteady,
     /// A spring between motor and link whose stiffness the logs do not tell, where none of another motion is held out.
     LooseSpring,
+    /// A wave of voltage at the order of a larger one of friction on its joint.
+    WaveOfFriction,
     /// Lengths within their doubt would do the same.
     Lengths,
     /// It takes too small a part of the gap, or of what is left without it.
@@ -69,7 +71,7 @@ pub enum Reason {
 
 impl Reason {
     /// All reasons.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Unlikely,
         Self::Rival,
         Self::ImplausibleModel,
@@ -78,6 +80,7 @@ impl Reason {
         Self::Idle,
         Self::Unsteady,
         Self::LooseSpring,
+        Self::WaveOfFriction,
         Self::Lengths,
         Self::Small,
         Self::NoShare,
@@ -105,6 +108,9 @@ impl Reason {
             }
             Self::LooseSpring => {
                 "a spring whose stiffness is uncertain by more than three fifths, and no log of another motion is held out"
+            }
+            Self::WaveOfFriction => {
+                "friction varies with the same order there, and by another law than the model's leaves such a wave"
             }
             Self::Lengths => "lengths off within their doubt, a tenth, would do the same",
             Self::Small => "too small a part of the gap or of what is left",

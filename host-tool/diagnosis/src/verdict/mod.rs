@@ -13,4 +13,5 @@ pub mod misfit;
 mod own_action;
 pub mod told;
 mod told_values;
+mod wave_of_friction;
 pub mod worth;
