@@ -7,4 +7,4 @@ mod misfit_piece;
 pub mod noise;
 mod places;
 pub mod row_filter;
-mod speed_classes;
+pub mod speed_classes;

@@ -1,12 +1,11 @@
 //! What speaks against an effect that would be added to the model.
 
-use super::policy::{gain, left_on_v2, periods_passed};
+use super::enough::takes_enough;
+use super::policy::{gain, left_on_v2};
 use crate::criteria::Criteria;
-use crate::fit::excess::{LeftOfLog, excess_v2, left_by_log};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::residual_stats::ResidualStats;
 use crate::trial::hypothesis::EffectInstance;
-use files::Role;
 
 /// Why a model with an effect more is refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,11 +71,7 @@ pub fn objection_to(
         Some(Objection::Implausible)
     } else if gain(before, after) <= criteria.selection.least_log_likelihood {
         Some(Objection::Chance)
-    } else if is_new
-        && !reduces_excess(before, after, criteria)
-        && !restores_prior(from, to, criteria)
-        && !is_sure_wave(effect, before, after, criteria)
-    {
+    } else if is_new && !takes_enough(effect, before, after, criteria) {
         Some(Objection::SmallPart)
     } else {
         None
@@ -139,55 +134,6 @@ fn takes_noise(before: &ResidualStats, after: &ResidualStats, criteria: &Criteri
     let policy = &criteria.selection;
     after.over_encoder_noise < policy.least_of_encoder_noise
         && before.over_encoder_noise < policy.near_encoder_noise
-}
-
-/// Whether a good part of what is left goes, on some joint: of all its logs, or of one, for what another cause
-/// leaves of one kind of motion may be most of all that is left.
-fn reduces_excess(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
-    let least = criteria.selection.least_of_excess;
-    let of_joints =
-        |model: &FittedModel| excess_v2(&model.evidence, &model.left_out_v, Role::Train);
-    let (from, to) = (of_joints(before), of_joints(after));
-    let goes = from.iter().zip(&to).any(|(from, to)| *from > 0.0 && *to < (1.0 - least) * from);
-    goes || reduces_one_log(before, after, criteria)
-}
-
-/// Whether a good part of what is left above the noise of one log goes, where that is more than the method's own.
-fn reduces_one_log(before: &FittedModel, after: &FittedModel, criteria: &Criteria) -> bool {
-    let least = criteria.selection.least_of_log_excess;
-    let own_square = criteria.fit.own_ratio.powi(2);
-    let of_logs =
-        |model: &FittedModel| left_by_log(&model.evidence, &model.left_out_v, Role::Train);
-    let goes = |(from, to): (&LeftOfLog, &LeftOfLog)| {
-        let above = |left: &LeftOfLog| left.square_v2 - left.noise_v2;
-        from.square_v2 > own_square * from.noise_v2 && above(to) < (1.0 - least) * above(from)
-    };
-    of_logs(before).iter().zip(&of_logs(after)).any(goes)
-}
-
-/// Whether an effect is a wave of voltage of which a log holds some periods, and gains far more than any effect must. Most of
-/// what is left is around reversals, where the method errs most; a wave of voltage is small against it, and is there
-/// all the way between.
-fn is_sure_wave(
-    effect: Option<&EffectInstance>,
-    before: &FittedModel,
-    after: &FittedModel,
-    criteria: &Criteria,
-) -> bool {
-    let policy = &criteria.selection;
-    let plant = &after.linear.hypothesis.plant;
-    let periods = effect.and_then(|effect| periods_passed(effect, plant, &after.evidence));
-    periods.is_some_and(|periods| periods > policy.least_periods_of_sure_wave)
-        && gain(before, after) > policy.sure_gain * policy.least_log_likelihood
-}
-
-/// Whether the effect brings parameters back to what is known of them: by a good part of their penalty,
-/// of which other effects hold the rest, and by as much as makes half of what any effect must gain.
-fn restores_prior(before: &ResidualStats, after: &ResidualStats, criteria: &Criteria) -> bool {
-    let policy = &criteria.selection;
-    let least =
-        (policy.least_of_prior_penalty * before.prior_penalty).max(policy.least_log_likelihood);
-    before.prior_penalty - after.prior_penalty > least
 }
 
 #[cfg(test)]
