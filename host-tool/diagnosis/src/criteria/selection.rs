@@ -36,10 +36,7 @@ criteria! {
         /// Part of what is left above the noise of the joints it acts on that an effect must take
         /// away: less may be the method's own,
         least_of_excess: f64 = 0.08,
-        /// or this part of what is left of one log, where other causes leave more of others, or of its joint at the speeds of
-        /// one class, where it gains `sure_gain` times what an effect must there: on diverse seeds 21600 and 68633 all of
-        /// three effects that did so and took little of the whole were there, and none of those that were not took more
-        /// than 0.28 at any speed of its joint,
+        /// or this part of what is left of one log, where other causes leave more of others,
         least_of_log_excess: f64 = 0.3,
         /// unless it takes away this part of the prior penalty,
         least_of_prior_penalty: f64 = 0.2,

@@ -7,4 +7,4 @@ mod misfit_piece;
 pub mod noise;
 mod places;
 pub mod row_filter;
-pub mod speed_classes;
+mod speed_classes;

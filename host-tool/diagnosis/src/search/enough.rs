@@ -2,14 +2,14 @@
 
 use super::policy::{gain, periods_passed};
 use crate::criteria::Criteria;
-use crate::fit::excess::{Left, excess_v2, left_by_log, left_by_speed};
+use crate::fit::excess::{LeftOfLog, excess_v2, left_by_log};
 use crate::fit::fitted_model::FittedModel;
 use crate::fit::residual_stats::ResidualStats;
 use crate::trial::hypothesis::EffectInstance;
 use files::Role;
 
 /// Whether the model `after`, which has an effect more, leaves enough less than the one `before`: a good part less of a
-/// joint, of a log or at a speed, or parameters nearer to what is known of them.
+/// joint or of a log, or parameters nearer to what is known of them.
 pub(super) fn takes_enough(
     effect: Option<&EffectInstance>,
     before: &FittedModel,
@@ -20,7 +20,6 @@ pub(super) fn takes_enough(
         || reduces_one_log(before, after, criteria)
         || restores_prior(&before.stats, &after.stats, criteria)
         || is_sure_wave(effect, before, after, criteria)
-        || is_sure_at_some_speed(effect, before, after, criteria)
 }
 
 /// Whether a good part of what is left of all logs of some joint goes.
@@ -40,29 +39,12 @@ fn reduces_one_log(before: &FittedModel, after: &FittedModel, criteria: &Criteri
     any_loses_much(&of_logs(before), &of_logs(after), criteria)
 }
 
-/// Whether an effect takes a good part of what is left of its joint at some speeds, and gains far more there than any effect
-/// must: most of what is left is around reversals, where the method errs most.
-fn is_sure_at_some_speed(
-    effect: Option<&EffectInstance>,
-    before: &FittedModel,
-    after: &FittedModel,
-    criteria: &Criteria,
-) -> bool {
-    let joint = effect.and_then(|effect| usize::from(effect.joint).checked_sub(1));
-    joint.is_some_and(|joint| {
-        let at_speeds =
-            |model: &FittedModel| left_by_speed(&model.evidence, &model.left_out_v, joint);
-        after.gain_on(before, joint) > sure_gain(criteria)
-            && any_loses_much(&at_speeds(before), &at_speeds(after), criteria)
-    })
-}
-
 /// Whether some of what is left, where that is more than the method's own, loses a good part of what is above the noise.
-fn any_loses_much(before: &[Left], after: &[Left], criteria: &Criteria) -> bool {
+fn any_loses_much(before: &[LeftOfLog], after: &[LeftOfLog], criteria: &Criteria) -> bool {
     let least = criteria.selection.least_of_log_excess;
     let own_square = criteria.fit.own_ratio.powi(2);
-    let above = |left: &Left| left.square_v2 - left.noise_v2;
-    let loses_much = |(from, to): (&Left, &Left)| {
+    let above = |left: &LeftOfLog| left.square_v2 - left.noise_v2;
+    let loses_much = |(from, to): (&LeftOfLog, &LeftOfLog)| {
         from.square_v2 > own_square * from.noise_v2 && above(to) < (1.0 - least) * above(from)
     };
     before.iter().zip(after).any(loses_much)
@@ -101,13 +83,13 @@ fn restores_prior(before: &ResidualStats, after: &ResidualStats, criteria: &Crit
 mod tests {
     use super::*;
 
-    /// What is left of two kinds of motion, in squares of noise.
-    fn left(squares: [f64; 2]) -> Vec<Left> {
-        squares.map(|square_v2| Left { square_v2, noise_v2: 1.0 }).to_vec()
+    /// What is left of two logs, in squares of noise.
+    fn left(squares: [f64; 2]) -> Vec<LeftOfLog> {
+        squares.map(|square_v2| LeftOfLog { square_v2, noise_v2: 1.0 }).to_vec()
     }
 
     #[test]
-    fn what_loses_much_of_one_kind_of_motion_that_is_more_than_the_methods_own_is_enough() {
+    fn what_loses_much_of_one_log_that_is_more_than_the_methods_own_is_enough() {
         let criteria = Criteria::default();
         let loses = |from, to| any_loses_much(&left(from), &left(to), &criteria);
         assert!(loses([100.0, 5.0], [99.0, 2.0]));

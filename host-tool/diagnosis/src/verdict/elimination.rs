@@ -94,7 +94,7 @@ impl<'a> Elimination<'a> {
                 };
                 Some(self.of_wrong_model(confirmation, effect).unwrap_or_else(unlikely))
             } else {
-                self.cannot_be(confirmation, judged, index)
+                self.cannot_be(confirmation, index)
             };
             Some((index, reason?))
         };
@@ -107,7 +107,7 @@ impl<'a> Elimination<'a> {
         &self,
         confirmation: &Confirmation,
         judged: &[Judged],
-        among: impl Iterator<Item = usize>,
+        among: &[usize],
     ) -> Vec<(usize, Reason)> {
         let criteria = &self.subject.criteria.verdict;
         let of_arm = confirmation.explained(&self.last);
@@ -132,12 +132,35 @@ impl<'a> Elimination<'a> {
             };
             let idle = |reason| if *counts_in_full { reason } else { Reason::Idle };
             let reason = self
-                .cannot_be(confirmation, judged, index)
+                .cannot_be(confirmation, index)
                 .or_else(|| too_little().map(idle))
                 .or_else(|| is_below().then_some(Reason::Ceiling))?;
             Some((index, reason))
         };
-        among.filter_map(fails).collect()
+        let mut failing: Vec<_> = among.iter().copied().filter_map(fails).collect();
+        failing.extend(self.left_by_waves(judged, among, &failing));
+        failing
+    }
+
+    /// Waves of voltage `among` some effects that a wave of friction leaves; those that are `failing` do not count.
+    fn left_by_waves(
+        &self,
+        judged: &[Judged],
+        among: &[usize],
+        failing: &[(usize, Reason)],
+    ) -> Vec<(usize, Reason)> {
+        let most = self.subject.criteria.verdict.most_by_wave;
+        let effects = &self.last.linear.hypothesis.effects[self.place(0)..];
+        let with_share = |index: usize| (&effects[index], judged[index].share_with_it);
+        let stays = |index: &usize| failing.iter().all(|(other, _)| other != index);
+        let is_left_by = |index: usize, other: usize| {
+            let gears = &self.subject.plant.gears;
+            is_left_by_friction(with_share(index), with_share(other), most, gears)
+        };
+        let is_left =
+            |index: &usize| (0..effects.len()).filter(stays).any(|other| is_left_by(*index, other));
+        let left = among.iter().copied().filter(stays).filter(is_left);
+        left.map(|index| (index, Reason::WaveOfFriction)).collect()
     }
 
     /// Takes out effects that are not named, the smallest first, as long as they are not named without those before
@@ -149,7 +172,8 @@ impl<'a> Elimination<'a> {
         mut judged: Vec<Judged>,
     ) -> Vec<Judged> {
         let mut told = judged.clone();
-        let mut small = self.not_named(confirmation, &judged, 0..self.added.len());
+        let all: Vec<usize> = (0..self.added.len()).collect();
+        let mut small = self.not_named(confirmation, &judged, &all);
         while let Some((index, reason)) = smallest(&judged, &small) {
             small.retain(|(other, _)| *other != index);
             // One without which nothing can be fitted stays.
@@ -163,7 +187,8 @@ impl<'a> Elimination<'a> {
             }
             let now;
             (now, judged) = self.judged();
-            let still = self.not_named(&now, &judged, small.iter().map(|(index, _)| *index));
+            let among: Vec<usize> = small.iter().map(|(index, _)| *index).collect();
+            let still = self.not_named(&now, &judged, &among);
             let is_still = |index: usize| still.iter().any(|(other, _)| *other == index);
             let named = small.iter().filter(|(index, _)| !is_still(*index));
             named.for_each(|(index, _)| told[*index] = judged[*index]);
@@ -197,14 +222,8 @@ impl<'a> Elimination<'a> {
     }
 
     /// Why an effect cannot be a cause at all: the model is not of this robot, or it is not what it says.
-    fn cannot_be(
-        &self,
-        confirmation: &Confirmation,
-        judged: &[Judged],
-        index: usize,
-    ) -> Option<Reason> {
-        let effects = &self.last.linear.hypothesis.effects[self.place(0)..];
-        let effect = &effects[index];
+    fn cannot_be(&self, confirmation: &Confirmation, index: usize) -> Option<Reason> {
+        let effect = &self.last.linear.hypothesis.effects[self.place(index)];
         let of_wrong_model = self.of_wrong_model(confirmation, effect);
         if of_wrong_model.is_some() {
             of_wrong_model
@@ -214,8 +233,6 @@ impl<'a> Elimination<'a> {
             Some(Reason::Unsteady)
         } else if is_loose(&self.last, self.place(index)) {
             Some(Reason::LooseSpring)
-        } else if is_left_by_friction(effects, judged, index, &self.subject.plant.gears) {
-            Some(Reason::WaveOfFriction)
         } else {
             is_by_lengths(self.subject, &self.added[index].without, effect)
                 .then_some(Reason::Lengths)

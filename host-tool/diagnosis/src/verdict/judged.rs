@@ -51,7 +51,7 @@ pub enum Reason {
     Unsteady,
     /// A spring between motor and link whose stiffness the logs do not tell, where none of another motion is held out.
     LooseSpring,
-    /// A wave of voltage at the order of a larger one of friction on its joint.
+    /// A wave of voltage at the order of a larger one of friction that is named on its joint.
     WaveOfFriction,
     /// Lengths within their doubt would do the same.
     Lengths,

@@ -3,35 +3,33 @@
 //! Friction that varies over the turn and is of another law than the model's leaves something at its order that does not
 //! turn with the direction. As a voltage of that order it gains much, and is none.
 
+use rig::effects::{Carrier, Search};
 use rig::plant::Gear;
 
-use super::judged::Judged;
 use crate::trial::hypothesis::EffectInstance;
 
-/// Whether the effect at `index` is a wave of voltage, and one of friction with the same order on the same joint takes a
-/// larger share with it.
+/// Whether a wave of voltage has the order of one of friction on its joint, and takes less than the part `most` of what that
+/// takes; each effect with its share.
 pub fn is_left_by_friction(
-    effects: &[EffectInstance],
-    judged: &[Judged],
-    index: usize,
+    (voltage, share): (&EffectInstance, f64),
+    (friction, of_friction): (&EffectInstance, f64),
+    most: f64,
     gears: &[Gear],
 ) -> bool {
-    let effect = &effects[index];
-    let is_larger = |other: &Judged| other.share_with_it > judged[index].share_with_it;
-    let mut others = effects.iter().zip(judged);
-    others.any(|(other, worth)| is_larger(worth) && have_one_order(effect, other, gears))
+    let are_of = |one, other| is_of(voltage, one) && is_of(friction, other);
+    are_of(Carrier::Unity, Carrier::Friction)
+        && share < most * of_friction
+        && voltage.is_of_order_of(friction, gears)
 }
 
-/// Whether one is a wave of voltage and the other one of friction, of one order on one joint.
-fn have_one_order(voltage: &EffectInstance, friction: &EffectInstance, gears: &[Gear]) -> bool {
-    let are = voltage.definition.touches.drive && friction.definition.touches.friction;
-    are && voltage.is_of_order_of(friction, gears)
+/// Whether an effect is a wave of this carrier.
+fn is_of(effect: &EffectInstance, carrier: Carrier) -> bool {
+    matches!(effect.definition.search, Search::Harmonics(own) if own == carrier)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::verdict::worth::Worth;
     use rig::effects::{Catalogue, Kind};
 
     fn wave(name: &str, joint: u8, order: f64) -> EffectInstance {
@@ -41,19 +39,7 @@ mod tests {
         EffectInstance { definition, joint, values }
     }
 
-    fn with_share(share_with_it: f64) -> Judged {
-        let worth = Worth {
-            share: 0.1,
-            share_interval: [0.0, 0.2],
-            remainder: 0.1,
-            part_of_left: 0.5,
-            shrinkage: 0.1,
-            shrinkage_interval: [0.05, 0.2],
-        };
-        Judged { worth, weighed: worth, probability: 0.9, counts_in_full: true, share_with_it }
-    }
-
-    /// Of waves with these shares the first.
+    /// Whether the first of two waves with these shares is left by the other, on joints with such a gear.
     fn is_left(
         first: &EffectInstance,
         second: EffectInstance,
@@ -61,7 +47,7 @@ mod tests {
         gear: f64,
     ) -> bool {
         let gears = [Gear { motor: gear, ..Gear::DIRECT }; 3];
-        is_left_by_friction(&[first.clone(), second], &shares.map(with_share), 0, &gears)
+        is_left_by_friction((first, shares[0]), (&second, shares[1]), 0.5, &gears)
     }
 
     #[test]
@@ -69,12 +55,12 @@ mod tests {
         let cogging = wave("cogging", 3, 9.1);
         let friction = |joint, order| wave("position_friction", joint, order);
         assert!(is_left(&cogging, friction(3, 9.0), [0.05, 0.57], 1.0));
-        assert!(!is_left(&cogging, friction(3, 9.0), [0.57, 0.05], 1.0), "the larger one");
+        assert!(!is_left(&cogging, friction(3, 9.0), [0.4, 0.57], 1.0), "nearly as large");
         assert!(!is_left(&cogging, friction(3, 7.0), [0.05, 0.57], 1.0), "another order");
         assert!(!is_left(&cogging, friction(2, 9.0), [0.05, 0.57], 1.0), "another joint");
         let ripple = wave("torque_ripple", 3, 9.0);
         assert!(!is_left(&cogging, ripple.clone(), [0.05, 0.57], 1.0), "magnets make both");
-        assert!(is_left(&ripple, friction(3, 9.0), [0.05, 0.57], 1.0));
+        assert!(!is_left(&ripple, friction(3, 9.0), [0.05, 0.57], 1.0), "turns with the command");
     }
 
     #[test]
