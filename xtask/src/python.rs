@@ -46,9 +46,8 @@ const WANTED: Python = Python {
 /// Builds the wheel, installs it into a fresh environment and into that of the tests, and runs
 /// these; says so and does nothing where pip finds nothing.
 pub fn test() -> Result<()> {
+    let Some(python) = interpreter() else { return Ok(()) };
     let target = workspace::target_dir();
-    let temporary = target.join("tmp").display().to_string();
-    let Some(python) = WANTED.find(&temporary) else { return Ok(()) };
     say("building the wheel of the Python module");
     let wheel = wheel(&python, &target)?;
     say(format!("installing {} with numpy into a fresh environment", wheel.display()));
@@ -59,6 +58,16 @@ pub fn test() -> Result<()> {
     let mut types = tool(&python, "mypy");
     run_command(types.args(["--no-error-summary", "rrr", "tests", "examples", "trials"]))?;
     run_command(tool(&python, "pytest").arg("--quiet"))
+}
+
+/// Installs what the tests take, so that they need not wait for it; says so and does nothing where pip finds nothing.
+pub fn prepare() {
+    interpreter();
+}
+
+/// The interpreter that has what builds the wheel and tests it.
+fn interpreter() -> Option<OsString> {
+    WANTED.find(&workspace::target_dir().join("tmp").display().to_string())
 }
 
 /// The wheel, built anew.
