@@ -203,16 +203,9 @@ fn rests_far(effect: &EffectInstance, evidence: &Evidence) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::trial::test_effects::wave;
     use crate::trial::test_stretch::rows_of_sines;
     use model::reference_robot::reference_robot;
-    use rig::effects::Catalogue;
-
-    fn wave(name: &str, order: f64) -> EffectInstance {
-        let definition = Catalogue::standard().by_name(name).unwrap();
-        let value = |kind| if kind == Kind::Harmonic { order } else { 0.1 };
-        let values = definition.parameters.iter().map(|p| value(p.kind)).collect();
-        EffectInstance { definition, joint: 2, values }
-    }
 
     #[test]
     fn a_log_holds_periods_of_a_wave_of_voltage_as_its_motor_turns() {
@@ -220,7 +213,7 @@ mod tests {
         let mut plant = Plant::of_robot(&reference_robot());
         let [lowest, highest] = span(&evidence.stretches[0].motion.q_rad[1]);
         let periods =
-            |plant: &Plant, name: &str| periods_passed(&wave(name, 9.0), plant, &evidence);
+            |plant: &Plant, name: &str| periods_passed(&wave(name, 2, 9.0), plant, &evidence);
         let expected = 9.0 * (highest - lowest) / TAU;
         assert!((periods(&plant, "cogging").unwrap() - expected).abs() < 1e-12);
         plant.gears[1].motor = -50.0;

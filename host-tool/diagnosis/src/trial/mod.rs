@@ -18,6 +18,8 @@ pub mod rigid_body;
 pub mod rigid_rows;
 pub mod spring_change;
 #[cfg(test)]
+pub(crate) mod test_effects;
+#[cfg(test)]
 pub(crate) mod test_stretch;
 #[cfg(test)]
 mod tests;

@@ -30,14 +30,7 @@ fn is_of(effect: &EffectInstance, carrier: Carrier) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rig::effects::{Catalogue, Kind};
-
-    fn wave(name: &str, joint: u8, order: f64) -> EffectInstance {
-        let definition = Catalogue::standard().by_name(name).unwrap();
-        let value = |kind| if kind == Kind::Harmonic { order } else { 0.1 };
-        let values = definition.parameters.iter().map(|p| value(p.kind)).collect();
-        EffectInstance { definition, joint, values }
-    }
+    use crate::trial::test_effects::wave;
 
     /// Whether the first of two waves with these shares is left by the other, on joints with such a gear.
     fn is_left(
