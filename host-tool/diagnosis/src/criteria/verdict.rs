@@ -62,7 +62,7 @@ criteria! {
         sure_of_idle: f64 = 0.95,
         /// and that is this share of the gap: on diverse seeds 32038, 14139, 82861 and 56086 all of six as likely were
         /// there, five of them with such a share, while limits of arms that have none took 0.11 at most.
-        most_with_idle: f64 = 0.3,
+        most_with_idle: f64 = 0.15,
         /// A wave of voltage at the order of one of friction that is named on its joint is left by that where it takes less
         /// than this part of what that one takes. On diverse seed 60777 three that were not there took 0.08 to 0.30.
         most_by_wave: f64 = 0.5,

@@ -2,13 +2,13 @@
 
 use std::sync::OnceLock;
 
+use super::command_gain::command_gain;
 use super::gauss_newton::{fit, fit_with_slopes, open_in};
 use super::linearisation::Linearisation;
 use super::residual_stats::ResidualStats;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::{Evidence, Rows};
 use crate::rows::misfit::Misfit;
-use crate::trial::equation::Trial;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 use crate::trial::residual_rows::residual_rows;
 
@@ -25,7 +25,7 @@ pub struct FittedModel {
     pub left_out_v: Rows,
     /// What it leaves, against the noise.
     pub stats: ResidualStats,
-    /// How much of the commands of each train stretch reaches each motor, rms by rms.
+    /// How much of the commands of each train stretch reaches each motor, as rows see it.
     command_gain: Vec<Vec<f64>>,
     /// Size and correlation of what it leaves, once asked for.
     misfit: OnceLock<Misfit>,
@@ -181,10 +181,4 @@ impl FittedModel {
     pub fn ends_with_spring(&self) -> bool {
         self.linear.hypothesis.effects.last().is_some_and(EffectInstance::is_spring)
     }
-}
-
-fn command_gain(evidence: &Evidence, hypothesis: &Hypothesis) -> Vec<Vec<f64>> {
-    let train = &evidence.stretches[..evidence.train_stretches()];
-    let gain = |s| Trial::of(s, hypothesis, &evidence.criteria.fit).command_gain();
-    train.iter().map(gain).collect()
 }

@@ -2,6 +2,7 @@
 
 mod bounded_step;
 pub mod bristles;
+pub mod command_gain;
 pub mod command_instants;
 pub mod command_left;
 pub mod cross_validation;

@@ -61,23 +61,21 @@ impl ActiveEffects<'_> {
         })
     }
 
-    /// How much of the commands reaches a motor, rms by rms about their means: what is added to them is no part of
-    /// them, nor is what a motor's torque constant makes of them.
-    pub fn command_gain(&self, joint: usize) -> f64 {
+    /// The commands of a joint as they reach its motor in the interval after each sample: without what is added to
+    /// them, which is no part of them [V].
+    pub fn reached_v(&self, joint: usize) -> Vec<f64> {
         let on_joint = self.hypothesis.effects_on_drive_of(joint);
         let felt = TorquesFelt::by(&on_joint);
         let mut effects = at_rest(on_joint, self.stretch.period_s);
         let count = self.plant.joints();
-        let (mut sent, mut reached) = (Spread::default(), Spread::default());
-        for k in 0..self.stretch.len() {
+        let reached_v = |k: usize| {
+            let joint_state = self.joint_state(k, felt);
             let mut command_v = self.command_v(k);
             let command_v = &mut command_v[..count];
-            sent.add(command_v[joint]);
-            let joint_state = self.joint_state(k, felt);
             effects.iter_mut().for_each(|e| e.change_command(&joint_state, command_v));
-            reached.add(command_v[joint]);
-        }
-        reached.over(&sent) / self.motor_gain(joint)
+            command_v[joint]
+        };
+        (0..self.stretch.len()).map(reached_v).collect()
     }
 
     /// The commands over the interval after a sample [V].
@@ -86,34 +84,5 @@ impl ActiveEffects<'_> {
         let both = command_v.iter_mut().zip(&self.stretch.command_v);
         both.for_each(|(value, signal)| *value = signal[k]);
         command_v
-    }
-}
-
-/// How far values spread about their mean.
-#[derive(Clone, Copy, Debug, Default)]
-struct Spread {
-    count: f64,
-    sum: f64,
-    squares: f64,
-}
-
-impl Spread {
-    fn add(&mut self, value: f64) {
-        self.count += 1.0;
-        self.sum += value;
-        self.squares += value * value;
-    }
-
-    fn variance(&self) -> f64 {
-        (self.squares - self.sum * self.sum / self.count.max(1.0)).max(0.0)
-    }
-
-    /// This spread over another, rms by rms; 1 where that one is none.
-    fn over(&self, other: &Self) -> f64 {
-        let least = 1e-12 * other.squares;
-        match other.variance() > least {
-            true => (self.variance() / other.variance()).sqrt(),
-            false => 1.0,
-        }
     }
 }

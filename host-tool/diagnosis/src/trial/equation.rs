@@ -136,14 +136,10 @@ impl<'a> Trial<'a> {
         self.effects.motor_gain(joint)
     }
 
-    /// How much of the commands reaches each motor, rms by rms, torque constants apart; all of it without
-    /// effects.
-    pub fn command_gain(&self) -> Vec<f64> {
-        let joints = 0..self.plant().joints();
-        match self.hypothesis.is_bare() {
-            true => joints.map(|_| 1.0).collect(),
-            false => joints.map(|joint| self.effects.command_gain(joint)).collect(),
-        }
+    /// The commands of a joint as they reach its motor in the interval after each sample [V]; none where no effect
+    /// changes them.
+    pub fn reached_v(&self, joint: usize) -> Option<Vec<f64>> {
+        (!self.hypothesis.is_bare()).then(|| self.effects.reached_v(joint))
     }
 
     /// Friction of a plant's joint in the interval after each sample [V].

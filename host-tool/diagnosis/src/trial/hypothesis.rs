@@ -99,6 +99,11 @@ impl EffectInstance {
         LATE.contains(&self.definition.name)
     }
 
+    /// Whether another says the same by another name: that a joint's command comes late, by a lag or by a delay.
+    pub fn says_the_same_as(&self, other: &Self) -> bool {
+        self.is_late() && other.is_late() && self.joint == other.joint
+    }
+
     /// The joint (from 0) whose command it makes late.
     pub fn late_joint(&self) -> Option<usize> {
         usize::from(self.joint).checked_sub(1).filter(|_| self.is_late())

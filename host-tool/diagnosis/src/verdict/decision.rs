@@ -11,20 +11,40 @@ use crate::search::found::{Added, Rival};
 use crate::trial::hypothesis::EffectInstance;
 
 /// Probability that an added effect is a cause: against each of its rivals by the log-likelihood
-/// that it has over it, and against chance by the one that the model loses without it.
-pub fn probability(added: &Added, worth: &Worth, criteria: &VerdictCriteria) -> f64 {
-    probability_among(&added.rivals, added.gain, worth, criteria)
+/// that it has over it, and against chance by the one that the model loses without it. A rival that says
+/// the same by another name is none.
+pub fn probability(
+    effect: &EffectInstance,
+    added: &Added,
+    worth: &Worth,
+    criteria: &VerdictCriteria,
+) -> f64 {
+    let others = added.rivals.iter().filter(|rival| !effect.says_the_same_as(&rival.effect));
+    probability_among(others, added.gain, worth, criteria)
+}
+
+/// Probability that a cause is the effect that it is told as, and not one that says the same by another name: one half
+/// at least where something of the kind is a cause, since the others are less likely.
+pub fn probability_of_name(
+    effect: &EffectInstance,
+    added: &Added,
+    worth: &Worth,
+    criteria: &VerdictCriteria,
+) -> f64 {
+    let of_any = probability(effect, added, worth, criteria);
+    let of_name = probability_among(&added.rivals, added.gain, worth, criteria);
+    of_name.max(of_any.min(criteria.least_probability))
 }
 
 /// The same of an effect that gains so much, among these rivals.
-fn probability_among(
-    rivals: &[Rival],
+fn probability_among<'a>(
+    rivals: impl IntoIterator<Item = &'a Rival>,
     gain: f64,
     worth: &Worth,
     criteria: &VerdictCriteria,
 ) -> f64 {
     let odds = |log_likelihood: f64| (criteria.log_likelihood_weight * log_likelihood).exp();
-    let rivals: f64 = rivals.iter().map(|rival| odds(rival.gain)).sum();
+    let rivals: f64 = rivals.into_iter().map(|rival| odds(rival.gain)).sum();
     let chance = odds(-gain) * criteria.tried_by_chance;
     let doubt = 1.0 - confirmed(worth, criteria);
     criteria.highest_probability * (1.0 - doubt) / (1.0 + rivals + chance)

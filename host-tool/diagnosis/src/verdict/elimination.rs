@@ -70,7 +70,9 @@ impl<'a> Elimination<'a> {
         let Self { subject, last, added, .. } = self;
         let confirmation = self.confirmation();
         let judged = |(index, added): (usize, &Added)| {
-            let likely = |worth: &Worth| probability(added, worth, &subject.criteria.verdict);
+            let effect = &last.linear.hypothesis.effects[self.place(index)];
+            let likely =
+                |worth: &Worth| probability(effect, added, worth, &subject.criteria.verdict);
             confirmation.judged(last, index, likely)
         };
         let judged = added.par_iter().enumerate().map(judged).collect();

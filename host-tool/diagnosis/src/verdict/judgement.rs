@@ -1,12 +1,15 @@
 //! The causes that are named, with what they are worth, and what else was tried.
 
 use super::confirmed::Confirmation;
+use super::decision::probability_of_name;
 use super::elimination::Elimination;
 use super::judged::{Judged, Withheld};
 use super::worth::Worth;
+use crate::criteria::VerdictCriteria;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
 use crate::search::found::{Added, Rival, Selection};
+use crate::trial::hypothesis::EffectInstance;
 
 /// What the search amounts to.
 pub struct Judgement<'a> {
@@ -30,7 +33,7 @@ pub struct Named {
     pub added: Added,
     /// What it is worth on the confirming logs.
     pub worth: Worth,
-    /// Probability that it is a cause.
+    /// Probability that it is a cause, by this name.
     pub probability: f64,
 }
 
@@ -53,7 +56,10 @@ impl<'a> Judgement<'a> {
         judged = model.take_out_small(&confirmation, judged);
         let confirmation = model.confirmation();
         let Elimination { refitted, last, added, refused, withheld, .. } = model;
-        let named = added.into_iter().zip(judged).map(Named::of).collect();
+        let effects = &last.linear.hypothesis.effects[subject.known_effects.len()..];
+        let named = added.into_iter().zip(judged).zip(effects);
+        let named =
+            named.map(|(both, effect)| Named::of(both, effect, &subject.criteria.verdict)).collect();
         let mut judgement = Self { refitted, last, named, withheld, refused, confirmation };
         judgement.widen_shares(subject.known_effects.len());
         judgement
@@ -74,8 +80,12 @@ impl<'a> Judgement<'a> {
 }
 
 impl Named {
-    fn of((added, judged): (Added, Judged)) -> Self {
-        let Judged { worth, probability, .. } = judged;
-        Self { added, worth, probability }
+    fn of(
+        (added, judged): (Added, Judged),
+        effect: &EffectInstance,
+        criteria: &VerdictCriteria,
+    ) -> Self {
+        let probability = probability_of_name(effect, &added, &judged.weighed, criteria);
+        Self { added, worth: judged.worth, probability }
     }
 }

@@ -12,7 +12,11 @@ use rig::effects::Kind;
 pub fn is_unsteady(model: &FittedModel, index: usize) -> bool {
     let most = model.evidence.criteria.verdict.most_of_time;
     let effect = &model.linear.hypothesis.effects[index];
-    effect.is_late() && !is_told(model, index, 0, most)
+    let FittedModel { linear, evidence, .. } = model;
+    let half_interval = |place: usize| linear.half_intervals_beyond_chance(evidence)[place];
+    let is_steady = |place| is_within(effect.values[0], half_interval(place), most);
+    let place = linear.place_of(Unknown::Effect { index, value: 0 });
+    effect.is_late() && !place.is_none_or(is_steady)
 }
 
 /// Whether an effect is a spring between motor and link whose stiffness the logs do not tell, and no log of another motion
