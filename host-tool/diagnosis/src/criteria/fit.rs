@@ -132,5 +132,10 @@ criteria! {
         /// steps put through the spring, without which a link that is heavy and hardly damped swings
         /// with them.
         unknown_spring_torque: f64 = 0.03,
+        /// The same in parts of what the encoder's steps push through a spring, k s, over what they make of the motor's
+        /// acceleration, J_m s / T^2, where that is more, and no more than behind backlash: a stiff spring, else, carries
+        /// so much of those steps to a calm joint that a refit damps it three times too much. The noise of that
+        /// acceleration is 2.4 times as large, and one third of that ratio hides less of slow torques.
+        spring_torque_of_steps: f64 = 0.13,
     }
 }

@@ -61,13 +61,13 @@ criteria! {
         /// One that does not is named all the same if it is as likely as this by all that goes with it,
         sure_of_idle: f64 = 0.95,
         /// and that is this share of the gap: on diverse seeds 32038, 14139, 82861 and 56086 all of six as likely were
-        /// there, five of them with such a share, while limits of arms that have none took 0.11 at most.
+        /// there, with 0.16 and more of it, while limits of arms that have none took 0.11 at most.
         most_with_idle: f64 = 0.15,
         /// A wave of voltage at the order of one of friction that is named on its joint is left by that where it takes less
         /// than this part of what that one takes. On diverse seed 60777 three that were not there took 0.08 to 0.30.
         most_by_wave: f64 = 0.5,
-        /// Half the 95 % interval of a lag or delay is this part of it at most. Of those that were there it was 0.13 at
-        /// most, of play and a spring that were told as one 0.30 to 0.39.
+        /// Half the 95 % interval of a lag or delay is this part of it at most, but for what logs differ by by chance. Of
+        /// ten that were there it was 0.13 at most, chance with it; of play that was told as one 0.33 and more without it.
         most_of_time: f64 = 0.2,
         /// Where no log of another motion is held out, half the 95 % interval of the stiffness of a spring between motor and
         /// link is this part of it at most. Of 26 springs and plays that were there it was 0.44 at most, of two narrow

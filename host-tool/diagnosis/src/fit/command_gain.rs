@@ -7,8 +7,8 @@ use crate::trial::hypothesis::Hypothesis;
 
 /// How much of the commands of each train stretch reaches each motor, rms by rms about their means, torque constants apart.
 ///
-/// It is what rows see of the commands that counts: a delay, or a lag, takes away much of what changes from one
-/// sample to the next, and of rows nothing.
+/// It is what rows see of the commands that counts: a delay, or a lag that is short against that, takes away much of what
+/// changes from one sample to the next, and of rows hardly anything.
 pub fn command_gain(evidence: &Evidence, hypothesis: &Hypothesis) -> Vec<Vec<f64>> {
     (0..evidence.train_stretches()).map(|s| in_stretch(evidence, s, hypothesis)).collect()
 }
@@ -19,16 +19,17 @@ fn in_stretch(evidence: &Evidence, s: usize, hypothesis: &Hypothesis) -> Vec<f64
         let Some(reached_v) = trial.reached_v(joint) else { return 1.0 };
         let rows = |signal_v: &[f64]| evidence.filter(joint, s).rows(&at_samples(signal_v));
         let sent_v = &evidence.stretches[s].command_v[joint];
-        spread_over(&rows(&reached_v), &rows(sent_v)) / trial.motor_gain(joint)
+        let gain = spread_over(&rows(&reached_v), &rows(sent_v));
+        gain.map_or(1.0, |gain| gain / trial.motor_gain(joint))
     };
     (0..evidence.joint_count()).map(of_joint).collect()
 }
 
-/// How far values spread about their mean over how far others do, rms by rms; 1 where those do not.
-fn spread_over(values: &[f64], others: &[f64]) -> f64 {
+/// How far values spread about their mean over how far others do, rms by rms; none where those do not.
+fn spread_over(values: &[f64], others: &[f64]) -> Option<f64> {
     let (variance, of_others) = (variance(values), variance(others));
     let least = 1e-12 * others.iter().map(|value| value * value).sum::<f64>();
-    if of_others > least { (variance / of_others).sqrt() } else { 1.0 }
+    (of_others > least).then(|| (variance / of_others).sqrt())
 }
 
 /// Sum of squares about the mean.
@@ -48,11 +49,15 @@ mod tests {
 
     /// The gain of joint 2 with an effect on it, under a command of up to 190 Hz.
     fn gain_with(name: &str, value: f64) -> f64 {
-        let command_v: [f64; 6000] = std::array::from_fn(|k| {
-            let sine = |hz: f64| (std::f64::consts::TAU * hz * 1e-3 * k as f64).sin();
+        let command_v = (0..6000).map(|k| {
+            let sine = |hz: f64| (std::f64::consts::TAU * hz * 1e-3 * f64::from(k)).sin();
             sine(11.0) + sine(61.0) + sine(190.0)
         });
-        let evidence = rows_of_sines_under(&command_v, &Criteria::default());
+        gain_under(&command_v.collect::<Vec<f64>>(), name, value)
+    }
+
+    fn gain_under(command_v: &[f64], name: &str, value: f64) -> f64 {
+        let evidence = rows_of_sines_under(command_v, true, &Criteria::default());
         let definition = Catalogue::standard().by_name(name).unwrap();
         let effect = EffectInstance { definition, joint: 2, values: vec![value] };
         let plant = Plant::of_robot(&model::reference_robot::reference_robot());
@@ -68,6 +73,7 @@ mod tests {
             assert!((gain - 1.0).abs() < 0.03, "{name} of {time_s} s: {gain}");
         }
         assert!((gain_with("torque_constant", -0.4) - 1.0).abs() < 1e-9);
+        assert_eq!(gain_under(&[0.3; 6000], "torque_constant", -0.4), 1.0, "a command that stays");
     }
 
     #[test]

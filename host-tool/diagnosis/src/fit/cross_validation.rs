@@ -52,7 +52,7 @@ impl Linearisation {
         (0..self.expected.len()).map(wider).collect()
     }
 
-    /// The same, by what leaving out one log changes beyond chance alone: one log may be the only one that tells a parameter,
+    /// The same [each in its parameter's unit], by what leaving out one log changes beyond chance alone: one log may be the only one that tells a parameter,
     /// and what the others say of it then differs by what they do not know.
     ///
     /// What the fit to a part of the rows differs by from the one to all has the variance of the first less that of the
@@ -61,25 +61,21 @@ impl Linearisation {
         let by_folds = self.half_intervals_by_folds(evidence);
         let logs = self.runs(&self.train_logs(evidence));
         let products = self.products_of_logs(evidence, &logs);
-        let changes = self.changes_without(self.normal(), &logs, &products);
-        let both = changes.iter().zip(&products).filter_map(|(c, p)| c.as_ref().zip(Some(p)));
-        let beyond: Vec<DVector<f64>> =
-            both.filter_map(|(change, product)| self.beyond_chance(change, product)).collect();
+        let (normal, variances) = (self.normal(), self.variances());
+        let changes = self.changes_without(normal.clone(), &logs, &products);
+        let beyond = |(change, product): (Option<DVector<f64>>, &DMatrix<f64>)| {
+            let without = Cholesky::new(&normal - product)?.inverse().diagonal();
+            Some(change?.zip_map(&(without - &variances), more_than_chance))
+        };
+        let beyond: Vec<_> = changes.into_iter().zip(&products).filter_map(beyond).collect();
         let by_logs = jackknife(&beyond, self.expected.len());
         let wider = |place: usize| by_folds[place].max(NORMAL * by_logs[place]);
         (0..self.expected.len()).map(wider).collect()
     }
 
-    /// What of a change by rows that are left out, whose slopes have this product, is more than chance.
-    fn beyond_chance(
-        &self,
-        change: &DVector<f64>,
-        product: &DMatrix<f64>,
-    ) -> Option<DVector<f64>> {
-        let without = Cholesky::new(self.normal() - product)?.inverse().diagonal();
-        let variance = |place: usize| without[place] - self.deviation(place).powi(2);
-        let left = change.iter().enumerate().map(|(place, &c)| more_than_chance(c, variance(place)));
-        Some(DVector::from_iterator(change.len(), left))
+    /// Variances of all that is open, by the curvature of the fit.
+    fn variances(&self) -> DVector<f64> {
+        self.normal.inverse().diagonal()
     }
 
     /// Half the 95 % interval of each parameter that is open, by the curvature of the fit or by folds.
@@ -192,11 +188,11 @@ mod tests {
     /// Play of 95 and of 7 mrad, told as lags of 62 and 17 ms, and a delay of 2.8 ms that one log alone tells.
     #[test]
     fn what_one_log_alone_tells_differs_by_chance_from_what_others_do() {
-        let deviation = |without: f64, with: f64| (without * without - with * with).sqrt();
-        let play = more_than_chance(-28.6e-3, deviation(2.34e-3, 1.93e-3).powi(2));
+        let variance = |without: f64, with: f64| without * without - with * with;
+        let play = more_than_chance(-28.6e-3, variance(2.34e-3, 1.93e-3));
         assert!(play > 0.9 * 28.6e-3, "{play}");
-        let narrow_play = more_than_chance(-5.34e-3, deviation(1.67e-3, 1.15e-3).powi(2));
+        let narrow_play = more_than_chance(-5.34e-3, variance(1.67e-3, 1.15e-3));
         assert!(narrow_play > 0.7 * 5.34e-3, "{narrow_play}");
-        assert_eq!(more_than_chance(0.569e-3, deviation(0.436e-3, 0.051e-3).powi(2)), 0.0);
+        assert_eq!(more_than_chance(0.569e-3, variance(0.436e-3, 0.051e-3)), 0.0);
     }
 }

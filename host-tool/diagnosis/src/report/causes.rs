@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::amended::parameters;
 use super::sentence::effect_words;
 use super::words::joint_words;
+use crate::criteria::VerdictCriteria;
 use crate::fit::cross_validation::NORMAL;
 use crate::logs::subject::Subject;
 use crate::result::{Alternative, Cause, Interval, Rival};
@@ -124,9 +125,9 @@ fn of_rivals(
 ) -> Vec<Alternative> {
     let criteria = &subject.criteria.verdict;
     let (confirmation, last) = (&judgement.confirmation, &judgement.last);
+    let effect = &last.linear.hypothesis.effects[index];
     let alternative = |rival: &found::Rival| {
-        let odds = (criteria.log_likelihood_weight * rival.gain).exp();
-        let probability = (named.probability * odds).min(1.0 - named.probability);
+        let probability = probability_of_rival(named, effect, rival, criteria);
         let without_v = &confirmation.without[index - subject.known_effects.len()].residual_v;
         let with_v = &rival.model.all_residual_v();
         Alternative {
@@ -144,13 +145,28 @@ fn of_rivals(
     all
 }
 
+/// Probability of a rival of a cause: what the cause's own name leaves of it where the rival says the same by another,
+/// else by the log-likelihood that it has over the cause.
+fn probability_of_rival(
+    named: &Named,
+    effect: &EffectInstance,
+    rival: &found::Rival,
+    criteria: &VerdictCriteria,
+) -> f64 {
+    if effect.says_the_same_as(&rival.effect) {
+        return named.of_any - named.probability;
+    }
+    let odds = (criteria.log_likelihood_weight * rival.gain).exp();
+    (named.of_any * odds).min(1.0 - named.of_any)
+}
+
 /// Effects that the search added and that are not named, and why.
 fn withheld(subject: &Subject, judgement: &Judgement) -> Vec<Alternative> {
     let alternative = |Withheld { effect, judged, reason, rival }: &Withheld| Alternative {
         effect: effect.definition.name.into(),
         joint: subject.outer_joint(effect.joint),
-        probability: judged.probability,
-        confidence: judged.probability,
+        probability: judged.by_name,
+        confidence: judged.by_name,
         instead_of: None,
         share: judged.worth.share,
         why: Some(reason.words().to_owned() + &in_its_place(subject, rival.as_ref())),

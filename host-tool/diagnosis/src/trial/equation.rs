@@ -139,7 +139,8 @@ impl<'a> Trial<'a> {
     /// The commands of a joint as they reach its motor in the interval after each sample [V]; none where no effect
     /// changes them.
     pub fn reached_v(&self, joint: usize) -> Option<Vec<f64>> {
-        (!self.hypothesis.is_bare()).then(|| self.effects.reached_v(joint))
+        let is_changed = !self.hypothesis.effects_on_drive_of(joint).is_empty();
+        is_changed.then(|| self.effects.reached_v(joint))
     }
 
     /// Friction of a plant's joint in the interval after each sample [V].

@@ -8,6 +8,7 @@ use model::Posture;
 use super::equation::Trial;
 use super::link_motion::{self, JointMotion, MeasuredTorque};
 use super::motor_side::MotorSide;
+use crate::criteria::FitCriteria;
 use crate::logs::kinematics::{Kinematics, Sines, postures_for};
 use crate::logs::stretch::Stretch;
 use rig::effects::Transmission;
@@ -83,12 +84,9 @@ impl<'a> Trial<'a> {
             Some(known) => self.push_nm(joint, known.net_v(joint)),
             None => self.push_nm(joint, &self.net(joint)),
         };
-        let unknown_torque = match spring.gap_rad > 0.0 {
-            true => self.criteria.unknown_link_torque,
-            false => self.criteria.unknown_spring_torque,
-        };
-        let measured = MeasuredTorque { push_nm: &push_nm, unknown_torque };
         let period_s = self.stretch.period_s;
+        let unknown_torque = unknown_torque(spring, period_s, self.criteria);
+        let measured = MeasuredTorque { push_nm: &push_nm, unknown_torque };
         link_motion::behind(spring, joint, self.motor(), &dynamics, measured, period_s)
     }
 
@@ -97,4 +95,18 @@ impl<'a> Trial<'a> {
         let k_t = self.plant().torque_constant_nm_per_v[joint];
         net_v.iter().map(|net_v| k_t * net_v).collect()
     }
+}
+
+/// Torque on a link behind a spring that no model tells, in parts of the noise of the measured torque.
+///
+/// Steps s of the encoder push a link by K s; the torque that is measured has as noise what they make of the motor's
+/// acceleration, J_m s / T^2, so that the two are as K T^2 / J_m.
+fn unknown_torque(spring: &Transmission, period_s: f64, criteria: &FitCriteria) -> f64 {
+    if spring.gap_rad > 0.0 {
+        return criteria.unknown_link_torque;
+    }
+    let of_steps = spring.stiffness_nm_per_rad * period_s.powi(2) / spring.motor_inertia_kg_m2;
+    (criteria.spring_torque_of_steps * of_steps)
+        .max(criteria.unknown_spring_torque)
+        .min(criteria.unknown_link_torque)
 }

@@ -50,16 +50,16 @@ pub fn sines(amplitude: f64, frequencies: [f64; 3], samples: i32) -> Kinematics 
 
 /// Rows of three joints on sines, six seconds under no command, with white noise.
 pub fn rows_of_sines(criteria: &Criteria) -> Evidence {
-    rows_of_sines_under(&[0.0; 6000], criteria)
+    rows_of_sines_under(&[0.0; 6000], false, criteria)
 }
 
-/// The same under this broadband command of each joint [V].
-pub fn rows_of_sines_under(command_v: &[f64; 6000], criteria: &Criteria) -> Evidence {
+/// The same under 6000 samples of a command of each joint [V].
+pub fn rows_of_sines_under(command_v: &[f64], broadband: bool, criteria: &Criteria) -> Evidence {
     let motion = sines(0.3, [5.0, 7.0, 9.0], 6000);
     let white: Vec<f64> = (0..6000).map(|k| (f64::from(k * k % 977)).sin()).collect();
     let seen = Noise::of(&[&white], PERIOD_S, &criteria.rows);
     let mut noise = NoiseByRate::default();
     noise.push(PERIOD_S, &[seen; 3], vec![0.0; 3]);
-    let stretch = stretch_of(motion, vec![command_v.to_vec(); 3], true);
+    let stretch = stretch_of(motion, vec![command_v.to_vec(); 3], broadband);
     Evidence::new(vec![stretch], vec![0, 1, 2], &noise, criteria)
 }

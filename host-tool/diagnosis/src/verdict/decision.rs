@@ -10,6 +10,15 @@ use crate::rows::evidence::Rows;
 use crate::search::found::{Added, Rival};
 use crate::trial::hypothesis::EffectInstance;
 
+/// Probability that an added effect is a cause.
+#[derive(Clone, Copy, Debug)]
+pub struct ProbabilityOfCause {
+    /// By whichever name.
+    pub of_any: f64,
+    /// By its own, where others say the same: one half at least, if that is what is likely at all.
+    pub by_name: f64,
+}
+
 /// Probability that an added effect is a cause: against each of its rivals by the log-likelihood
 /// that it has over it, and against chance by the one that the model loses without it. A rival that says
 /// the same by another name is none.
@@ -18,33 +27,29 @@ pub fn probability(
     added: &Added,
     worth: &Worth,
     criteria: &VerdictCriteria,
-) -> f64 {
-    let others = added.rivals.iter().filter(|rival| !effect.says_the_same_as(&rival.effect));
-    probability_among(others, added.gain, worth, criteria)
+) -> ProbabilityOfCause {
+    let gains = |rivals: &[&Rival]| rivals.iter().map(|rival| rival.gain).collect::<Vec<f64>>();
+    let (same, others): (Vec<&Rival>, Vec<&Rival>) =
+        added.rivals.iter().partition(|rival| effect.says_the_same_as(&rival.effect));
+    by_gains([&gains(&same), &gains(&others)], added.gain, worth, criteria)
 }
 
-/// Probability that a cause is the effect that it is told as, and not one that says the same by another name: one half
-/// at least where something of the kind is a cause, since the others are less likely.
-pub fn probability_of_name(
-    effect: &EffectInstance,
-    added: &Added,
-    worth: &Worth,
-    criteria: &VerdictCriteria,
-) -> f64 {
-    let of_any = probability(effect, added, worth, criteria);
-    let of_name = probability_among(&added.rivals, added.gain, worth, criteria);
-    of_name.max(of_any.min(criteria.least_probability))
-}
-
-/// The same of an effect that gains so much, among these rivals.
-fn probability_among<'a>(
-    rivals: impl IntoIterator<Item = &'a Rival>,
+/// The same of an effect that gains so much, by the gains of the `same` under other names, and of `others`, over it.
+fn by_gains(
+    [same, others]: [&[f64]; 2],
     gain: f64,
     worth: &Worth,
     criteria: &VerdictCriteria,
-) -> f64 {
+) -> ProbabilityOfCause {
+    let of_any = probability_among(others, gain, worth, criteria);
+    let of_name = probability_among(&[same, others].concat(), gain, worth, criteria);
+    ProbabilityOfCause { of_any, by_name: of_name.max(of_any.min(criteria.least_probability)) }
+}
+
+/// The same of one name among rivals that gain so much over it.
+fn probability_among(rivals: &[f64], gain: f64, worth: &Worth, criteria: &VerdictCriteria) -> f64 {
     let odds = |log_likelihood: f64| (criteria.log_likelihood_weight * log_likelihood).exp();
-    let rivals: f64 = rivals.into_iter().map(|rival| odds(rival.gain)).sum();
+    let rivals: f64 = rivals.iter().map(|gain| odds(*gain)).sum();
     let chance = odds(-gain) * criteria.tried_by_chance;
     let doubt = 1.0 - confirmed(worth, criteria);
     criteria.highest_probability * (1.0 - doubt) / (1.0 + rivals + chance)
@@ -196,6 +201,19 @@ mod tests {
             shrinkage: 0.4,
             shrinkage_interval: [0.3, 0.5],
         }
+    }
+
+    #[test]
+    fn a_lag_is_as_likely_as_a_lag_or_a_delay_together_and_half_so_by_its_name() {
+        let criteria = Criteria::default().verdict;
+        let of = |same: &[f64], others: &[f64]| by_gains([same, others], 80.0, &worth(), &criteria);
+        let twins = of(&[0.0], &[]);
+        assert!(twins.of_any > 0.97 && twins.by_name == 0.5, "{twins:?}");
+        let told_apart = of(&[-40.0], &[]);
+        assert!(told_apart.by_name > 0.95, "{told_apart:?}");
+        let beside_another = of(&[0.0], &[0.0]);
+        assert!(beside_another.of_any < 0.5, "a dead zone may do it, too: {beside_another:?}");
+        assert_eq!(beside_another.by_name, beside_another.of_any);
     }
 
     #[test]

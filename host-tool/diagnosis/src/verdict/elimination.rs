@@ -203,8 +203,11 @@ impl<'a> Elimination<'a> {
     pub fn take_out(&mut self, index: usize, judged: Judged, reason: Reason) -> bool {
         let Some((effect, model)) = self.without(index) else { return false };
         let removed = self.added.remove(index);
-        let first = removed.rivals.into_iter().next().filter(|_| reason == Reason::Rival);
-        let rival = first.map(|rival| rival.effect);
+        let mut rivals = removed.rivals.into_iter().map(|rival| rival.effect);
+        let rival = match reason {
+            Reason::Rival => rivals.find(|rival| !effect.says_the_same_as(rival)),
+            _ => None,
+        };
         self.withheld.push(Withheld { effect, judged, reason, rival });
         self.last = if self.added.is_empty() { self.refitted.clone() } else { model };
         update_gains(self.subject, &self.refitted, &self.last, &mut self.added);

@@ -10,8 +10,10 @@ pub struct Judged {
     pub worth: Worth,
     /// Its worth by which it is judged, joints in units of what is left on each.
     pub weighed: Worth,
-    /// The probability that it is a cause.
+    /// The probability that it is a cause, by this name or by another that says the same.
     pub probability: f64,
+    /// The same by this name.
+    pub by_name: f64,
     /// Whether it counts by all that goes with it: it acts on the confirming logs, or surely takes much. Else it is judged
     /// by what little it does there.
     pub counts_in_full: bool,
@@ -104,7 +106,7 @@ impl Reason {
             }
             Self::Idle => "it hardly acts on the logs held out",
             Self::Unsteady => {
-                "its time is uncertain by more than a fifth, as play makes it and no drive is"
+                "its time is uncertain, or differs between logs, by more than a fifth, as play makes it and no drive is"
             }
             Self::LooseSpring => {
                 "a spring whose stiffness is uncertain by more than three fifths, and no log of another motion is held out"

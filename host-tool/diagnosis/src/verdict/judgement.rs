@@ -1,15 +1,12 @@
 //! The causes that are named, with what they are worth, and what else was tried.
 
 use super::confirmed::Confirmation;
-use super::decision::probability_of_name;
 use super::elimination::Elimination;
 use super::judged::{Judged, Withheld};
 use super::worth::Worth;
-use crate::criteria::VerdictCriteria;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
 use crate::search::found::{Added, Rival, Selection};
-use crate::trial::hypothesis::EffectInstance;
 
 /// What the search amounts to.
 pub struct Judgement<'a> {
@@ -35,6 +32,8 @@ pub struct Named {
     pub worth: Worth,
     /// Probability that it is a cause, by this name.
     pub probability: f64,
+    /// The same by this name or by another that says the same.
+    pub of_any: f64,
 }
 
 impl<'a> Judgement<'a> {
@@ -56,10 +55,7 @@ impl<'a> Judgement<'a> {
         judged = model.take_out_small(&confirmation, judged);
         let confirmation = model.confirmation();
         let Elimination { refitted, last, added, refused, withheld, .. } = model;
-        let effects = &last.linear.hypothesis.effects[subject.known_effects.len()..];
-        let named = added.into_iter().zip(judged).zip(effects);
-        let named =
-            named.map(|(both, effect)| Named::of(both, effect, &subject.criteria.verdict)).collect();
+        let named = added.into_iter().zip(judged).map(Named::of).collect();
         let mut judgement = Self { refitted, last, named, withheld, refused, confirmation };
         judgement.widen_shares(subject.known_effects.len());
         judgement
@@ -80,12 +76,8 @@ impl<'a> Judgement<'a> {
 }
 
 impl Named {
-    fn of(
-        (added, judged): (Added, Judged),
-        effect: &EffectInstance,
-        criteria: &VerdictCriteria,
-    ) -> Self {
-        let probability = probability_of_name(effect, &added, &judged.weighed, criteria);
-        Self { added, worth: judged.worth, probability }
+    fn of((added, judged): (Added, Judged)) -> Self {
+        let Judged { worth, probability, by_name, .. } = judged;
+        Self { added, worth, probability: by_name, of_any: probability }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::blocks::Blocks;
 use super::confirmed::Confirmation;
+use super::decision::ProbabilityOfCause;
 use super::judged::Judged;
 use super::worth::{Worth, does_it_itself};
 use crate::criteria::VerdictCriteria;
@@ -21,7 +22,7 @@ impl Confirmation<'_> {
         &self,
         last: &FittedModel,
         index: usize,
-        probability: impl Fn(&Worth) -> f64,
+        probability: impl Fn(&Worth) -> ProbabilityOfCause,
     ) -> Judged {
         let place = self.subject.known_effects.len() + index;
         let effect = &last.linear.hypothesis.effects[place];
@@ -33,19 +34,24 @@ impl Confirmation<'_> {
             (told, self.weighed_worth(last, &joints, left_v, told))
         };
         let (all, weighed) = of(without_v);
-        let judged = |worth, judged_by, counts_in_full| Judged {
-            worth,
-            weighed: judged_by,
-            probability: probability(&judged_by),
-            counts_in_full,
-            share_with_it: weighed.share,
+        let judged = |worth, judged_by, counts_in_full| {
+            let ProbabilityOfCause { of_any: probability, by_name } = probability(&judged_by);
+            let share_with_it = weighed.share;
+            Judged {
+                worth,
+                weighed: judged_by,
+                probability,
+                by_name,
+                counts_in_full,
+                share_with_it,
+            }
         };
         if self.acts(last, &joints, without_v, &dropped_v) {
             return judged(all, weighed, true);
         }
         let (own, own_weighed) = of(&dropped_v);
         let worth = all.in_any_order(Some(&own));
-        match goes_surely(probability(&weighed), &weighed, &self.subject.criteria.verdict) {
+        match goes_surely(probability(&weighed).of_any, &weighed, &self.subject.criteria.verdict) {
             true => judged(worth, weighed, true),
             false => judged(worth, own_weighed, false),
         }
@@ -102,6 +108,7 @@ mod tests {
             goes_surely(probability, &Worth::of(&blocks(without_v2), &criteria), &criteria)
         };
         assert!(surely(0.98, 6.0));
+        assert!(surely(0.98, 4.0), "two ninths");
         assert!(!surely(0.9, 6.0), "not sure");
         assert!(!surely(0.98, 3.0), "a ninth");
     }
