@@ -110,3 +110,28 @@ fn unknown_torque(spring: &Transmission, period_s: f64, criteria: &FitCriteria) 
         .max(criteria.unknown_spring_torque)
         .min(criteria.unknown_link_torque)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_stiffer_a_spring_the_more_the_measured_torque_corrects_its_link() {
+        let criteria = FitCriteria::default();
+        let behind = |stiffness_nm_per_rad: f64, motor_inertia_kg_m2: f64, gap_rad: f64| {
+            let damping_nm_s_per_rad = 1.0;
+            let spring = Transmission {
+                gap_rad,
+                stiffness_nm_per_rad,
+                damping_nm_s_per_rad,
+                motor_inertia_kg_m2,
+            };
+            unknown_torque(&spring, 1e-3, &criteria)
+        };
+        assert_eq!(behind(42.0, 0.01, 0.0), criteria.unknown_spring_torque, "a soft one");
+        let stiff = behind(91_900.0, 0.0806, 0.0);
+        assert!((stiff - 0.13 * 1.14).abs() < 0.001, "{stiff}");
+        assert_eq!(behind(340e3, 0.02, 0.0), criteria.unknown_link_torque, "no more than play");
+        assert_eq!(behind(42.0, 0.01, 1e-3), criteria.unknown_link_torque, "play");
+    }
+}

@@ -29,6 +29,14 @@ impl Worth {
         let [from, to] = self.share_interval;
         Self { share_interval: [from, (to + besides).min(1.0)], ..self }
     }
+
+    /// The same with an interval that is wider at either end by a part of that end: a model that lacks another of the small
+    /// effects that are there, or has one more, shares the gap out a little differently.
+    pub fn within_part(self, part: f64) -> Self {
+        let [from, to] = self.share_interval;
+        let wider = [from - part * from.abs(), (to + part * to.abs()).min(1.0)];
+        Self { share_interval: wider, ..self }
+    }
 }
 
 impl Confirmation<'_> {
@@ -91,6 +99,12 @@ mod tests {
         assert_eq!(last.in_any_order(None).share_interval, [0.2, 0.4]);
         let harmful = last.in_any_order(Some(&worth(-1.0, [-2.0, 0.1])));
         assert_eq!(harmful.share_interval, [0.0, 0.4]);
+    }
+
+    #[test]
+    fn an_interval_is_wider_by_a_part_of_its_ends_and_ends_with_all_of_the_gap() {
+        assert_eq!(worth(0.3, [0.25, 0.5]).within_part(0.5).share_interval, [0.125, 0.75]);
+        assert_eq!(worth(0.9, [0.0, 0.95]).within_part(0.15).share_interval, [0.0, 1.0]);
     }
 
     #[test]

@@ -70,7 +70,8 @@ impl<'a> Judgement<'a> {
             let added_first =
                 || self.confirmation.worth_added_first(&self.refitted, &self.last, effect);
             let first = several.then(added_first).flatten();
-            named.worth = named.worth.with_remainder().in_any_order(first.as_ref());
+            let worth = named.worth.with_remainder().in_any_order(first.as_ref());
+            named.worth = worth.within_part(subject.criteria.verdict.share_error);
         }
     }
 }
