@@ -64,6 +64,7 @@ impl<'a> Judgement<'a> {
     /// A part of what is left is the causes', and shares of several depend on the order in which they are
     /// added; `known` effects are the model's own.
     fn widen_shares(&mut self, known: usize) {
+        let share_error = self.confirmation.subject.criteria.verdict.share_error;
         let several = self.named.len() > 1;
         let effects = &self.last.linear.hypothesis.effects[known..];
         for (named, effect) in self.named.iter_mut().zip(effects) {
@@ -71,7 +72,7 @@ impl<'a> Judgement<'a> {
                 || self.confirmation.worth_added_first(&self.refitted, &self.last, effect);
             let first = several.then(added_first).flatten();
             let worth = named.worth.with_remainder().in_any_order(first.as_ref());
-            named.worth = worth.within_part(subject.criteria.verdict.share_error);
+            named.worth = worth.within_part(share_error);
         }
     }
 }
