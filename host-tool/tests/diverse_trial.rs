@@ -68,11 +68,15 @@ fn claims(seed: &str, case: &str) -> serde_json::Value {
 }
 
 /// What they tell of an effect on a joint: the value of a parameter.
-fn value(claims: &serde_json::Value, (effect, joint): (&str, u64), parameter: &str) -> f64 {
+fn value(claims: &serde_json::Value, place: (&str, u64), parameter: &str) -> f64 {
+    claim(claims, place)["parameters"][parameter].as_f64().unwrap()
+}
+
+/// All that they tell of an effect on a joint.
+fn claim<'a>(claims: &'a serde_json::Value, (effect, joint): (&str, u64)) -> &'a serde_json::Value {
     let is_it = |claim: &&serde_json::Value| claim["effect"] == effect && claim["joint"] == joint;
     let found = claims.as_array().unwrap().iter().find(is_it);
-    let found = found.unwrap_or_else(|| panic!("no {effect} of joint {joint} in {claims}"));
-    found["parameters"][parameter].as_f64().unwrap()
+    found.unwrap_or_else(|| panic!("no {effect} of joint {joint} in {claims}"))
 }
 
 /// The same of a case of a seed.
@@ -147,12 +151,11 @@ fn a_cable_is_named_though_the_model_is_further_off_than_its_doubt() {
 #[ignore = "a minute; `cargo xtask test --long`"]
 fn a_delay_that_one_log_alone_tells_is_named_with_one_half() {
     let claims = claims("94483", "13");
-    let delay_s = value(&claims, ("delay", 3), "delay_s");
+    let delay = claim(&claims, ("delay", 3));
+    let delay_s = delay["parameters"]["delay_s"].as_f64().unwrap();
     assert!((delay_s / 1.26e-3 - 1.0).abs() < 0.1, "{delay_s}");
-    let is_it = |claim: &&serde_json::Value| claim["effect"] == "delay";
-    let probability =
-        claims.as_array().unwrap().iter().find(is_it).unwrap()["probability"].as_f64();
-    assert!((0.5..0.7).contains(&probability.unwrap()), "{probability:?}");
+    let probability = delay["probability"].as_f64().unwrap();
+    assert!((0.5..0.7).contains(&probability), "{probability}");
 }
 
 /// Dahl friction. What encoder steps push through the spring on a calm joint is as large as what it does there.

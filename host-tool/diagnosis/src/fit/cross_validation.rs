@@ -45,20 +45,17 @@ impl Linearisation {
     /// next, and only that shows it. Logs are few, and one may hold most of what is known of a parameter,
     /// so that their deviation counts as one that is known.
     pub fn half_intervals(&self, evidence: &Evidence) -> Vec<f64> {
-        let by_folds = self.half_intervals_by_folds(evidence);
         let logs = self.runs(&self.train_logs(evidence));
         let by_logs = self.jackknife_deviations(&logs, &self.products_of_logs(evidence, &logs));
-        let wider = |place: usize| by_folds[place].max(NORMAL * by_logs[place]);
-        (0..self.expected.len()).map(wider).collect()
+        self.wider_half_intervals(evidence, &by_logs)
     }
 
-    /// The same [each in its parameter's unit], by what leaving out one log changes beyond chance alone: one log may be the only one that tells a parameter,
-    /// and what the others say of it then differs by what they do not know.
+    /// The same, by what leaving out one log changes beyond chance alone: one log may be the only one that tells a
+    /// parameter, and what the others say of it then differs by what they do not know.
     ///
     /// What the fit to a part of the rows differs by from the one to all has the variance of the first less that of the
     /// second (Hausman, Specification tests in econometrics, 1978).
     pub fn half_intervals_beyond_chance(&self, evidence: &Evidence) -> Vec<f64> {
-        let by_folds = self.half_intervals_by_folds(evidence);
         let logs = self.runs(&self.train_logs(evidence));
         let products = self.products_of_logs(evidence, &logs);
         let (normal, variances) = (self.normal(), self.variances());
@@ -68,9 +65,7 @@ impl Linearisation {
             Some(change?.zip_map(&(without - &variances), more_than_chance))
         };
         let beyond: Vec<_> = changes.into_iter().zip(&products).filter_map(beyond).collect();
-        let by_logs = jackknife(&beyond, self.expected.len());
-        let wider = |place: usize| by_folds[place].max(NORMAL * by_logs[place]);
-        (0..self.expected.len()).map(wider).collect()
+        self.wider_half_intervals(evidence, &jackknife(&beyond, self.expected.len()))
     }
 
     /// Variances of all that is open, by the curvature of the fit.
@@ -78,11 +73,13 @@ impl Linearisation {
         self.normal.inverse().diagonal()
     }
 
-    /// Half the 95 % interval of each parameter that is open, by the curvature of the fit or by folds.
-    fn half_intervals_by_folds(&self, evidence: &Evidence) -> Vec<f64> {
+    /// Half the 95 % interval of each parameter that is open, by the curvature of the fit, by folds, or by a deviation
+    /// between logs.
+    fn wider_half_intervals(&self, evidence: &Evidence, by_logs: &DVector<f64>) -> Vec<f64> {
         let folds = self.runs(&self.folds(evidence));
         let by_folds = self.jackknife_deviations(&folds, &self.of_folds) * STUDENT_T;
-        let wider = |place: usize| by_folds[place].max(NORMAL * self.deviation(place));
+        let wider =
+            |place: usize| by_folds[place].max(NORMAL * self.deviation(place).max(by_logs[place]));
         (0..self.expected.len()).map(wider).collect()
     }
 

@@ -30,11 +30,11 @@ impl Worth {
         Self { share_interval: [from, (to + besides).min(1.0)], ..self }
     }
 
-    /// The same with an interval that is wider at either end by a part of that end: a model that lacks another of the small
-    /// effects that are there, or has one more, shares the gap out a little differently.
+    /// The same with an interval, from nothing on, that is wider at either end by a part of that end: a model that
+    /// lacks another of the small effects that are there, or has one more, shares the gap out a little differently.
     pub fn within_part(self, part: f64) -> Self {
         let [from, to] = self.share_interval;
-        let wider = [from - part * from.abs(), (to + part * to.abs()).min(1.0)];
+        let wider = [(1.0 - part) * from, ((1.0 + part) * to).min(1.0)];
         Self { share_interval: wider, ..self }
     }
 }

@@ -7,9 +7,9 @@ use crate::trial::hypothesis::EffectInstance;
 use files::Role;
 use rig::effects::Kind;
 
-/// Whether an effect (the one at `index` of a model) makes commands late by a time that is not told, or that differs from log
-/// to log by more than chance: a drive is
-/// late by the same time in every log, what play loses at reversals differs from motion to motion.
+/// Whether an effect (the one at `index` of a model) makes commands late by a time that is not told, or that differs
+/// from log to log by more than chance: a drive is late by the same time in every log, what play loses at reversals
+/// differs from motion to motion.
 pub fn is_unsteady(model: &FittedModel, index: usize) -> bool {
     let most = model.evidence.criteria.verdict.most_of_time;
     let effect = &model.linear.hypothesis.effects[index];
