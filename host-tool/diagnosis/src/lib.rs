@@ -47,6 +47,7 @@ pub use posterior::Posterior;
 pub use report::sentence::sentence;
 pub use result::*;
 
+use files::EffectTable;
 use fit::gears::ask_for_loss;
 use fit::preparation::{self, prepared};
 use fit::warmth::{ask_for_warmth, may_warm};
@@ -100,7 +101,22 @@ pub fn diagnose(
     criteria: &Criteria,
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnosisError> {
-    let subject = Subject::of(campaign, catalogue, criteria)?;
+    diagnose_suspecting(campaign, catalogue, criteria, &[], progress)
+}
+
+/// The same, with effects that the search tries first, by their values; they stay where the logs bear them out.
+///
+/// # Errors
+/// Likewise, and effects that the robot cannot have.
+pub fn diagnose_suspecting(
+    campaign: &Campaign,
+    catalogue: &Catalogue,
+    criteria: &Criteria,
+    suspected: &[EffectTable],
+    progress: &dyn Fn(&str),
+) -> Result<Diagnosis, DiagnosisError> {
+    let mut subject = Subject::of(campaign, catalogue, criteria)?;
+    subject.suspect(suspected)?;
     let file = ModelFile::Robot(Box::new(campaign.robot_file.clone()));
     diagnosed(subject, &campaign.traces, &file, progress)
 }

@@ -99,8 +99,8 @@ fn by_likeliest_doubt(
     mut stretches: Vec<Stretch>,
     progress: &dyn Fn(&str),
 ) -> Result<Settled, StepError> {
-    let first =
-        Searched::of(&subject, stretches.clone(), None, KnownCauses::default(), true, progress)?;
+    let suspected = KnownCauses::suspected_of(&subject);
+    let first = Searched::of(&subject, stretches.clone(), None, suspected, true, progress)?;
     let mut early_part = first.early_part;
     if early_part > 0.0 {
         stretches = by_instants(stretches, early_part);

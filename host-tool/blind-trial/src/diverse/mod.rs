@@ -30,6 +30,7 @@ pub use score::DiverseScore;
 pub(crate) use score::{KNOWABLE, names};
 pub use settings::{DiverseSettings, FrictionRanges, Ranges};
 pub(crate) use sizes::scaled;
+pub use told::true_effects;
 pub(crate) use world::draw_law_among;
 
 #[cfg(test)]

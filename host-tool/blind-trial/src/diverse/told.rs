@@ -14,13 +14,22 @@ use rig::effects::Catalogue;
 /// have it. Shares follow from how far parameters may make up for a cause, so they are held against
 /// those of the same doubt.
 pub fn told(case: &Case, campaign: &Campaign, criteria: &Criteria) -> Vec<Option<f64>> {
-    let tables: BTreeMap<usize, EffectTable> =
-        case.causes.iter().enumerate().filter_map(|(k, cause)| Some((k, table(cause)?))).collect();
+    let tables = tables(case);
     let mut campaign = campaign.clone();
     campaign.robot_file.effects = tables.values().cloned().collect();
     let shares = told_shares(&campaign, &Catalogue::standard(), criteria).unwrap_or_default();
     let of_known: BTreeMap<usize, Option<f64>> = tables.into_keys().zip(shares).collect();
     (0..case.causes.len()).map(|k| of_known.get(&k).copied().flatten()).collect()
+}
+
+/// The true causes that the catalogue has, with their values.
+pub fn true_effects(case: &Case) -> Vec<EffectTable> {
+    tables(case).into_values().collect()
+}
+
+/// The same by their places among all causes.
+fn tables(case: &Case) -> BTreeMap<usize, EffectTable> {
+    case.causes.iter().enumerate().filter_map(|(k, cause)| Some((k, table(cause)?))).collect()
 }
 
 /// As a model's file has it.

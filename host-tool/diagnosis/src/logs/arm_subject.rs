@@ -46,6 +46,7 @@ impl Subject {
             catalogue: catalogue.clone(),
             known_effects: Vec::new(),
             given_effects: 0,
+            suspected: Vec::new(),
             found_constants: BTreeMap::new(),
             known_tables: Vec::new(),
             joints: (0..arm.joints.len()).collect(),

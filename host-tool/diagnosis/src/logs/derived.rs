@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use model::chain::{BODY_PARAMETERS, MAX_JOINTS};
 
 use super::joint_dynamics::JointDynamics;
-use super::kinematics::{Joints, Middles, Sines};
+use super::kinematics::{Joints, Middles, Sines, Sliding};
 use super::last::Last;
 
 /// The ten numbers of what a chain's last link carries beyond the model's own: m, m c (3), inertia about its origin (6).
@@ -21,6 +21,8 @@ pub struct Derived {
     pub sines: OnceLock<Vec<Sines>>,
     /// Angles and velocities in the middle of the intervals.
     pub middles: OnceLock<Middles>,
+    /// What each joint's friction follows.
+    pub sliding: [OnceLock<Sliding>; MAX_JOINTS],
     /// Loads of the bodies that were tried last.
     pub loads: Last<Vec<Joints>>,
     /// Each joint's equation of motion with them.

@@ -28,6 +28,15 @@ pub struct Kinematics {
     pub qdd_rad_per_s2: Vec<Vec<f64>>,
 }
 
+/// What a joint's friction follows, at the samples.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sliding {
+    /// Velocity [rad/s].
+    pub velocity: Vec<f64>,
+    /// Its slope [rad/s^2].
+    pub acceleration: Vec<f64>,
+}
+
 impl Kinematics {
     /// Of so many joints, with no sample yet.
     pub fn of_joints(joints: usize) -> Self {
@@ -53,6 +62,13 @@ impl Kinematics {
             return Cow::Borrowed(&self.qd_rad_per_s[joint]);
         }
         Cow::Owned(derivative::first(&play(&self.q_rad[joint], wavers_rad), period_s))
+    }
+
+    /// The same with its slope.
+    pub fn sliding(&self, joint: usize, wavers_rad: f64, period_s: f64) -> Sliding {
+        let velocity = self.sliding_velocity(joint, wavers_rad, period_s).into_owned();
+        let acceleration = derivative::first(&velocity, period_s);
+        Sliding { velocity, acceleration }
     }
 
     /// Angles, velocities, accelerations of three joints at an instant.

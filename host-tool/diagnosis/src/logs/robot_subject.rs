@@ -51,6 +51,7 @@ impl Subject {
             catalogue: catalogue.clone(),
             known_effects: Vec::new(),
             given_effects: 0,
+            suspected: Vec::new(),
             found_constants: BTreeMap::new(),
             known_tables: Vec::new(),
             joints: if one_joint { vec![ONLY] } else { vec![0, 1, 2] },

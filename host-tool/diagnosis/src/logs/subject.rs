@@ -23,6 +23,8 @@ pub struct Subject {
     pub known_effects: Vec<(&'static Definition, u8, Vec<f64>)>,
     /// How many of these the model as given holds.
     pub given_effects: usize,
+    /// Effects that a search tries first.
+    pub suspected: Vec<(&'static Definition, u8, Vec<f64>)>,
     /// The 95 % intervals of torque constants that were found, with all of them open, by joint (from 1).
     pub found_constants: BTreeMap<u8, [f64; 2]>,
     /// Tables that the model as given holds already.
@@ -189,13 +191,29 @@ impl Subject {
                 self.known_tables.push(Table { joint, ..known });
                 continue;
             }
-            let (definition, values) = self.catalogue.definition_and_values(table)?;
-            let joint = self.inner_joint(table.joint);
-            definition.on_one_of(joints, joint, &values)?;
-            self.known_effects.push((definition, joint, values));
+            let effect = self.effect_of(table)?;
+            self.known_effects.push(effect);
         }
         self.given_effects = self.known_effects.len();
         Ok(())
+    }
+
+    /// Takes effects that a search tries first.
+    pub(crate) fn suspect(&mut self, tables: &[files::EffectTable]) -> Result<(), SubjectError> {
+        let effects = tables.iter().map(|table| self.effect_of(table));
+        self.suspected = effects.collect::<Result<_, _>>()?;
+        Ok(())
+    }
+
+    /// An effect of a file, its joint as effects here count it.
+    fn effect_of(
+        &self,
+        table: &files::EffectTable,
+    ) -> Result<(&'static Definition, u8, Vec<f64>), SubjectError> {
+        let (definition, values) = self.catalogue.definition_and_values(table)?;
+        let joint = self.inner_joint(table.joint);
+        definition.on_one_of(self.catalogue.joints(), joint, &values)?;
+        Ok((definition, joint, values))
     }
 }
 

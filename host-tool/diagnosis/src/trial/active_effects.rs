@@ -15,12 +15,11 @@ use model::{Dual, Friction, FrictionState, Real};
 use super::hypothesis::Hypothesis;
 use super::reading;
 use super::warmth;
-use crate::logs::kinematics::{Joints, Kinematics, Middles};
+use crate::logs::kinematics::{Joints, Kinematics, Middles, Sliding};
 use crate::logs::loads::loads;
 use crate::logs::stretch::Stretch;
 use rig::Plant;
 use rig::effects::{Effect, JointState, Table, TableAxis, Transmission};
-use signal::derivative;
 
 /// Slopes of friction: along its parameters, along its lead, and along the gears' loss.
 pub const FRICTION_SLOPES: usize = FRICTION_COUNT + 2;
@@ -116,8 +115,14 @@ impl<'a> ActiveEffects<'a> {
     ) -> Vec<P> {
         let (half, quarter) = (T::constant(0.5), T::constant(0.25));
         let half_s = half * T::constant(self.stretch.period_s);
-        let (v, ahead) = self.velocity_ahead(joint, lead_s);
-        let last = v.len() - 1;
+        let sliding = self.sliding(joint);
+        let last = sliding.velocity.len() - 1;
+        // Velocity that dry friction feels, to first order the one `lead_s` later, and by how much it is ahead.
+        let at = |k: usize| {
+            let ahead = lead_s * T::constant(sliding.acceleration[k]);
+            (T::constant(sliding.velocity[k]) + ahead, ahead)
+        };
+        let mut before = at(0);
         let scaling = at_rest(self.hypothesis.effects_on_friction_of(joint), self.stretch.period_s);
         let felt = TorquesFelt::by(&scaling);
         let warmth = self.hypothesis.warmth(joint, self.stretch.log);
@@ -137,15 +142,15 @@ impl<'a> ActiveEffects<'a> {
                 (scale.level, scale.viscous) = (scale.level * factor, scale.viscous * factor);
             }
             scale.added_v = scale.added_v + gear_loss * T::constant(command_v[k].abs());
-            let (here, next) = (v[k], v[(k + 1).min(last)]);
+            let ((here, ahead), (next, next_ahead)) = (before, at((k + 1).min(last)));
+            before = (next, next_ahead);
             let quarter_on = (next - here) * quarter;
             let early = bristles.step_scaled(friction, scale, here + quarter_on, half_s);
             let late = bristles.step_scaled(friction, scale, next - quarter_on, half_s);
             let viscous = friction.alpha2_v_s_per_rad * scale.viscous;
-            let both_ahead = ahead[k] + ahead[(k + 1).min(last)];
-            part(half * (early + late - viscous * both_ahead))
+            part(half * (early + late - viscous * (ahead + next_ahead)))
         };
-        (0..v.len()).map(&mut interval).collect()
+        (0..=last).map(&mut interval).collect()
     }
 
     /// Slopes of a joint's friction along the parts of its warmth in the log, by those along its parameters: warmth
@@ -168,29 +173,22 @@ impl<'a> ActiveEffects<'a> {
         self.stretch.start_s + (k as f64 + 0.5) * self.stretch.period_s
     }
 
-    /// Velocity that dry friction feels, to first order the one `lead_s` later, and by how much it is ahead [rad/s].
-    fn velocity_ahead<T: Real>(&self, joint: usize, lead_s: T) -> (Vec<T>, Vec<T>) {
-        let v = self.sliding_velocity(joint);
-        let slope = derivative::first(&v, self.stretch.period_s);
-        let both = |(v, slope): (&f64, f64)| {
-            let ahead = lead_s * T::constant(slope);
-            (T::constant(*v) + ahead, ahead)
-        };
-        v.iter().zip(slope).map(both).unzip()
-    }
-
-    /// Velocity of a joint that its friction follows [rad/s].
-    fn sliding_velocity(&self, joint: usize) -> Cow<'_, [f64]> {
-        let Stretch { at_rest_rad, period_s, .. } = self.stretch;
-        self.motor.sliding_velocity(joint, at_rest_rad[joint], *period_s)
+    /// What a joint's friction follows: that of the stretch where the encoders read true.
+    fn sliding(&self, joint: usize) -> Cow<'_, Sliding> {
+        let Stretch { at_rest_rad, period_s, derived, .. } = self.stretch;
+        let make = || self.motor.sliding(joint, at_rest_rad[joint], *period_s);
+        match &self.motor {
+            Cow::Borrowed(_) => Cow::Borrowed(derived.sliding[joint].get_or_init(make)),
+            Cow::Owned(_) => Cow::Owned(make()),
+        }
     }
 
     /// How far the bristles of each joint are bent at every sample.
     pub fn bristles(&self) -> Vec<Vec<FrictionState<f64>>> {
         let mut bristles = vec![FrictionState::default(); self.plant.joints()];
         let mut scale = vec![FrictionScale::unchanged(); self.plant.joints()];
-        let velocity: Vec<Cow<[f64]>> =
-            (0..self.plant.joints()).map(|joint| self.sliding_velocity(joint)).collect();
+        let sliding: Vec<Cow<Sliding>> =
+            (0..self.plant.joints()).map(|joint| self.sliding(joint)).collect();
         let felt = TorquesFelt::by(&self.effects);
         let mut at = |k: usize| {
             let before = bristles.clone();
@@ -198,7 +196,7 @@ impl<'a> ActiveEffects<'a> {
             let joint_state = self.joint_state(k, felt);
             self.effects.iter().for_each(|e| e.change_friction(&joint_state, &mut scale));
             for (joint, state) in bristles.iter_mut().enumerate() {
-                let v = velocity[joint][k];
+                let v = sliding[joint].velocity[k];
                 let friction = &self.plant.friction[joint];
                 state.step_scaled(friction, scale[joint], v, self.stretch.period_s);
             }

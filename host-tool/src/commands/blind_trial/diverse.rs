@@ -11,10 +11,10 @@ use crate::terminal::answer::answer;
 use crate::terminal::progress::Progress;
 use blind_trial::diverse::{
     self, DiverseCase, DiverseOutcome, DiverseResults, DiverseSettings, Earlier, diagnose_diverse,
-    draw_diverse,
+    draw_diverse, true_effects,
 };
 use blind_trial::{RunSettings, SealedTruth, logs, sealed_truth};
-use diagnosis::{Criteria, diagnose};
+use diagnosis::{Criteria, diagnose_suspecting};
 use rig::effects::Catalogue;
 
 /// Draws, seals, has diagnosed, and scores; where it `resumes` a trial that was stopped, answers that are in its
@@ -75,8 +75,10 @@ fn sealed(
 }
 
 fn diagnose_one(case: &DiverseCase, run: &RunSettings) -> Result<DiverseOutcome, Failure> {
+    let suspected = if run.suspects_truth { true_effects(&case.case) } else { Vec::new() };
     let outcome = diagnose_diverse(case, run, &|campaign| {
-        diagnose(campaign, &Catalogue::standard(), &Criteria::default(), &|_| ())
+        let (catalogue, criteria) = (Catalogue::standard(), Criteria::default());
+        diagnose_suspecting(campaign, &catalogue, &criteria, &suspected, &|_| ())
             .map_err(|error| error.to_string())
     })?;
     diverse::append(&outcome, &run.out)?;

@@ -78,6 +78,10 @@ pub struct Arguments {
     /// Go on with a diverse trial that was stopped: answers that are in --out already are taken from there.
     #[arg(long, requires = "diverse", conflicts_with = "draw_only")]
     pub resume: bool,
+    /// Have the search of a diverse trial try the true causes first: what is missed all the same is not missed by the
+    /// search.
+    #[arg(long, requires = "diverse", conflicts_with_all = ["draw_only", "resume"])]
+    pub suspect_truth: bool,
 }
 
 /// Runs the command.
@@ -174,7 +178,12 @@ impl Arguments {
     }
 
     fn run_settings(&self) -> RunSettings {
-        RunSettings { out: self.out.clone(), keep_logs: self.keep_logs, ceiling: self.ceiling }
+        RunSettings {
+            out: self.out.clone(),
+            keep_logs: self.keep_logs,
+            ceiling: self.ceiling,
+            suspects_truth: self.suspect_truth,
+        }
     }
 
     /// Diagnoses the cases, one on each core, and prints each answer as it comes.

@@ -72,6 +72,13 @@ impl DiverseOutcome {
         self.is_knowable() && share.is_some_and(|share| share >= SHOWN)
     }
 
+    /// Whether the largest cause could be known and, told with its values, shows on the logs held out by the report's own
+    /// measure.
+    pub fn is_confirmable_when_told(&self) -> bool {
+        let share = self.told_shares.first().copied().flatten();
+        self.is_knowable() && share.is_some_and(|share| share >= SHOWN)
+    }
+
     /// Whether the largest cause alone is more than half of the gap.
     pub fn is_dominated(&self) -> bool {
         self.known.first().and_then(|known| known.share).is_some_and(|share| share > 0.5)
@@ -99,6 +106,8 @@ pub struct Answers {
     pub knowable_named: Share,
     /// Those that take a tenth of the gap or more on the logs held out, by twins: it stands first.
     pub confirmable_first: Share,
+    /// Those that take as much by the report's own measure, told with their values: it stands first.
+    pub told_first: Share,
     /// Those of one cause that takes more than half of the gap: it stands first.
     pub dominated_first: Share,
     /// Pairs both of which could be known: both are named.
@@ -135,6 +144,10 @@ impl Answers {
             knowable_named: count(&DiverseOutcome::is_knowable, &|o| o.has_named(0)),
             confirmable_first: count(
                 &DiverseOutcome::is_confirmable,
+                &DiverseOutcome::is_first_right,
+            ),
+            told_first: count(
+                &DiverseOutcome::is_confirmable_when_told,
                 &DiverseOutcome::is_first_right,
             ),
             dominated_first: count(

@@ -9,6 +9,7 @@ use crate::claim::Claim;
 use crate::diverse::knowable::Known;
 use crate::foreign;
 use crate::reality::Reality;
+use crate::score::Share;
 use diagnosis::Value;
 use rig::effects::Catalogue;
 
@@ -100,6 +101,18 @@ fn the_largest_must_stand_first_unless_another_is_as_large() {
     let spring = vec![claim("cable_spring", 2, 0.9)];
     let both = outcome(hidden, &[(0.7, 0.99), (0.2, 0.95)], spring);
     assert!(both.has_named(0) && both.has_named(1));
+}
+
+/// On the logs held out parameters make up for a lag that twins with the true ones show.
+#[test]
+fn what_a_report_would_not_tell_of_a_cause_is_a_row_of_its_own() {
+    let lag = || vec![cause("actuator_lag", 2, &[0.005])];
+    let named = outcome(lag(), &[(0.2, 0.99)], vec![claim("actuator_lag", 2, 0.9)]);
+    let unseen = outcome(lag(), &[(0.2, 0.99)], Vec::new());
+    let unseen = DiverseOutcome { told_shares: vec![Some(0.02)], ..unseen };
+    let score = DiverseScore::of(&[named, unseen]).answers;
+    let counts = |share: Share| (share.count, share.of);
+    assert_eq!((counts(score.confirmable_first), counts(score.told_first)), ((1, 2), (1, 1)));
 }
 
 #[test]
