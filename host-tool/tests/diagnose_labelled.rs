@@ -1,9 +1,10 @@
 //! The six labelled gaps of an independent simulator, whose causes are known.
 
+use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
-use diagnosis::{Cause, Criteria, Diagnosis, Value, Verdict, diagnose};
-use files::{Dataset, RobotFile};
+use diagnosis::{Cause, Criteria, Diagnosis, Value, Verdict, diagnose, diagnose_suspecting};
+use files::{Dataset, EffectTable, RobotFile};
 use recordings::Campaign;
 use rig::effects::Catalogue;
 
@@ -16,10 +17,35 @@ fn diagnosis(directory: &Path) -> Diagnosis {
 }
 
 fn diagnosis_by(directory: &Path, criteria: &Criteria) -> Diagnosis {
+    diagnose(&campaign(directory), &Catalogue::standard(), criteria, &|_| ()).unwrap()
+}
+
+fn campaign(directory: &Path) -> Campaign {
     let dataset = Dataset::read(directory).unwrap();
     let model = RobotFile::read(directory.join("model.toml")).unwrap();
-    let campaign = Campaign::read(&dataset, model).unwrap();
-    diagnose(&campaign, &Catalogue::standard(), criteria, &|_| ()).unwrap()
+    Campaign::read(&dataset, model).unwrap()
+}
+
+/// What a search says on its way that tries an effect on a joint first, and what it finds.
+fn suspecting(
+    directory: &Path,
+    effect: &str,
+    joint: u8,
+    parameters: &[(&str, f64)],
+) -> (String, Diagnosis) {
+    let parameters = parameters.iter().map(|&(name, value)| (name.to_owned(), value.into()));
+    let table = EffectTable {
+        effect: effect.into(),
+        joint,
+        parameters: parameters.collect(),
+        ..Default::default()
+    };
+    let (criteria, said) = (Criteria::default(), RefCell::new(String::new()));
+    let hear = |words: &str| *said.borrow_mut() += &format!("{words}\n");
+    let catalogue = Catalogue::standard();
+    let found =
+        diagnose_suspecting(&campaign(directory), &catalogue, &criteria, &[table], &hear).unwrap();
+    (said.take(), found)
 }
 
 fn number(cause: &Cause, name: &str) -> f64 {
@@ -57,6 +83,21 @@ fn single_causes_are_found_with_their_parameters() {
         assert_eq!(report.verdict, Verdict::Effect, "case {case}");
         assert_eq!(report.causes.len(), 1, "case {case}: {:?}", report.causes);
         assert_cause(&report.causes[0], effect, joint, parameters);
+    }
+}
+
+/// One that is there spares the round that finds it; one that is not leaves the answer as it is.
+#[test]
+fn effects_that_are_suspected_stay_where_the_logs_bear_them_out() {
+    let Some(directory) = labelled(1) else { return };
+    let cogging = [("amplitude_V", 0.11), ("harmonic", 8.0), ("phase_rad", 0.9)];
+    let (said, right) = suspecting(&directory, "cogging", 3, &cogging);
+    assert!(!said.contains("round 1\n"), "{said}");
+    let (said, wrong) = suspecting(&directory, "dac_offset", 2, &[("offset_V", 0.2)]);
+    assert!(said.contains("round 1\n"), "{said}");
+    for found in [right, wrong] {
+        assert_eq!(found.report.causes.len(), 1, "{:?}", found.report.causes);
+        assert_cause(&found.report.causes[0], "cogging", 3, &cogging);
     }
 }
 

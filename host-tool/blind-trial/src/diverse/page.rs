@@ -56,7 +56,10 @@ fn answers(score: &DiverseScore) -> String {
             format!("{oracle}, a tenth or more of the gap of the logs held out: first"),
             confirmable_first,
         ),
-        (format!("{oracle}, a tenth or more of it as the report would tell it: first"), told_first),
+        (
+            format!("{oracle}, a tenth or more of that by the report's own measure: first"),
+            told_first,
+        ),
         ("one cause, more than half of the gap: first".to_owned(), dominated_first),
         (format!("two causes, both {oracle}: both named"), knowable_pairs),
         (format!("not {oracle}: largest cause named all the same"), beyond_knowable),

@@ -85,13 +85,8 @@ pub fn noise_left_v(subject: &Subject, evidence: &Evidence, last: &FittedModel) 
 
 /// The model as given, with all that is known of it by then.
 pub fn as_given(subject: &Subject) -> Hypothesis {
-    let effects = subject.known_effects.iter().map(|(definition, joint, values)| EffectInstance {
-        definition,
-        joint: *joint,
-        values: values.clone(),
-    });
     Hypothesis {
-        effects: effects.collect(),
+        effects: subject.known_effects.iter().map(EffectInstance::told).collect(),
         tables: subject.known_tables.clone(),
         ..Hypothesis::bare(subject.plant.clone())
     }

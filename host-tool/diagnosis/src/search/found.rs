@@ -5,7 +5,6 @@ use super::refit::Finalist;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
-use rig::effects::Definition;
 
 /// What the search ends with.
 pub struct Selection {
@@ -86,10 +85,7 @@ impl KnownCauses {
 
     /// Effects that a subject is suspected to have.
     pub fn suspected_of(subject: &Subject) -> Self {
-        let effect = |(definition, joint, values): &(&'static Definition, u8, Vec<f64>)| {
-            EffectInstance { definition, joint: *joint, values: values.clone() }
-        };
-        Self::alone(&subject.suspected.iter().map(effect).collect::<Vec<_>>())
+        Self::alone(&subject.suspected.iter().map(EffectInstance::told).collect::<Vec<_>>())
     }
 
     /// These, and those of others that they do not exclude; a search begins from the model of the others, too.

@@ -49,6 +49,11 @@ impl PartialEq for EffectInstance {
 }
 
 impl EffectInstance {
+    /// An effect as a subject tells it: what it is, its joint, its parameters.
+    pub fn told((definition, joint, values): &(&'static Definition, u8, Vec<f64>)) -> Self {
+        Self { definition, joint: *joint, values: values.clone() }
+    }
+
     /// The effect, its values kept within their bounds; `None` if it acts on no such joint.
     pub fn build(&self) -> Option<Box<dyn Effect>> {
         self.definition.on_one_of(MAX_JOINTS as u8, self.joint, &self.bounded()).ok()
