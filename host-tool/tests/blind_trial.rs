@@ -132,8 +132,7 @@ fn fool() -> Report {
 fn answers_are_scored_and_written() {
     let directory = tempfile::tempdir().unwrap();
     let out = directory.path().to_owned();
-    let run =
-        RunSettings { out: out.clone(), keep_logs: false, ceiling: true, suspects_truth: false };
+    let run = RunSettings { out: out.clone(), keep_logs: false, ceiling: true };
     let case = &drawn(&settings(1, None, &["dac_offset"]))[0];
     let outcome = diagnose_case(case, &run, &|campaign| {
         assert_eq!(campaign.traces.len(), 5);

@@ -195,6 +195,29 @@ fn a_download_brings_the_block_in_use_or_the_stored_one() {
     assert_eq!(used.robot.command_limit_v, Some(0.5));
 }
 
+/// A model that is fetched and sent again must not lose what keeps the arm whole.
+#[test]
+fn a_downloaded_model_has_the_ranges_and_what_motors_bear() {
+    let (directory, board) = (with_model(), board());
+    let at = directory.path();
+    let mut limited = RobotFile::read(at.join("model.toml")).unwrap();
+    limited.robot.limits_rad = Some(vec![[-4.0, 7.0], [-9.0, 7.0], [-8.0, 8.0]]);
+    limited.robot.motor_continuous_v = Some(vec![3.0, 3.5, 2.0]);
+    limited.robot.motor_time_constant_s = Some(vec![60.0, 45.0, 30.0]);
+    limited.write(at.join("limited.toml")).unwrap();
+    said(at, &board, "upload limited.toml");
+    said(at, &board, "download --out again.toml");
+    let again = RobotFile::read(at.join("again.toml")).unwrap().robot;
+    assert_eq!(again.limits_rad, limited.robot.limits_rad);
+    assert_eq!(again.motor_continuous_v, limited.robot.motor_continuous_v);
+    assert_eq!(again.motor_time_constant_s, limited.robot.motor_time_constant_s);
+
+    said(at, &board, "upload model.toml");
+    said(at, &board, "download --out endless.toml");
+    let endless = RobotFile::read(at.join("endless.toml")).unwrap().robot;
+    assert_eq!((endless.limits_rad, endless.motor_continuous_v), (None, None));
+}
+
 #[test]
 fn a_board_with_a_damaged_newer_slot_says_that_it_has_the_older_block() {
     let (directory, first) = (with_model(), board());

@@ -40,7 +40,9 @@ fn two_diverse_cases_are_drawn_diagnosed_and_scored() {
     let again = resumed.assert().success().get_output().stdout.clone();
     assert!(!String::from_utf8(again).unwrap().contains("case 001:"), "it is not diagnosed again");
     assert_eq!(read("diverse-trial.jsonl"), lines);
-    assert_eq!(without_seal(&read("diverse-trial.md")), without_seal(&page));
+    let resumed = read("diverse-trial.md");
+    assert!(resumed.contains("Resumed:") && !page.contains("Resumed:"), "{resumed}");
+    assert_eq!(without_seal(&resumed), without_seal(&page));
 }
 
 /// A page without the hash of the truth: each run seals it with a random number of its own.

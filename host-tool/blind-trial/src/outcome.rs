@@ -48,8 +48,6 @@ pub struct RunSettings {
     pub keep_logs: bool,
     /// Whether the same robot without causes is diagnosed as well, for the ceiling.
     pub ceiling: bool,
-    /// Whether the search tries the true causes first.
-    pub suspects_truth: bool,
 }
 
 /// Writes the logs of a case, reads them back and diagnoses them; the diagnosis sees

@@ -104,7 +104,8 @@ pub fn diagnose(
     diagnose_suspecting(campaign, catalogue, criteria, &[], progress)
 }
 
-/// The same, with effects that the search tries first, by their values; they stay where the logs bear them out.
+/// The same, with effects that every search tries first, by their values; they stay where the logs bear them out. Few rivals
+/// are tried in the place of one that stays, so its probability is higher than that of a cause which a search finds.
 ///
 /// # Errors
 /// Likewise, and effects that the robot cannot have.

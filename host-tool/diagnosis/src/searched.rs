@@ -178,7 +178,8 @@ impl Searched {
         let mut free = subject.clone();
         free.doubt(subject.criteria.prior.widest_doubt());
         let near = Some(&self.selection.refitted.linear.hypothesis);
-        Self::of(&free, stretches.to_vec(), near, KnownCauses::default(), false, progress).ok()
+        let suspected = KnownCauses::suspected_of(&free);
+        Self::of(&free, stretches.to_vec(), near, suspected, false, progress).ok()
     }
 
     /// Whether causes were found and their model gains over the one that another search ended with.

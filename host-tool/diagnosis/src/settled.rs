@@ -111,6 +111,7 @@ fn by_likeliest_doubt(
             wider = Some(doubt);
             subject.doubt(doubt);
             let near = Some(&first.selection.refitted.linear.hypothesis);
+            let known = known.behind_suspected(&subject);
             Searched::of(&subject, stretches, near, known, early_part == 0.0, progress)?
         }
         Some(Free::Causes(found)) => *found,

@@ -157,6 +157,9 @@ impl From<DiagnosisError> for Failure {
             DiagnosisError::Subject(error @ SubjectError::Effect(_)) => {
                 Self::new(error.to_string(), "correct the table, or take it out")
             }
+            DiagnosisError::Subject(error @ SubjectError::Suspected(_)) => {
+                Self::new(error.to_string(), "docs/effects.md lists the catalogue")
+            }
             DiagnosisError::Subject(SubjectError::Plant(error)) => error.into(),
         }
     }

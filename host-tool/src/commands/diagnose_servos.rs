@@ -46,7 +46,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let out = &arguments.out;
     refuse_to_replace(&arguments.model, &out.join(MODEL))?;
     let steps = Steps::new();
-    let (outcome, report) = judge(&arguments.dataset, &arguments.model, &|what| steps.at(what))?;
+    let (outcome, mut report) =
+        judge(&arguments.dataset, &arguments.model, &|what| steps.at(what))?;
+    report.remarks.extend(without_part(arguments));
     steps.at("drawing the pictures");
     let path = out.join(REPORT);
     let text = json(&report, &path)? + "\n";
@@ -60,6 +62,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     say!("{}", in_words(&report).trim_end());
     say!("\nPictures: {}", out.join(PAGE).display());
     answer(&report)
+}
+
+/// What is said of options that have no part in such a diagnosis.
+fn without_part(arguments: &Arguments) -> Option<String> {
+    let given = [
+        arguments.criteria.as_ref().map(|_| "--criteria"),
+        arguments.model_doubt.map(|_| "--model-doubt"),
+    ];
+    let given: Vec<&str> = given.into_iter().flatten().collect();
+    let what = "no part in the diagnosis of an arm of position servos, whose settings are its own";
+    (!given.is_empty()).then(|| format!("{} had {what}", given.join(" and ")))
 }
 
 /// The diagnosis of a data set by the model of such an arm; `progress` hears what is under way.

@@ -18,6 +18,8 @@ pub struct Earlier {
     case: u32,
     truth: serde_json::Value,
     told_shares: Vec<Option<f64>>,
+    #[serde(default)]
+    suspects_truth: bool,
     verdict: String,
     failure: Option<String>,
     claims: Vec<Claim>,
@@ -41,16 +43,17 @@ impl Earlier {
         Ok(text.lines().filter_map(|line| serde_json::from_str(line).ok()).collect())
     }
 
-    /// The outcome of a case that is the same, by its number and its causes.
+    /// The outcome of a case that is the same, by its number and its causes, unless its search was told the truth.
     pub fn outcome(&self, DiverseCase { case, known }: &DiverseCase) -> Option<DiverseOutcome> {
         let is_same = self.case == case.number && self.truth == serde_json::json!(case.causes);
-        let reality = case.reality.clone().filter(|_| is_same)?;
+        let reality = case.reality.clone().filter(|_| is_same && !self.suspects_truth)?;
         Some(DiverseOutcome {
             case: case.number,
             kind: case.kind,
             truth: case.causes.clone(),
             known: known.clone(),
             told_shares: self.told_shares.clone(),
+            suspects_truth: self.suspects_truth,
             reality,
             beside: beside(case),
             verdict: self.verdict.clone(),

@@ -25,6 +25,8 @@ pub struct DiverseOutcome {
     pub reality: Reality,
     /// What else is true of the robot against its model, and has a name.
     pub beside: Vec<TrueCause>,
+    /// Whether the search was told the true causes first: not a blind answer.
+    pub suspects_truth: bool,
     /// The verdict, or "failed".
     pub verdict: String,
     /// Why there is no report, where there is none.

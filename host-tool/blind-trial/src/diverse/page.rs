@@ -9,10 +9,23 @@ use crate::markdown::{counted, percent, sealed_head, table, with_parameters};
 /// Length of a full bar [characters].
 const BAR: f64 = 30.0;
 
+/// What is said where a trial went on with answers of an earlier run.
+const RESUMED: &str = "Resumed: this SHA-256 is of the truth as drawn again; earlier answers came after that of their own run.\n";
+
+/// What is said of answers to searches that were told the truth.
+const NOT_BLIND: &str =
+    "\n**Not blind:** searches were told the true causes first (`--suspect-truth`).\n";
+
 /// The whole page.
 pub fn page(results: &DiverseResults) -> String {
     let DiverseResults { cases: all, first, seed, sha256, .. } = results;
-    let head = sealed_head("Blind trial, diverse realities", all.len(), first, seed, sha256);
+    let mut head = sealed_head("Blind trial, diverse realities", all.len(), first, seed, sha256);
+    if results.resumed {
+        head += RESUMED;
+    }
+    if all.iter().any(|case| case.suspects_truth) {
+        head += NOT_BLIND;
+    }
     [head, short(results), cases(&results.cases)].join("\n")
 }
 
@@ -38,7 +51,7 @@ fn answers(score: &DiverseScore) -> String {
         knowable_first,
         knowable_named,
         confirmable_first,
-        told_first,
+        measurable_first,
         dominated_first,
         knowable_pairs,
         beyond_knowable,
@@ -57,8 +70,10 @@ fn answers(score: &DiverseScore) -> String {
             confirmable_first,
         ),
         (
-            format!("{oracle}, a tenth or more of that by the report's own measure: first"),
-            told_first,
+            format!(
+                "{oracle}, a tenth or more of that gap by the report's own measure, in the catalogue: first"
+            ),
+            measurable_first,
         ),
         ("one cause, more than half of the gap: first".to_owned(), dominated_first),
         (format!("two causes, both {oracle}: both named"), knowable_pairs),

@@ -17,6 +17,8 @@ pub struct DiverseResults {
     pub first: u32,
     /// SHA-256 of the truth.
     pub sha256: String,
+    /// Whether answers may be of an earlier run, before which the hash of a truth drawn then was told.
+    pub resumed: bool,
     /// The score.
     pub score: DiverseScore,
     /// Truth and answer of each case; they have a file of their own.
@@ -29,6 +31,6 @@ impl DiverseResults {
     pub fn new(settings: &DiverseSettings, sha256: &str, cases: Vec<DiverseOutcome>) -> Self {
         let (seed, first) = (settings.seed, settings.first);
         let score = DiverseScore::of(&cases);
-        Self { format: 1, seed, first, sha256: sha256.into(), score, cases }
+        Self { format: 1, seed, first, sha256: sha256.into(), resumed: false, score, cases }
     }
 }

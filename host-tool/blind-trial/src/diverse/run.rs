@@ -12,13 +12,13 @@ use crate::error::TrialError;
 use crate::logs;
 use crate::outcome::{RunSettings, answer_to};
 use crate::thread_time::thread_time;
-use diagnosis::Diagnosis;
+use diagnosis::{Criteria, Diagnosis};
 use recordings::Campaign;
 
 /// Whatever diagnoses logs: all that it found, or why there is nothing.
 pub type DiagnoseWhole<'a> = &'a dyn Fn(&Campaign) -> Result<Diagnosis, String>;
 
-/// Writes the logs of a case, reads them back and diagnoses them; the diagnosis sees nothing
+/// Writes the logs of a case, reads them back and diagnoses them; `diagnose` is given nothing
 /// else. Processor time is this thread's, which must do all the work.
 ///
 /// # Errors
@@ -49,9 +49,11 @@ pub(crate) fn diagnose_written(
         let began = thread_time();
         let answer = diagnose(campaign);
         processor_s.set(thread_time().saturating_sub(began).as_secs_f64());
-        let found = answer?;
-        told_shares.replace(told(case, campaign, &found.criteria));
-        Ok(found.report)
+        // By the report's doubt; where there is no report, by what is thought before one.
+        let by =
+            answer.as_ref().map_or_else(|_| Criteria::default(), |found| found.criteria.clone());
+        told_shares.replace(told(case, campaign, &by));
+        Ok(answer?.report)
     })?;
     let Some(reality) = case.reality.clone() else {
         return Err(TrialError::NoReality(case.number));
@@ -62,6 +64,7 @@ pub(crate) fn diagnose_written(
         truth: case.causes.clone(),
         known: known.clone(),
         told_shares: told_shares.into_inner(),
+        suspects_truth: false,
         reality,
         beside: beside(case),
         verdict: answer.verdict(),

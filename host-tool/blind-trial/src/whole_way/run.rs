@@ -116,6 +116,7 @@ impl WholeWayOutcome {
                 kind: robot.kind,
                 truth: Vec::new(),
                 told_shares: Vec::new(),
+                suspects_truth: false,
                 known: Vec::new(),
                 reality: robot.reality.clone().unwrap_or_else(Reality::plain),
                 beside: Vec::new(),

@@ -32,9 +32,19 @@ pub struct Kinematics {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sliding {
     /// Velocity [rad/s].
-    pub velocity: Vec<f64>,
+    pub velocity_rad_per_s: Vec<f64>,
     /// Its slope [rad/s^2].
-    pub acceleration: Vec<f64>,
+    pub acceleration_rad_per_s2: Vec<f64>,
+}
+
+impl Sliding {
+    /// Velocity that dry friction feels at a sample, to first order the one `lead_s` later, and by how much it is ahead
+    /// [rad/s].
+    #[inline]
+    pub fn ahead_by<T: Real>(&self, lead_s: T, k: usize) -> (T, T) {
+        let ahead = lead_s * T::constant(self.acceleration_rad_per_s2[k]);
+        (T::constant(self.velocity_rad_per_s[k]) + ahead, ahead)
+    }
 }
 
 impl Kinematics {
@@ -66,9 +76,9 @@ impl Kinematics {
 
     /// The same with its slope.
     pub fn sliding(&self, joint: usize, wavers_rad: f64, period_s: f64) -> Sliding {
-        let velocity = self.sliding_velocity(joint, wavers_rad, period_s).into_owned();
-        let acceleration = derivative::first(&velocity, period_s);
-        Sliding { velocity, acceleration }
+        let velocity_rad_per_s = self.sliding_velocity(joint, wavers_rad, period_s).into_owned();
+        let acceleration_rad_per_s2 = derivative::first(&velocity_rad_per_s, period_s);
+        Sliding { velocity_rad_per_s, acceleration_rad_per_s2 }
     }
 
     /// Angles, velocities, accelerations of three joints at an instant.

@@ -201,7 +201,7 @@ impl Subject {
     /// Takes effects that a search tries first.
     pub(crate) fn suspect(&mut self, tables: &[files::EffectTable]) -> Result<(), SubjectError> {
         let effects = tables.iter().map(|table| self.effect_of(table));
-        self.suspected = effects.collect::<Result<_, _>>()?;
+        self.suspected = effects.collect::<Result<_, _>>().map_err(SubjectError::Suspected)?;
         Ok(())
     }
 
@@ -209,7 +209,7 @@ impl Subject {
     fn effect_of(
         &self,
         table: &files::EffectTable,
-    ) -> Result<(&'static Definition, u8, Vec<f64>), SubjectError> {
+    ) -> Result<(&'static Definition, u8, Vec<f64>), EffectError> {
         let (definition, values) = self.catalogue.definition_and_values(table)?;
         let joint = self.inner_joint(table.joint);
         definition.on_one_of(self.catalogue.joints(), joint, &values)?;
@@ -231,6 +231,9 @@ pub enum SubjectError {
     /// An `[[effect]]` of the model is none.
     #[error("the model's [[effect]]: {0}")]
     Effect(#[from] EffectError),
+    /// An effect that is suspected is none that the robot can have.
+    #[error("an effect that is suspected: {0}")]
+    Suspected(EffectError),
     /// The model of an arm describes none.
     #[error(transparent)]
     Plant(#[from] PlantError),

@@ -3,6 +3,7 @@
 use super::objection::{Objection, objection};
 use super::refit::Finalist;
 use crate::fit::fitted_model::FittedModel;
+use crate::fit::preparation::as_given;
 use crate::logs::subject::Subject;
 use crate::trial::hypothesis::{EffectInstance, Hypothesis};
 
@@ -83,9 +84,18 @@ impl KnownCauses {
         Self { causes: effects.iter().map(alone).collect(), found_in: None }
     }
 
-    /// Effects that a subject is suspected to have.
+    /// Effects that a subject is suspected to have, in the model as given.
     pub fn suspected_of(subject: &Subject) -> Self {
-        Self::alone(&subject.suspected.iter().map(EffectInstance::told).collect::<Vec<_>>())
+        let effects: Vec<_> = subject.suspected.iter().map(EffectInstance::told).collect();
+        Self { found_in: Some(Box::new(as_given(subject))), ..Self::alone(&effects) }
+    }
+
+    /// These behind the effects that a subject is suspected to have, where there are any.
+    pub fn behind_suspected(self, subject: &Subject) -> Self {
+        match subject.suspected.is_empty() {
+            true => self,
+            false => Self::suspected_of(subject).and(self),
+        }
     }
 
     /// These, and those of others that they do not exclude; a search begins from the model of the others, too.

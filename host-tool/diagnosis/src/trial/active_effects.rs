@@ -116,12 +116,8 @@ impl<'a> ActiveEffects<'a> {
         let (half, quarter) = (T::constant(0.5), T::constant(0.25));
         let half_s = half * T::constant(self.stretch.period_s);
         let sliding = self.sliding(joint);
-        let last = sliding.velocity.len() - 1;
-        // Velocity that dry friction feels, to first order the one `lead_s` later, and by how much it is ahead.
-        let at = |k: usize| {
-            let ahead = lead_s * T::constant(sliding.acceleration[k]);
-            (T::constant(sliding.velocity[k]) + ahead, ahead)
-        };
+        let last = sliding.velocity_rad_per_s.len() - 1;
+        let at = |k: usize| sliding.ahead_by(lead_s, k);
         let mut before = at(0);
         let scaling = at_rest(self.hypothesis.effects_on_friction_of(joint), self.stretch.period_s);
         let felt = TorquesFelt::by(&scaling);
@@ -196,7 +192,7 @@ impl<'a> ActiveEffects<'a> {
             let joint_state = self.joint_state(k, felt);
             self.effects.iter().for_each(|e| e.change_friction(&joint_state, &mut scale));
             for (joint, state) in bristles.iter_mut().enumerate() {
-                let v = sliding[joint].velocity[k];
+                let v = sliding[joint].velocity_rad_per_s[k];
                 let friction = &self.plant.friction[joint];
                 state.step_scaled(friction, scale[joint], v, self.stretch.period_s);
             }

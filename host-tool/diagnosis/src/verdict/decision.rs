@@ -69,8 +69,8 @@ fn confirmed(worth: &Worth, criteria: &VerdictCriteria) -> f64 {
     (deviations / criteria.sure_deviations).clamp(0.0, 1.0)
 }
 
-/// Why a cause is not named, where it is not; `explained` is the part of the arm's gap that all causes take together,
-/// and `no_gap` whether there is none. One that is not sure, or that is found where there is no gap, takes half of
+/// Why a cause is not named, where it is not; `explained` is the part of the arm's gap that all causes take together, where
+/// there is none that of the joints on which it acts, and `no_gap` whether there is none. One that is not sure, or that is found where there is no gap, takes half of
 /// what is left without it, and causes half of the gap: where most stays, something else may be the cause of
 /// all of it, on that joint or, as a belt between two, on the arm.
 pub fn why_not_named(

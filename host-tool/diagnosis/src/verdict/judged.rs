@@ -106,13 +106,13 @@ impl Reason {
             }
             Self::Idle => "it hardly acts on the logs held out",
             Self::Unsteady => {
-                "its time is uncertain, or differs between logs, by more than a fifth, as play makes it and no drive is"
+                "its time is uncertain, or differs between logs, by more than a fifth: play does that, a drive does not"
             }
             Self::LooseSpring => {
                 "a spring whose stiffness is uncertain by more than three fifths, and no log of another motion is held out"
             }
             Self::WaveOfFriction => {
-                "friction varies with the same order there, and by another law than the model's leaves such a wave"
+                "friction of this joint varies with the same order, and leaves such a wave if its law is not the model's"
             }
             Self::Lengths => "lengths off within their doubt, a tenth, would do the same",
             Self::Small => "too small a part of the gap or of what is left",

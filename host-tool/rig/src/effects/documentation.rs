@@ -12,8 +12,11 @@ const HEAD: &str = "\
 # The catalogue of effects
 
 What a real robot may do and the model does not hold. `rrr simulate --effect` adds them to the
-simulated robot, `[[effect]]` tables to a model. u is the command, q the joint as its encoder sees
-it, n a harmonic per turn. Each has a file in `host-tool/rig/src/effects/catalogue/`, from which this
+simulated robot, `[[effect]]` tables to a model. u is the command, q the joint's position as its encoder reads
+it, qd its velocity, n the number of periods per turn, phi a phase, k_t the torque constant, gamma the
+level of friction, alpha2 viscous friction, c + h the torque of Coriolis forces and gravity, J the tip's
+Jacobian, theta the motor's angle, t time; a prime is a derivative in time. Other letters are the
+effect's parameters. Each has a file in `host-tool/rig/src/effects/catalogue/`, from which this
 page is written (`RRR_WRITE_DOCS=1 cargo test -p rig docs_effects_md`); several act in the order in
 which they are given.
 
@@ -42,8 +45,8 @@ const TABLES: &str = "
 ## Curves without a cause: `table`
 
 What remains of a gap once its causes are named, in a form that simulator and board can play: a curve
-over one axis, added to u. It is no cause, so no search and no blind trial has it. A file or a command
-line gives it to one joint, as often as need be:
+over one axis, added to u. It names no cause, so neither the search nor the blind trials use it. A model
+file or `--effect` gives it to one joint; a joint may have several:
 
     [[effect]]
     effect = \"table\"
@@ -67,14 +70,17 @@ const OF_ARMS: &str = "
 ## On an arm of any kind
 
 An arm of format 2 ([mechanisms.md](mechanisms.md)) has all of the above, some of them in other terms, and
-more. Its joints may slide and its drives take other units; names keep `_V` and `_rad`.
+more. Its joints may slide and its drives take other units; names keep `_V` and `_rad`. The board drives the
+three-joint robot alone, so it compensates for nothing on such an arm. What position servos have:
+[servo-arms.md](servo-arms.md#simulated-with-hidden-effects).
 ";
 
 /// The page of the effects of the robot and of those that arms of any kind have, in Markdown.
 pub fn markdown(catalogue: &Catalogue, of_arms: &Catalogue) -> String {
     let others = || of_arms.iter().filter(|effect| !catalogue.iter().any(|own| same(own, effect)));
     let arms = table(WHAT, others().map(what_it_is));
-    let shown_of_arms = table(SHOWS, others().map(how_it_shows));
+    let [on_arms @ .., _] = SHOWS;
+    let shown_of_arms = table(on_arms, others().map(how_it_shows_on_an_arm));
     let what = table(WHAT, catalogue.iter().map(what_it_is));
     let shown = table(SHOWS, catalogue.iter().map(how_it_shows));
     let is_new = |effect: &&Definition| catalogue.by_name(effect.name).is_none();
@@ -90,8 +96,15 @@ pub fn markdown(catalogue: &Catalogue, of_arms: &Catalogue) -> String {
 
 const WHAT: [&str; 5] =
     ["effect", "acts on", "what it is", "equation", "parameters and their bounds"];
-const SHOWS: [&str; 7] =
-    ["effect", "changes", "on", "searched for", "more of it is", "shown best by", "the board"];
+const SHOWS: [&str; 7] = [
+    "effect",
+    "changes",
+    "of",
+    "the search begins",
+    "a stronger one has",
+    "shown best by",
+    "the board",
+];
 
 /// Whether two are one definition, with the same bounds.
 fn same(one: &Definition, other: &Definition) -> bool {
@@ -157,6 +170,12 @@ fn how_it_shows(definition: &Definition) -> [String; 7] {
         definition.experiment.into(),
         board(definition.compensation),
     ]
+}
+
+/// The same without the board, which drives no such arm.
+fn how_it_shows_on_an_arm(definition: &Definition) -> [String; 6] {
+    let [on_arms @ .., _] = how_it_shows(definition);
+    on_arms
 }
 
 fn searched(search: Search) -> &'static str {

@@ -17,24 +17,29 @@ use blind_trial::{RunSettings, SealedTruth, logs, sealed_truth};
 use diagnosis::{Criteria, diagnose_suspecting};
 use rig::effects::Catalogue;
 
-/// Draws, seals, has diagnosed, and scores; where it `resumes` a trial that was stopped, answers that are in its
-/// directory are taken from there.
-pub(super) fn run(
-    settings: &DiverseSettings,
-    run: &RunSettings,
-    resumes: bool,
-) -> Result<(), Failure> {
+/// How a diverse trial is run.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Way {
+    /// Whether answers that are in its directory are taken from there: it goes on with a trial that was stopped.
+    pub(super) resumes: bool,
+    /// Whether searches try the true causes first.
+    pub(super) suspects_truth: bool,
+}
+
+/// Draws, seals, has diagnosed, and scores.
+pub(super) fn run(settings: &DiverseSettings, run: &RunSettings, way: Way) -> Result<(), Failure> {
     let (cases, truth) = sealed(settings, &run.out)?;
-    let earlier = if resumes { Earlier::read(&run.out)? } else { Vec::new() };
+    let earlier = if way.resumes { Earlier::read(&run.out)? } else { Vec::new() };
     let known = |case: &DiverseCase| earlier.iter().find_map(|earlier| earlier.outcome(case));
     let mut outcomes = on_all_cores(&cases, &|case| match known(case) {
         Some(outcome) => Ok(outcome),
-        None => diagnose_one(case, run),
+        None => diagnose_one(case, run, way.suspects_truth),
     })?;
     outcomes.sort_by_key(|outcome| outcome.case);
     truth.reveal(&run.out)?;
     say!("SHA-256 of the truth, opened: {}\n", truth.hash());
     let results = DiverseResults::new(settings, truth.hash(), outcomes);
+    let results = DiverseResults { resumed: way.resumes, ..results };
     diverse::write(&results, &run.out)?;
     say!("{}", diverse::short(&results));
     say!("Cases: {}", run.out.join("diverse-trial.md").display());
@@ -74,13 +79,18 @@ fn sealed(
     Ok((cases, truth))
 }
 
-fn diagnose_one(case: &DiverseCase, run: &RunSettings) -> Result<DiverseOutcome, Failure> {
-    let suspected = if run.suspects_truth { true_effects(&case.case) } else { Vec::new() };
-    let outcome = diagnose_diverse(case, run, &|campaign| {
+fn diagnose_one(
+    case: &DiverseCase,
+    run: &RunSettings,
+    suspects_truth: bool,
+) -> Result<DiverseOutcome, Failure> {
+    let suspected = if suspects_truth { true_effects(&case.case) } else { Vec::new() };
+    let mut outcome = diagnose_diverse(case, run, &|campaign| {
         let (catalogue, criteria) = (Catalogue::standard(), Criteria::default());
         diagnose_suspecting(campaign, &catalogue, &criteria, &suspected, &|_| ())
             .map_err(|error| error.to_string())
     })?;
+    outcome.suspects_truth = suspects_truth;
     diverse::append(&outcome, &run.out)?;
     let answer = diverse::answer(&outcome);
     say!("case {:03}: {answer}, {:.0} s", outcome.case, outcome.seconds);

@@ -78,8 +78,8 @@ pub struct Arguments {
     /// Go on with a diverse trial that was stopped: answers that are in --out already are taken from there.
     #[arg(long, requires = "diverse", conflicts_with = "draw_only")]
     pub resume: bool,
-    /// Have the search of a diverse trial try the true causes first: what is missed all the same is not missed by the
-    /// search.
+    /// Have the searches of a diverse trial try the true causes first, those that the catalogue has: what is missed all the
+    /// same is not missed by the search alone.
     #[arg(long, requires = "diverse", conflicts_with_all = ["draw_only", "resume"])]
     pub suspect_truth: bool,
 }
@@ -174,16 +174,12 @@ impl Arguments {
         if self.draw_only {
             return diverse::draw_only(&settings, &self.out);
         }
-        diverse::run(&settings, &self.run_settings(), self.resume)
+        let (resumes, suspects_truth) = (self.resume, self.suspect_truth);
+        diverse::run(&settings, &self.run_settings(), diverse::Way { resumes, suspects_truth })
     }
 
     fn run_settings(&self) -> RunSettings {
-        RunSettings {
-            out: self.out.clone(),
-            keep_logs: self.keep_logs,
-            ceiling: self.ceiling,
-            suspects_truth: self.suspect_truth,
-        }
+        RunSettings { out: self.out.clone(), keep_logs: self.keep_logs, ceiling: self.ceiling }
     }
 
     /// Diagnoses the cases, one on each core, and prints each answer as it comes.

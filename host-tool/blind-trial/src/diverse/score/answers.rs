@@ -72,9 +72,9 @@ impl DiverseOutcome {
         self.is_knowable() && share.is_some_and(|share| share >= SHOWN)
     }
 
-    /// Whether the largest cause could be known and, told with its values, shows on the logs held out by the report's own
-    /// measure.
-    pub fn is_confirmable_when_told(&self) -> bool {
+    /// Whether the largest cause, one that the catalogue has, could be known and, told with its values, shows on the logs held
+    /// out by the report's own measure.
+    pub fn is_measurable(&self) -> bool {
         let share = self.told_shares.first().copied().flatten();
         self.is_knowable() && share.is_some_and(|share| share >= SHOWN)
     }
@@ -106,8 +106,8 @@ pub struct Answers {
     pub knowable_named: Share,
     /// Those that take a tenth of the gap or more on the logs held out, by twins: it stands first.
     pub confirmable_first: Share,
-    /// Those that take as much by the report's own measure, told with their values: it stands first.
-    pub told_first: Share,
+    /// Those of the catalogue that take as much by the report's own measure, told with their values: it stands first.
+    pub measurable_first: Share,
     /// Those of one cause that takes more than half of the gap: it stands first.
     pub dominated_first: Share,
     /// Pairs both of which could be known: both are named.
@@ -146,8 +146,8 @@ impl Answers {
                 &DiverseOutcome::is_confirmable,
                 &DiverseOutcome::is_first_right,
             ),
-            told_first: count(
-                &DiverseOutcome::is_confirmable_when_told,
+            measurable_first: count(
+                &DiverseOutcome::is_measurable,
                 &DiverseOutcome::is_first_right,
             ),
             dominated_first: count(

@@ -42,6 +42,7 @@ fn outcome(truth: Vec<TrueCause>, known: &[(f64, f64)], claims: Vec<Claim>) -> D
         kind,
         truth,
         told_shares: known.clone().map(|known| known.share).collect(),
+        suspects_truth: false,
         known: known.collect(),
         reality: Reality::plain(),
         beside: Vec::new(),
@@ -112,7 +113,7 @@ fn what_a_report_would_not_tell_of_a_cause_is_a_row_of_its_own() {
     let unseen = DiverseOutcome { told_shares: vec![Some(0.02)], ..unseen };
     let score = DiverseScore::of(&[named, unseen]).answers;
     let counts = |share: Share| (share.count, share.of);
-    assert_eq!((counts(score.confirmable_first), counts(score.told_first)), ((1, 2), (1, 1)));
+    assert_eq!((counts(score.confirmable_first), counts(score.measurable_first)), ((1, 2), (1, 1)));
 }
 
 #[test]

@@ -18,12 +18,12 @@ pub(super) const DEFINITION: Definition = Definition {
     confused_with: &[Confusion::effect(
         "delay",
         "below 1/(10 T) both turn the phase alike; they differ in the second order",
-        "`driven-noise` to 200 Hz",
+        "noise up to 200 Hz in the command (`rrr run driven-noise`)",
     )
     .compared()
     .never_paired()],
     compensation: Compensation::None("undoing a lag would amplify the noise of the command"),
-    experiment: "`rrr run driven-noise`, which reaches 200 Hz",
+    experiment: "noise up to 200 Hz in the command (`rrr run driven-noise`)",
     build: |joint, values| {
         Box::new(ActuatorLag {
             joint: usize::from(joint) - 1,

@@ -27,7 +27,7 @@ pub(super) const DEFINITION: Definition = Definition {
     compensation: Compensation::Feedforward(|values| {
         Ok(Feedforward::AsymmetricFriction { relative_asymmetry: values[0] as f32 })
     }),
-    experiment: "`rrr run excitation`, both ways at many speeds",
+    experiment: "motion both ways at many speeds (`rrr run excitation`)",
     build: |joint, values| {
         Box::new(AsymmetricFriction {
             joint: usize::from(joint) - 1,

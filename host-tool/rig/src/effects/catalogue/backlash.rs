@@ -25,7 +25,7 @@ pub(super) const DEFINITION: Definition = Definition {
     },
     confused_with: &[],
     compensation: Compensation::None("the encoder sees the motor, not the link"),
-    experiment: "`rrr run slow` and `rrr run driven-noise`, which reverse the torque",
+    experiment: "motion in which the torque reverses often, slow (`rrr run slow`) and with noise (`rrr run driven-noise`)",
     build: |joint, values| {
         let transmission = Transmission {
             gap_rad: values[0],

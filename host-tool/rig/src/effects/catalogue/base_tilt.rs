@@ -52,7 +52,7 @@ pub(super) const DEFINITION: Definition = Definition {
         "moments that a level base hides",
         "the first moments of link 1 and those along joint axis 2 are not among the 16 \
          parameters; they show on joint 1 only when the base leans",
-        "`slow` over a whole turn of joint 1",
+        "slow motion of joint 1 over a whole turn",
     )],
     compensation: Compensation::Model(|load, values| {
         if load.tilt.is_some() {
@@ -61,7 +61,7 @@ pub(super) const DEFINITION: Definition = Definition {
         load.tilt = Some(tilt(values));
         Ok(())
     }),
-    experiment: "`rrr run excitation`, joint 1 over a whole turn",
+    experiment: "motion of joint 1 over a whole turn",
     build: |_, values| Box::new(BaseTilt { tilt: tilt(values) }),
 };
 

@@ -43,7 +43,7 @@ pub(super) const DEFINITION: Definition = Definition {
         let [stiffness_v_per_rad, rest_rad] = [values[0] as f32, values[1] as f32];
         Ok(Feedforward::CableSpring { stiffness_v_per_rad, rest_rad })
     }),
-    experiment: "`rrr run slow` over more than a turn",
+    experiment: "slow motion over more than a turn",
     build: |joint, values| {
         Box::new(CableSpring {
             joint: usize::from(joint) - 1,

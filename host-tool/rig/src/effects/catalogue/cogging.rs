@@ -33,7 +33,7 @@ pub(super) const DEFINITION: Definition = Definition {
         let wave = turn_wave(values[1], values[2])?;
         Ok(Feedforward::Cogging { amplitude_v: values[0] as f32, wave })
     }),
-    experiment: "`rrr run slow` over a whole turn",
+    experiment: "slow motion both ways over a whole turn",
     build: |joint, values| {
         Box::new(Cogging {
             joint: usize::from(joint) - 1,

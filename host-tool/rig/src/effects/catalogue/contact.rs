@@ -36,7 +36,7 @@ pub(super) const DEFINITION: Definition = Definition {
         ),
     ],
     compensation: Compensation::None("what stands in the arm's way is to be taken away"),
-    experiment: "any motion; seconds in which the arm is not free say nothing of the rest",
+    experiment: "the same motion free and in contact",
     build: |_, values| Box::new(Contact { stiffness_n_per_m: values[0], height_m: values[1] }),
 };
 

@@ -34,7 +34,7 @@ pub(super) const DEFINITION: Definition = Definition {
     compensation: Compensation::Inverse(|values| {
         Ok(InputInverse::DacOffset { offset_v: values[0] as f32 })
     }),
-    experiment: "`rrr run slow`, both ways",
+    experiment: "slow motion both ways (`rrr run slow`)",
     build: |joint, values| {
         Box::new(DacOffset { joint: usize::from(joint) - 1, offset_v: values[0] })
     },

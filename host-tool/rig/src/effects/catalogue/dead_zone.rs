@@ -27,14 +27,14 @@ pub(super) const DEFINITION: Definition = Definition {
         .compared(),
         Confusion::model(
             "Coulomb friction",
-            "alike where command and velocity share their sign",
+            "they look alike wherever command and velocity have the same sign",
             "gravity load: joints 2 and 3, `slow`",
         ),
     ],
     compensation: Compensation::Inverse(|values| {
         Ok(InputInverse::DeadZone { half_width_v: values[0] as f32 })
     }),
-    experiment: "`rrr run excitation`, where commands cross zero while the joint slides",
+    experiment: "motion in which commands cross zero while the joint slides (`rrr run excitation`)",
     build: |joint, values| {
         Box::new(DeadZone { joint: usize::from(joint) - 1, half_width_v: values[0] })
     },

@@ -19,7 +19,7 @@ pub(super) const DEFINITION: Definition = Definition {
     draw: |_, random| vec![random.log_uniform(1e-3, 6e-3)],
     confused_with: &[],
     compensation: Compensation::None("no command can act before it is given"),
-    experiment: "`rrr run driven-noise`, which reaches 200 Hz",
+    experiment: "noise up to 200 Hz in the command (`rrr run driven-noise`)",
     build: |joint, values| {
         Box::new(Delay {
             joint: usize::from(joint) - 1,

@@ -25,7 +25,7 @@ pub(super) const DEFINITION: Definition = Definition {
         "fast turns: its error grows with the square of speed",
     )],
     compensation: Compensation::None("the board takes its encoders for true"),
-    experiment: "`rrr run excitation`: fast turns",
+    experiment: "fast motion over whole turns (`rrr run excitation`)",
     build: |joint, values| {
         Box::new(EncoderEccentricity {
             joint: usize::from(joint) - 1,

@@ -24,7 +24,7 @@ pub(super) const DEFINITION: Definition = Definition {
         ),
         Confusion::effect(
             "base_tilt",
-            "the first joint about a level axis turns with the base",
+            "a lean of the base turns the arm about its first horizontal axis, as another zero of that joint does",
             "motion of joint 1 over a whole turn",
         )
         .compared(),
@@ -36,7 +36,7 @@ pub(super) const DEFINITION: Definition = Definition {
         .compared(),
     ],
     compensation: Compensation::None("home the joint anew: the board takes its encoders for true"),
-    experiment: "`rrr run slow` over a wide range",
+    experiment: "slow motion over a wide range",
     build: |joint, values| {
         Box::new(EncoderOffset { joint: usize::from(joint) - 1, offset_rad: values[0] })
     },

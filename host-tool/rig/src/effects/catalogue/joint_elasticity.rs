@@ -24,11 +24,11 @@ pub(super) const DEFINITION: Definition = Definition {
         Confusion::effect(
             "backlash",
             "a gap that is small against the spring's own give is a spring; both ring",
-            "`driven-noise` at two amplitudes: the resonance of backlash moves with amplitude, that of a spring does not",
+            "noise in the command at two amplitudes: the resonance of backlash moves with amplitude, that of a spring does not",
         ).never_paired(),
     ],
     compensation: Compensation::None("the encoder sees the motor, not the link"),
-    experiment: "`rrr run driven-noise`, which reaches the resonance",
+    experiment: "noise in the command up to the resonance (`rrr run driven-noise` reaches 200 Hz)",
     build: |joint, values| {
         let transmission = Transmission {
             gap_rad: 0.0,

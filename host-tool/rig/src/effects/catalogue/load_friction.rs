@@ -23,7 +23,7 @@ pub(super) const DEFINITION: Definition = Definition {
     },
     confused_with: &[],
     compensation: Compensation::None("the board does not compute the load's part of friction"),
-    experiment: "`rrr run slow` in other postures or with a payload",
+    experiment: "slow motion in other postures, or with a load at the tip",
     build: |joint, values| {
         Box::new(LoadFriction {
             joint: usize::from(joint) - 1,

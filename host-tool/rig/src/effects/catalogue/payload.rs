@@ -20,15 +20,15 @@ pub(super) const DEFINITION: Definition = Definition {
     draw: |_, random| vec![random.log_uniform(0.1, 1.0)],
     confused_with: &[Confusion::effect(
         "tip_force",
-        "an upward force is a payload but for its inertia",
-        "fast motion (`excitation`), which a force does not resist",
+        "a downward force acts like a payload, except that it has no inertia",
+        "fast motion (`rrr run excitation`): a force has no inertia",
     )
     .never_paired()],
     compensation: Compensation::Model(|load, values| {
         load.payload_kg += values[0];
         Ok(())
     }),
-    experiment: "`rrr run excitation`, which accelerates the tip",
+    experiment: "motion that accelerates the tip (`rrr run excitation`)",
     build: |_, values| Box::new(Payload { mass_kg: values[0], at_m: [0.0; 3] }),
 };
 

@@ -34,13 +34,13 @@ pub(super) const DEFINITION: Definition = Definition {
         Confusion::model(
             "viscous friction",
             "over less than a decade of speeds a square is nearly a line",
-            "`constant-velocity` from slow to fast",
+            "constant velocities from slow to fast (`rrr run constant-velocity`)",
         ),
     ],
     compensation: Compensation::Feedforward(|values| {
         Ok(Feedforward::QuadraticDrag { coefficient_v_s2_per_rad2: values[0] as f32 })
     }),
-    experiment: "`rrr run excitation` at speeds ten times apart",
+    experiment: "motion at speeds ten times apart (`rrr run slow` and `rrr run excitation`)",
     build: |joint, values| {
         Box::new(QuadraticDrag {
             joint: usize::from(joint) - 1,

@@ -22,10 +22,10 @@ pub(super) const DEFINITION: Definition = Definition {
     confused_with: &[Confusion::effect(
         "torque_constant",
         "a limit that only one log reaches looks like a smaller gain",
-        "`excitation` driven harder, so that two logs reach the limit",
+        "motion so fast that commands of two logs reach the limit",
     )],
     compensation: Compensation::None("an amplifier gives no more than it can"),
-    experiment: "`rrr run excitation`, faster, so that the limit is reached",
+    experiment: "motion so fast that commands reach the limit",
     build: |joint, values| {
         Box::new(Saturation { joint: usize::from(joint) - 1, limit_v: values[0] })
     },

@@ -33,12 +33,12 @@ pub(super) const DEFINITION: Definition = Definition {
         Confusion::effect(
             "quadratic_drag",
             "a wide peak falls with speed as degressive friction does",
-            "`constant-velocity` from slow to fast",
+            "constant velocities from slow to fast (`rrr run constant-velocity`)",
         )
         .compared(),
     ],
     compensation: Compensation::None("it compensates for the model's own friction"),
-    experiment: "`rrr run slow`, and motion ten times as fast",
+    experiment: "slow motion and motion ten times as fast (`rrr run slow` and `rrr run excitation`)",
     build: |joint, values| {
         Box::new(Stribeck {
             joint: usize::from(joint) - 1,

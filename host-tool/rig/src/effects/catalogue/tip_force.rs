@@ -39,7 +39,7 @@ pub(super) const DEFINITION: Definition = Definition {
         "motion of joint 1 over a whole turn, the arm stretched and folded",
     )],
     compensation: Compensation::Model(add_force),
-    experiment: "`rrr run excitation` with all three joints",
+    experiment: "motion of all joints (`rrr run excitation`)",
     build: |_, values| Box::new(TipForce { force_n: [values[0], values[1], values[2]] }),
 };
 

@@ -30,7 +30,7 @@ pub(super) const DEFINITION: Definition = Definition {
     compensation: Compensation::Inverse(|values| {
         Ok(InputInverse::TorqueConstant { relative_error: values[0] as f32 })
     }),
-    experiment: "move a known payload: `rrr run task` with and without a mass at the tip",
+    experiment: "the same motion with and without a known mass at the tip (`rrr run task`)",
     build: |joint, values| {
         Box::new(TorqueConstant { joint: usize::from(joint) - 1, relative_error: values[0] })
     },

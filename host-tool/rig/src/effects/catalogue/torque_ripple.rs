@@ -34,7 +34,7 @@ pub(super) const DEFINITION: Definition = Definition {
         let wave = turn_wave(values[1], values[2])?;
         Ok(InputInverse::TorqueRipple { relative_amplitude: values[0] as f32, wave })
     }),
-    experiment: "`rrr run excitation` over a whole turn under load",
+    experiment: "motion under load over a whole turn (`rrr run excitation`)",
     build: |joint, values| {
         Box::new(TorqueRipple {
             joint: usize::from(joint) - 1,

@@ -21,18 +21,18 @@ pub(super) const DEFINITION: Definition = Definition {
         Confusion::effect(
             "asymmetric_friction",
             "at one speed both are a constant that turns with the direction",
-            "`constant-velocity` both ways at several speeds",
+            "constant velocities both ways at several speeds",
         )
         .compared(),
         Confusion::effect(
             "dac_offset",
             "at one speed both are a constant while the joint goes one way",
-            "`constant-velocity` both ways at several speeds",
+            "constant velocities both ways at several speeds",
         )
         .compared(),
     ],
     compensation: Compensation::None("it scales Coulomb and viscous friction alike"),
-    experiment: "`rrr run excitation`, both ways at many speeds",
+    experiment: "motion both ways at many speeds (`rrr run excitation`)",
     build: |joint, values| {
         Box::new(ViscousAsymmetry { joint: usize::from(joint) - 1, relative_asymmetry: values[0] })
     },
