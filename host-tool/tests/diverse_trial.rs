@@ -41,7 +41,7 @@ fn two_diverse_cases_are_drawn_diagnosed_and_scored() {
     assert!(!String::from_utf8(again).unwrap().contains("case 001:"), "it is not diagnosed again");
     assert_eq!(read("diverse-trial.jsonl"), lines);
     let resumed = read("diverse-trial.md");
-    assert!(resumed.contains("Resumed:") && !page.contains("Resumed:"), "{resumed}");
+    assert!(resumed.contains("an earlier run") && !page.contains("an earlier run"), "{resumed}");
     assert_eq!(without_seal(&resumed), without_seal(&page));
 }
 

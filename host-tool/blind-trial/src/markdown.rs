@@ -23,6 +23,20 @@ pub fn sealed_head(
     )
 }
 
+/// The same of a trial that went on with answers of an earlier run, before which the hash of the truth as drawn then was told.
+pub fn resumed_head(
+    title: &str,
+    cases: usize,
+    first: impl Display,
+    seed: impl Display,
+    sha256: &str,
+) -> String {
+    format!(
+        "# {title}\n\n{cases} cases from number {first} of seed {seed}, with answers of an earlier run; SHA-256 of the \
+         truth as drawn again for this page: `{sha256}`.\n"
+    )
+}
+
 /// The whole page.
 pub fn page(results: &Results) -> String {
     let score = &results.score;

@@ -4,13 +4,12 @@ use super::outcome::DiverseOutcome;
 use super::results::DiverseResults;
 use super::score::{Answers, DiverseScore, KNOWABLE, Reliability, Row};
 use crate::claim::answer_in_words;
-use crate::markdown::{counted, percent, sealed_head, table, with_parameters};
+use crate::markdown::{counted, percent, resumed_head, sealed_head, table, with_parameters};
 
 /// Length of a full bar [characters].
 const BAR: f64 = 30.0;
 
-/// What is said where a trial went on with answers of an earlier run.
-const RESUMED: &str = "Resumed: this SHA-256 is of the truth as drawn again; earlier answers came after that of their own run.\n";
+const TITLE: &str = "Blind trial, diverse realities";
 
 /// What is said of answers to searches that were told the truth.
 const NOT_BLIND: &str =
@@ -19,10 +18,10 @@ const NOT_BLIND: &str =
 /// The whole page.
 pub fn page(results: &DiverseResults) -> String {
     let DiverseResults { cases: all, first, seed, sha256, .. } = results;
-    let mut head = sealed_head("Blind trial, diverse realities", all.len(), first, seed, sha256);
-    if results.resumed {
-        head += RESUMED;
-    }
+    let mut head = match results.resumed {
+        true => resumed_head(TITLE, all.len(), first, seed, sha256),
+        false => sealed_head(TITLE, all.len(), first, seed, sha256),
+    };
     if all.iter().any(|case| case.suspects_truth) {
         head += NOT_BLIND;
     }

@@ -178,6 +178,15 @@ impl Subject {
         Some(self.joints[place])
     }
 
+    /// The experiment that shows an effect best: without the command that plays it where the board does not drive the arm.
+    pub fn experiment(&self, definition: &Definition) -> &'static str {
+        let words = definition.experiment;
+        match self.plant.as_chain() {
+            Some(_) => words.split_once(" (`").map_or(words, |(motion, _)| motion),
+            None => words,
+        }
+    }
+
     /// Takes the effects that a model as given holds.
     pub(super) fn take_effects(
         &mut self,

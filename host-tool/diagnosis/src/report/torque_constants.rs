@@ -13,9 +13,9 @@ pub fn words(subject: &Subject) -> Option<String> {
     let joints: Vec<String> = in_doubt.iter().map(of_joint).collect();
     Some(format!(
         "torque constants are told against each other: all of them by one factor are all masses by that. Some are in doubt, and \
-         were taken to be off by what is likeliest ({}), as in the amended model; to tell them, {}, and diagnose with the \
-         model as given",
+         were taken to be off by what is likeliest ({}), as in the amended model; to tell them, record {}, and diagnose with \
+         the model as given",
         joints.join(", "),
-        definition.experiment
+        subject.experiment(definition)
     ))
 }

@@ -76,7 +76,10 @@ fn in_doubt(subject: &Subject) -> impl Iterator<Item = Untestable> {
     subject.in_doubt().iter().map(|(definition, joint, _)| Untestable {
         effect: definition.name.into(),
         joint: subject.outer_joint(*joint),
-        why: format!("told against those of other joints only; {} would", definition.experiment),
+        why: format!(
+            "told against those of other joints only; {} would",
+            subject.experiment(definition)
+        ),
     })
 }
 
@@ -94,7 +97,11 @@ fn why_unseen(sight: &Sight, size: f64, useless: f64, subject: &Subject) -> Stri
     };
     let joint = usize::from(sight.joint).checked_sub(1);
     let units = joint.and_then(|joint| subject.units.get(joint)).copied().unwrap_or_default();
-    format!("no log would show it {}; {} would", units.in_words(&said), definition.experiment)
+    format!(
+        "no log would show it {}; {} would",
+        units.in_words(&said),
+        subject.experiment(definition)
+    )
 }
 
 /// Squares that lift what is left of a log above what the method itself may leave.
@@ -154,7 +161,7 @@ fn alike(linear: &Linearisation, subject: &Subject, sights: &[Sight]) -> Vec<Unt
                     joint: subject.outer_joint(first.joint),
                     why: format!(
                         "these logs do not tell it from {a}; {} would",
-                        second.definition.experiment
+                        subject.experiment(second.definition)
                     ),
                 });
             }

@@ -25,7 +25,7 @@ pub(super) const DEFINITION: Definition = Definition {
     },
     confused_with: &[],
     compensation: Compensation::None("the encoder sees the motor, not the link"),
-    experiment: "motion in which the torque reverses often, slow (`rrr run slow`) and with noise (`rrr run driven-noise`)",
+    experiment: "slow motion and noise in the command, which reverse the torque (`rrr run slow` and `rrr run driven-noise`)",
     build: |joint, values| {
         let transmission = Transmission {
             gap_rad: values[0],
