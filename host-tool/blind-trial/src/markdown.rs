@@ -17,24 +17,13 @@ pub fn sealed_head(
     seed: impl Display,
     sha256: &str,
 ) -> String {
-    format!(
-        "# {title}\n\n{cases} cases from number {first} of seed {seed}; SHA-256 of the truth, told \
-         before the first diagnosis: `{sha256}`.\n"
-    )
+    let drawn = drawn_head(title, cases, first, seed);
+    format!("{drawn}; SHA-256 of the truth, told before the first diagnosis: `{sha256}`.\n")
 }
 
-/// The same of a trial that went on with answers of an earlier run, before which the hash of the truth as drawn then was told.
-pub fn resumed_head(
-    title: &str,
-    cases: usize,
-    first: impl Display,
-    seed: impl Display,
-    sha256: &str,
-) -> String {
-    format!(
-        "# {title}\n\n{cases} cases from number {first} of seed {seed}, with answers of an earlier run; SHA-256 of the \
-         truth as drawn again for this page: `{sha256}`.\n"
-    )
+/// The same without the digest and the end of the sentence.
+pub fn drawn_head(title: &str, cases: usize, first: impl Display, seed: impl Display) -> String {
+    format!("# {title}\n\n{cases} cases from number {first} of seed {seed}")
 }
 
 /// The whole page.

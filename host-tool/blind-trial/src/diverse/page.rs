@@ -4,10 +4,17 @@ use super::outcome::DiverseOutcome;
 use super::results::DiverseResults;
 use super::score::{Answers, DiverseScore, KNOWABLE, Reliability, Row};
 use crate::claim::answer_in_words;
-use crate::markdown::{counted, percent, resumed_head, sealed_head, table, with_parameters};
+use crate::markdown::{counted, drawn_head, percent, sealed_head, table, with_parameters};
 
 /// Length of a full bar [characters].
 const BAR: f64 = 30.0;
+
+/// What is said of answers of an earlier run, before which the hash of the truth as drawn then was told.
+fn resumed(sha256: &str) -> String {
+    format!(
+        ", with answers of an earlier run; SHA-256 of the truth as drawn again for this page: `{sha256}`.\n"
+    )
+}
 
 const TITLE: &str = "Blind trial, diverse realities";
 
@@ -19,7 +26,7 @@ const NOT_BLIND: &str =
 pub fn page(results: &DiverseResults) -> String {
     let DiverseResults { cases: all, first, seed, sha256, .. } = results;
     let mut head = match results.resumed {
-        true => resumed_head(TITLE, all.len(), first, seed, sha256),
+        true => drawn_head(TITLE, all.len(), first, seed) + &resumed(sha256),
         false => sealed_head(TITLE, all.len(), first, seed, sha256),
     };
     if all.iter().any(|case| case.suspects_truth) {
