@@ -2,7 +2,7 @@
 //! diagnosis, model file, compensation, blind trial and documentation take it as it is.
 #![allow(missing_docs)]
 
-use blind_trial::{DrawSettings, Kind as CaseKind, draw};
+use blind_trial::{DrawSettings, Kind as CaseKind, draw, foreign};
 use diagnosis::{Criteria, Value, Verdict, diagnose};
 use files::RobotFile;
 use rig::compensation::Compensations;
@@ -96,4 +96,19 @@ fn it_is_drawn_for_a_blind_trial_and_documented() {
     assert_eq!(cases[0].causes[0].effect, "cubic_drag");
     let page = documentation::markdown(&catalogue(), &Catalogue::of_arm(3));
     assert_eq!(page.matches("| `cubic_drag` |").count(), 3, "{page}");
+}
+
+/// What a hum adds to the command is bound to the acceleration that it makes by one phase, as by a delay.
+#[test]
+fn a_supply_that_hums_is_told_as_a_line_and_not_as_a_delay() {
+    let hum = foreign::by_name("mains_hum").unwrap();
+    let campaign = short_campaign(|| vec![(hum.build)(2, &[0.28, 11.3, 3.0])]);
+    let standard = Catalogue::standard();
+    let diagnosis = diagnose(&campaign, &standard, &Criteria::default(), &|_| ()).unwrap();
+    eprintln!("{}", host_tool::commands::diagnose::in_words(&diagnosis));
+    let report = &diagnosis.report;
+    assert_eq!((report.verdict, report.causes.len()), (Verdict::Unknown, 0));
+    let line = report.gap_shares.first().unwrap();
+    assert_eq!((line.joint, line.detail.as_str()), (3, "a line at 11.3 Hz"));
+    assert!(line.share > 0.7, "{line:?}");
 }

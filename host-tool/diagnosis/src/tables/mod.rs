@@ -7,3 +7,4 @@
 pub mod ceiling;
 pub mod knots;
 pub mod remaining;
+pub mod tone;

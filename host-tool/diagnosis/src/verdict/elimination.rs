@@ -17,6 +17,7 @@ use crate::search::found::{Added, Rival, Selection};
 use crate::search::selection::update_gains;
 use crate::search::without::without;
 use crate::tables::ceiling::reaches_ceiling;
+use crate::tables::tone::reaches_tone;
 use crate::trial::hypothesis::EffectInstance;
 
 /// The model of a selection, less and less of it.
@@ -123,6 +124,7 @@ impl<'a> Elimination<'a> {
             let explained = if no_gap { own() } else { of_arm };
             let is_below =
                 || !reaches_ceiling(self.subject, without, &self.last, self.place(index));
+            let is_tone = || !reaches_tone(self.subject, without, &self.last, self.place(index));
             let nothing_told = || may_be_nothing(&self.last, self.place(index));
             let too_little = || {
                 let nothing = (worth.share <= 0.0).then_some(Reason::NoShare);
@@ -136,6 +138,7 @@ impl<'a> Elimination<'a> {
             let reason = self
                 .cannot_be(confirmation, index)
                 .or_else(|| too_little().map(idle))
+                .or_else(|| is_tone().then_some(Reason::Tone))
                 .or_else(|| is_below().then_some(Reason::Ceiling))?;
             Some((index, reason))
         };

@@ -69,11 +69,13 @@ pub enum Reason {
     NearNoise,
     /// A curve along one axis takes more.
     Ceiling,
+    /// A tone of one frequency takes more.
+    Tone,
 }
 
 impl Reason {
     /// All reasons.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 17] = [
         Self::Unlikely,
         Self::Rival,
         Self::ImplausibleModel,
@@ -90,6 +92,7 @@ impl Reason {
         Self::MostStays,
         Self::NearNoise,
         Self::Ceiling,
+        Self::Tone,
     ];
 
     /// In words, as they stand in brackets behind an effect.
@@ -123,6 +126,7 @@ impl Reason {
                 "no gap above the noise, and it takes less than half of what is left"
             }
             Self::Ceiling => "a curve along one axis explains more",
+            Self::Tone => "a tone of one frequency explains more: a supply that hums, say",
         }
     }
 }

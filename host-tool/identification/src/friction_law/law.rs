@@ -94,6 +94,9 @@ impl FrictionLaw {
                  and pre-sliding data leave open"
             ));
         }
+        if figures.is_empty() {
+            figures.push("no log tells it from static friction".to_owned());
+        }
         let figures = figures.join("; ");
         format!("joint {}: {} friction ({figures})", self.joint, self.law.name())
     }

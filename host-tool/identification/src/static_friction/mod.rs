@@ -8,6 +8,7 @@
 //! neighbours' reaction must equal the command ([`super::one_joint::grey_box`]).
 //! sigma_0 and sigma_1 come out as well, roughly; the FRF, eq. (12), gives them better.
 
+mod breakaway;
 mod start;
 pub mod steady;
 
@@ -100,7 +101,8 @@ fn without_bristles(rows: &Rows, lugre: &Fit) -> Fit {
     let mut start = lugre.parameters.clone();
     start[BRISTLES[0]] = UNSEEN_STIFFNESS_V_PER_RAD.ln();
     start[BRISTLES[1]] = start[ALPHA2];
-    with_method_error(grey_box::fit(&rows.data, start, &free, FINELY))
+    let fit = grey_box::fit(&rows.data, start, &free, FINELY);
+    with_method_error(breakaway::within_what_rows_show(rows, fit, &free))
 }
 
 /// Points of the grid from which a search may begin.
@@ -138,6 +140,7 @@ pub fn fit_log(trace: &Trace, joint: u8, known: &Known) -> Result<(Rows, Fit), S
         rows.data.weight = grey_box::weights_from(&best, &rows.data.weight);
         best = grey_box::fit(&rows.data, best.parameters, &free, FINELY);
     }
+    let best = breakaway::within_what_rows_show(&rows, best, &free);
     Ok((rows, with_method_error(best)))
 }
 
