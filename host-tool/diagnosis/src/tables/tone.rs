@@ -1,8 +1,7 @@
 //! The most that a tone could explain: one frequency in all train logs, as of a supply that hums.
 //!
-//! A command that holds one frequency above what the model needs, and moves the joint with it, is
-//! bound to the joint's acceleration at that frequency by one gain and one phase. A delay or a lag
-//! makes such a phase, so that it seems to explain the tone.
+//! What a hum adds to the command moves the joint, so that command and acceleration are bound at its
+//! frequency by one gain and one phase. A delay or a lag makes such a phase, and seems to explain the tone.
 
 use nalgebra::Complex;
 use realfft::RealFftPlanner;
@@ -13,8 +12,8 @@ use crate::logs::subject::Subject;
 use crate::rows::evidence::{Evidence, Rows};
 use signal::rms;
 
-/// Whether an effect (the one at `index` of a model) takes what a tone on its joint takes, or pays
-/// beside that tone.
+/// Whether an effect (the one at `index` of a model) is no lag or delay, takes what a tone on its
+/// joint takes, or pays beside that tone.
 pub fn reaches_tone(
     subject: &Subject,
     without: &FittedModel,
@@ -23,33 +22,48 @@ pub fn reaches_tone(
 ) -> bool {
     let policy = &subject.criteria.selection;
     let effect = &with.linear.hypothesis.effects[index];
-    let Some(joint) = usize::from(effect.joint).checked_sub(1) else { return true };
-    let piece_s = policy.tone_piece_s;
-    let squares =
-        |model: &FittedModel| squares_v2(&model.evidence, &model.left_out_v, joint, piece_s);
-    let before = squares(without);
-    let Some(tone) = strongest(&before, &squares_of_motion(&without.evidence, joint, piece_s))
+    let Some(joint) = usize::from(effect.joint).checked_sub(1).filter(|_| effect.is_late()) else {
+        return true;
+    };
+    let [before, after] = [without, with].map(|model| excess_left_v2(subject, model, joint));
+    let Some([tone, left_of_tone]) = strongest_tone(without, with, joint, policy.tone_piece_s)
     else {
         return true;
     };
-    let left = [without, with].map(|model| excess_left_v2(subject, model, joint));
-    let by_tone = before[tone] / left[0].max(f64::MIN_POSITIVE);
-    let beside = [left[0] - before[tone], left[1] - squares(with)[tone]];
-    part_taken(subject, without, with, joint) >= policy.least_of_ceiling * by_tone
+    let beside = [before - tone, after - left_of_tone];
+    before <= 0.0
+        || part_taken(subject, without, with, joint) >= policy.least_of_ceiling * tone / before
         || beside[0] - beside[1] > policy.least_beside_table * beside[0].max(0.0)
 }
 
-/// The frequency, by its place, of the largest squares that is not most of the motion itself: what a
-/// sine of a motion leaves has its frequency.
+/// Squares that the strongest tone of a joint takes without an effect, and that the same one takes
+/// with it [V^2].
+fn strongest_tone(
+    without: &FittedModel,
+    with: &FittedModel,
+    joint: usize,
+    piece_s: f64,
+) -> Option<[f64; 2]> {
+    let squares =
+        |model: &FittedModel| squares_v2(&model.evidence, &model.left_out_v, joint, piece_s);
+    let before = squares(without);
+    let place = strongest(&before, &parts_of_motion(&without.evidence, joint, piece_s))?;
+    Some([before[place], *squares(with).get(place)?])
+}
+
+/// The place of the largest squares that are not of a frequency of the motion itself, one that holds half of
+/// it: what a sine of a motion leaves has its frequency. A window smears it over the places about.
 fn strongest(squares_v2: &[f64], of_motion: &[f64]) -> Option<usize> {
     const MOST_OF_MOTION: f64 = 0.5;
-    let is_own = |place: &usize| of_motion.get(*place).is_none_or(|part| *part < MOST_OF_MOTION);
+    let motion: Vec<usize> =
+        (0..of_motion.len()).filter(|place| of_motion[*place] >= MOST_OF_MOTION).collect();
+    let is_own = |place: &usize| motion.iter().all(|other| other.abs_diff(*place) > FINER);
     let places = (0..squares_v2.len()).filter(is_own);
     places.max_by(|a, b| squares_v2[*a].total_cmp(&squares_v2[*b]))
 }
 
 /// The part of a joint's squared velocity that lies at each frequency, as [`squares_v2`] has them.
-fn squares_of_motion(evidence: &Evidence, joint: usize, piece_s: f64) -> Vec<f64> {
+fn parts_of_motion(evidence: &Evidence, joint: usize, piece_s: f64) -> Vec<f64> {
     let velocity = |s: usize| {
         let signal = &evidence.stretches[s].motion.qd_rad_per_s[joint];
         evidence.filter(joint, s).rows(signal)
@@ -61,8 +75,9 @@ fn squares_of_motion(evidence: &Evidence, joint: usize, piece_s: f64) -> Vec<f64
     squares.into_iter().map(|square| square / whole.max(f64::MIN_POSITIVE)).collect()
 }
 
-/// Squares that a sine of each frequency takes of a joint's train rows, with an amplitude and a
-/// phase for each piece of a log; from 0 in steps of a quarter of a piece's own [V^2].
+/// Squares that a sine of each frequency takes of a joint's train rows, above those of most
+/// frequencies, with an amplitude and a phase for each piece of a log; from 0 in steps of a
+/// quarter of a piece's own [V^2].
 ///
 /// None below two periods in a piece: what is that slow is a drift.
 fn squares_v2(evidence: &Evidence, rows_v: &Rows, joint: usize, piece_s: f64) -> Vec<f64> {
@@ -71,20 +86,26 @@ fn squares_v2(evidence: &Evidence, rows_v: &Rows, joint: usize, piece_s: f64) ->
     for (s, range) in ranges.take(evidence.train_stretches()) {
         let period_s = evidence.filter(joint, s).row_period_s();
         let samples = (piece_s / period_s).round().max(1.0) as usize;
-        for piece in rows_v[joint][range].chunks(samples) {
+        for piece in pieces(&rows_v[joint][range], samples) {
             add_squares(&mut sum, piece, samples);
         }
     }
     sum.iter_mut().take(2 * FINER).for_each(|square| *square = 0.0);
-    sum
+    above_median(sum)
+}
+
+/// A stretch in even pieces of about so many values.
+fn pieces(rows: &[f64], samples: usize) -> impl Iterator<Item = &[f64]> {
+    let count = ((rows.len() as f64 / samples as f64).round() as usize).max(1);
+    rows.chunks(rows.len().div_ceil(count).max(1))
 }
 
 /// A piece is transformed as if it were so many times as long.
 const FINER: usize = 4;
 
-/// Adds the squares of a piece, of at most `samples` values; a short rest says too little.
+/// Adds the squares of a piece of about so many `samples`; one below a quarter of that says too little.
 fn add_squares(sum: &mut Vec<f64>, piece: &[f64], samples: usize) {
-    if 2 * piece.len() < samples || samples < 8 {
+    if 4 * piece.len() < samples || samples < 8 {
         return;
     }
     let transform = RealFftPlanner::<f64>::new().plan_fft_forward(FINER * samples);
@@ -100,42 +121,55 @@ fn add_squares(sum: &mut Vec<f64>, piece: &[f64], samples: usize) {
     sum.iter_mut().zip(&spectrum).for_each(|(sum, value)| *sum += scale * value.norm_sqr());
 }
 
+/// Squares less their median, which noise takes at any frequency.
+fn above_median(mut squares_v2: Vec<f64>) -> Vec<f64> {
+    let mut sorted = squares_v2.clone();
+    sorted.sort_by(f64::total_cmp);
+    let median = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
+    squares_v2.iter_mut().for_each(|square| *square = (*square - median).max(0.0));
+    squares_v2
+}
+
 #[cfg(test)]
 mod tests {
     use std::f64::consts::TAU;
 
     use super::*;
 
-    fn squares(piece: &[f64]) -> Vec<f64> {
+    fn squares(rows: &[f64]) -> Vec<f64> {
         let mut sum = Vec::new();
-        add_squares(&mut sum, piece, 1000);
-        sum
+        pieces(rows, 1000).for_each(|piece| add_squares(&mut sum, piece, 1000));
+        above_median(sum)
     }
 
     fn sine(amplitude: f64, periods: f64, count: usize) -> Vec<f64> {
         (0..count).map(|k| amplitude * (TAU * periods * k as f64 / 1000.0 + 0.4).sin()).collect()
     }
 
+    fn whole(rows: &[f64]) -> f64 {
+        rows.iter().map(|v| v * v).sum()
+    }
+
     #[test]
     fn a_sine_takes_its_own_squares_wherever_its_frequency_lies() {
-        for (periods, count) in [(40.0, 1000), (40.13, 1000), (7.4, 800)] {
-            let piece = sine(0.3, periods, count);
-            let squares = squares(&piece);
-            let whole: f64 = piece.iter().map(|v| v * v).sum();
+        for (periods, count) in [(40.0, 1000), (40.13, 2440), (7.4, 800), (40.0, 300)] {
+            let rows = sine(0.3, periods, count);
+            let squares = squares(&rows);
             let place = strongest(&squares, &[]).unwrap();
-            assert!((place as f64 / FINER as f64 - periods).abs() < 0.2, "{periods}: {place}");
-            assert!((squares[place] / whole - 1.0).abs() < 0.07, "{periods}");
+            assert!((place as f64 / FINER as f64 - periods).abs() < 0.3, "{periods}: {place}");
+            assert!((squares[place] / whole(&rows) - 1.0).abs() < 0.08, "{periods}");
         }
-        assert!(squares(&sine(0.3, 40.0, 400)).is_empty());
+        assert!(squares(&sine(0.3, 40.0, 200)).is_empty());
     }
 
     #[test]
     fn what_the_motion_is_made_of_is_no_tone() {
-        let left = squares(&sine(0.3, 5.0, 1000));
-        let mut of_motion = vec![0.0; left.len()];
-        let place = strongest(&left, &of_motion).unwrap();
-        assert_eq!(place, 5 * FINER);
-        of_motion[place - 2..=place + 2].fill(0.9);
-        assert_ne!(strongest(&left, &of_motion), Some(place));
+        let left: Vec<f64> =
+            sine(0.3, 5.0, 2000).iter().zip(sine(0.1, 90.0, 2000)).map(|(a, b)| a + b).collect();
+        assert_eq!(strongest(&squares(&left), &[]), Some(5 * FINER));
+        let velocity = sine(2.0, 5.1, 2000);
+        let of_motion: Vec<f64> =
+            squares(&velocity).into_iter().map(|square| square / whole(&velocity)).collect();
+        assert_eq!(strongest(&squares(&left), &of_motion), Some(90 * FINER));
     }
 }

@@ -124,7 +124,8 @@ impl<'a> Elimination<'a> {
             let explained = if no_gap { own() } else { of_arm };
             let is_below =
                 || !reaches_ceiling(self.subject, without, &self.last, self.place(index));
-            let is_tone = || !reaches_tone(self.subject, without, &self.last, self.place(index));
+            let is_below_tone =
+                || !reaches_tone(self.subject, without, &self.last, self.place(index));
             let nothing_told = || may_be_nothing(&self.last, self.place(index));
             let too_little = || {
                 let nothing = (worth.share <= 0.0).then_some(Reason::NoShare);
@@ -138,7 +139,7 @@ impl<'a> Elimination<'a> {
             let reason = self
                 .cannot_be(confirmation, index)
                 .or_else(|| too_little().map(idle))
-                .or_else(|| is_tone().then_some(Reason::Tone))
+                .or_else(|| is_below_tone().then_some(Reason::Tone))
                 .or_else(|| is_below().then_some(Reason::Ceiling))?;
             Some((index, reason))
         };

@@ -69,7 +69,7 @@ pub enum Reason {
     NearNoise,
     /// A curve along one axis takes more.
     Ceiling,
-    /// A tone of one frequency takes more.
+    /// A lag or delay, of which a tone of one frequency takes more.
     Tone,
 }
 
