@@ -79,9 +79,12 @@ criteria! {
         least_of_ceiling: f64 = 0.9,
         /// unless beside that table it still takes this part of what is left.
         least_beside_table: f64 = 0.15,
-        /// The same of a tone, one frequency in all train logs, with an amplitude and a phase for each piece of this
-        /// length [s]: frequencies are told apart by an eighth of a hertz, and a supply's wanders by less.
+        /// A lag or a delay is not the cause either where a tone, one frequency in all train logs with an amplitude and a
+        /// phase for each piece of this length [s], takes so much: a supply's frequency wanders by less than an eighth of a
+        /// hertz,
         tone_piece_s: f64 = 8.0,
+        /// and more than this part of what is left, and of what the lag takes, lies at that frequency.
+        most_at_tone: f64 = 0.5,
         /// Most steps of a fit with a table.
         table_steps: usize = 2,
         /// Most tables of a joint in the amended model.

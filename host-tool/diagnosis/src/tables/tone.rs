@@ -6,14 +6,14 @@
 use nalgebra::Complex;
 use realfft::RealFftPlanner;
 
-use super::ceiling::{excess_left_v2, part_taken};
+use super::ceiling::excess_left_v2;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::{Evidence, Rows};
 use signal::rms;
 
-/// Whether an effect (the one at `index` of a model) is no lag or delay, takes what a tone on its
-/// joint takes, or pays beside that tone.
+/// Whether an effect (the one at `index` of a model) is no lag or delay, or takes what a tone on its
+/// joint takes, or neither the joint's gap nor what the effect takes is most of it at one frequency.
 pub fn reaches_tone(
     subject: &Subject,
     without: &FittedModel,
@@ -30,10 +30,11 @@ pub fn reaches_tone(
     else {
         return true;
     };
-    let beside = [before - tone, after - left_of_tone];
+    let taken = before - after;
     before <= 0.0
-        || part_taken(subject, without, with, joint) >= policy.least_of_ceiling * tone / before
-        || beside[0] - beside[1] > policy.least_beside_table * beside[0].max(0.0)
+        || taken >= policy.least_of_ceiling * tone
+        || tone < policy.most_at_tone * before
+        || tone - left_of_tone < policy.most_at_tone * taken
 }
 
 /// Squares that the strongest tone of a joint takes without an effect, and that the same one takes
