@@ -4,7 +4,7 @@
 //! narrower than all speeds of the log and goes to hundreds of volts at zero, though a joint that
 //! moved broke away at less; or by one that goes to nothing there, where bristles cannot bend.
 
-use super::{BARELY_KNOWN, FINELY};
+use super::constants::{BARELY_KNOWN, FINELY};
 use crate::one_joint::grey_box::{self, Fit};
 use crate::one_joint::parameters::LINEAR;
 use crate::one_joint::rows::Rows;

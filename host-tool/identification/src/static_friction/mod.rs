@@ -9,6 +9,7 @@
 //! sigma_0 and sigma_1 come out as well, roughly; the FRF, eq. (12), gives them better.
 
 mod breakaway;
+mod constants;
 mod start;
 pub mod steady;
 
@@ -21,13 +22,13 @@ use super::one_joint::log_rows::log_rows;
 use super::one_joint::parameters::{ALPHA2, BRISTLES, FRICTION, LINEAR, from_logarithms};
 use super::one_joint::rows::{Rows, Term};
 use super::one_joint::sliding::sliding;
+use constants::{BARELY_KNOWN, FINELY};
 use recordings::StepError;
 use recordings::campaign::{Known, Trace};
 use steady::SteadyLeg;
 
-/// Tolerances of the searches before and after rows are weighted.
+/// Tolerance of the searches before rows are weighted.
 const ROUGHLY: f64 = 1e-3;
-const FINELY: f64 = 1e-6;
 /// How often rows are weighted anew.
 const REWEIGHTINGS: usize = 2;
 
@@ -193,8 +194,6 @@ fn with_method_error(fit: Fit) -> Fit {
     fit
 }
 
-/// Standard error of ln v_s from which on the log does not tell the Stribeck curve.
-const BARELY_KNOWN: f64 = 0.5;
 /// Relative error of the breakaway level then.
 const UNSEEN_BREAKAWAY: f64 = 0.3;
 
