@@ -12,8 +12,10 @@ use crate::logs::subject::Subject;
 use crate::rows::evidence::{Evidence, Rows};
 use signal::rms;
 
-/// Whether an effect (the one at `index` of a model) is no lag or delay, or takes what a tone on its
-/// joint takes, or neither the joint's gap nor what the effect takes is most of it at one frequency.
+/// Whether an effect (the one at `index` of a model) takes what the strongest tone on its joint takes.
+///
+/// Only a lag or a delay can fail, and only where most of the joint's gap and most of what the effect takes lie at
+/// the tone's frequency: what takes something elsewhere as well is more than a tone.
 pub fn reaches_tone(
     subject: &Subject,
     without: &FittedModel,
