@@ -65,7 +65,8 @@ fn over_velocity(sorted: &[f64]) -> Option<Vec<f64>> {
     (*speeds.last()? > 0.0).then_some(knots)
 }
 
-fn quantile(sorted: &[f64], part: f64) -> Option<f64> {
+/// The value that so much of some sorted ones stays below; none of none.
+pub fn quantile(sorted: &[f64], part: f64) -> Option<f64> {
     let last = sorted.len().checked_sub(1)?;
     sorted.get((part * last as f64).round() as usize).copied()
 }

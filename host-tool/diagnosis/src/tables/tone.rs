@@ -7,6 +7,8 @@ use nalgebra::Complex;
 use realfft::RealFftPlanner;
 
 use super::ceiling::excess_left_v2;
+use super::knots::quantile;
+use crate::criteria::SelectionCriteria;
 use crate::fit::fitted_model::FittedModel;
 use crate::logs::subject::Subject;
 use crate::rows::evidence::{Evidence, Rows};
@@ -28,8 +30,7 @@ pub fn reaches_tone(
         return true;
     };
     let [before, after] = [without, with].map(|model| excess_left_v2(subject, model, joint));
-    let Some([tone, left_of_tone]) = strongest_tone(without, with, joint, policy.tone_piece_s)
-    else {
+    let Some([tone, left_of_tone]) = strongest_tone(without, with, joint, policy) else {
         return true;
     };
     let taken = before - after;
@@ -40,18 +41,27 @@ pub fn reaches_tone(
 }
 
 /// Squares that the strongest tone of a joint takes without an effect, and that the same one takes
-/// with it [V^2].
+/// with it [V^2]; none where no frequency stands out.
 fn strongest_tone(
     without: &FittedModel,
     with: &FittedModel,
     joint: usize,
-    piece_s: f64,
+    policy: &SelectionCriteria,
 ) -> Option<[f64; 2]> {
+    let piece_s = policy.tone_piece_s;
     let squares =
         |model: &FittedModel| squares_v2(&model.evidence, &model.left_out_v, joint, piece_s);
     let before = squares(without);
     let place = strongest(&before, &parts_of_motion(&without.evidence, joint, piece_s))?;
-    Some([before[place], *squares(with).get(place)?])
+    let is_line = before[place] >= policy.tone_above_others * most_of_others(&before);
+    is_line.then_some([before[place], *squares(with).get(place)?])
+}
+
+/// What 98 % of frequencies stay below: two lines as a window smears them are fewer than the rest [V^2].
+fn most_of_others(squares_v2: &[f64]) -> f64 {
+    let mut sorted = squares_v2.to_vec();
+    sorted.sort_unstable_by(f64::total_cmp);
+    quantile(&sorted, 0.98).unwrap_or(0.0)
 }
 
 /// The place of the largest squares that are not of a frequency of the motion itself, one that holds half of
@@ -127,8 +137,8 @@ fn add_squares(sum: &mut Vec<f64>, piece: &[f64], samples: usize) {
 /// Squares less their median, which noise takes at any frequency.
 fn above_median(mut squares_v2: Vec<f64>) -> Vec<f64> {
     let mut sorted = squares_v2.clone();
-    sorted.sort_by(f64::total_cmp);
-    let median = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
+    sorted.sort_unstable_by(f64::total_cmp);
+    let median = quantile(&sorted, 0.5).unwrap_or(0.0);
     squares_v2.iter_mut().for_each(|square| *square = (*square - median).max(0.0));
     squares_v2
 }
@@ -136,6 +146,9 @@ fn above_median(mut squares_v2: Vec<f64>) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use std::f64::consts::TAU;
+
+    use rand_distr::{Distribution, StandardNormal};
+    use rand_pcg::Pcg64Mcg;
 
     use super::*;
 
@@ -163,6 +176,25 @@ mod tests {
             assert!((squares[place] / whole(&rows) - 1.0).abs() < 0.08, "{periods}");
         }
         assert!(squares(&sine(0.3, 40.0, 200)).is_empty());
+    }
+
+    #[test]
+    fn the_strongest_of_noise_is_no_line() {
+        let line = |amplitude: f64, seed: u128| {
+            let mut random = Pcg64Mcg::new(seed);
+            let mut noise = |v: &f64| -> f64 {
+                let drawn: f64 = StandardNormal.sample(&mut random);
+                v + drawn
+            };
+            let rows: Vec<f64> = sine(amplitude, 40.0, 8000).iter().map(&mut noise).collect();
+            let squares = squares(&rows);
+            squares[strongest(&squares, &[]).unwrap()] / most_of_others(&squares)
+        };
+        let above = SelectionCriteria::default().tone_above_others;
+        for seed in 0..20 {
+            assert!(line(0.0, seed) < above / 1.5, "{seed}: {}", line(0.0, seed));
+            assert!(line(0.3, seed) > 1.5 * above, "{seed}: {}", line(0.3, seed));
+        }
     }
 
     #[test]
